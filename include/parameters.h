@@ -1,0 +1,223 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_parameters_h
+#define contact_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The parameters of a case, one plain structure per concern. Each structure
+   * declares its entries once, in <code>add_parameters</code> (default,
+   * pattern, meaning and unit), and checks in <code>check</code> what one
+   * entry alone can not know.
+   *
+   * Units: mm, N, MPa = N/mm^2; forces are per mm of thickness (plane strain),
+   * which for the thickness 1 mm is the same number.
+   */
+  namespace Parameters
+  {
+    /// Where the mesh comes from and which of its boundaries are arcs.
+    struct Mesh
+    {
+      std::string file;
+      unsigned int refinements = 0;
+
+      /// Boundary group -> {centre x, centre y, radius} [mm].
+      std::map<std::string, std::vector<double>> arcs;
+
+      void add_parameters(ParameterHandler &prm);
+    };
+
+
+
+    /// The finite element of the solids.
+    struct Element
+    {
+      unsigned int degree = 1;
+
+      /// "bound": the 8-node quadrilateral, "free": the 9-node one.
+      std::string centre_node = "bound";
+
+      void add_parameters(ParameterHandler &prm);
+    };
+
+
+
+    /// What the bodies are made of and how they move.
+    struct Solids
+    {
+      /// Body group -> Young's modulus [MPa] and Poisson's ratio [-].
+      std::map<std::string, double> young;
+      std::map<std::string, double> poisson;
+
+      /// "small strain" or "large displacement".
+      std::string kinematics = "large displacement";
+
+      void add_parameters(ParameterHandler &prm);
+      void check() const;
+    };
+
+
+
+    /// Supports, ties and loads, all by group name.
+    struct Boundary
+    {
+      /// Boundary or point group -> prescribed displacement [mm].
+      std::map<std::string, double> displacement_x;
+      std::map<std::string, double> displacement_y;
+
+      /// Point group -> point group: equal displacement in y.
+      std::map<std::string, std::string> tied_y;
+
+      /// Point group -> dead force at full load [N per mm of thickness].
+      std::map<std::string, double> force_x;
+      std::map<std::string, double> force_y;
+
+      void add_parameters(ParameterHandler &prm);
+    };
+
+
+
+    /// One pair of surfaces that may touch.
+    struct Contact
+    {
+      std::string slave;
+      std::string master;
+
+      /// "nodal" or "Gauss".
+      std::string rule            = "Gauss";
+      unsigned int n_gauss_points = 3;
+
+      /// Points of the slave surface that carry no contact point.
+      std::vector<std::string> excluded_points;
+
+      double friction_coefficient = 0; // Coulomb [-]
+      double tresca_limit         = 0; // [MPa]
+
+      bool frictional() const
+      {
+        return friction_coefficient > 0 || tresca_limit > 0;
+      }
+
+      void add_parameters(ParameterHandler &prm);
+      void check() const;
+    };
+
+
+
+    /// Increments and the nested loops inside them.
+    struct Solution
+    {
+      unsigned int n_increments = 2;
+
+      /// "fixed point" or "Newton".
+      std::string geometry                 = "fixed point";
+      double geometry_tolerance            = 1e-2;
+      unsigned int max_geometry_iterations = 30;
+
+      /// "fixed point" or "Newton".
+      std::string friction                 = "fixed point";
+      double friction_tolerance            = 1e-10;
+      unsigned int max_friction_iterations = 60;
+
+      double newton_tolerance            = 1e-10;
+      unsigned int max_newton_iterations = 40;
+
+      void add_parameters(ParameterHandler &prm);
+    };
+
+
+
+    /// Values to report, and to compare with a reference.
+    struct Probes
+    {
+      /// Name -> {quantity, point group}; see the entry's documentation.
+      std::map<std::string, std::vector<std::string>> probes;
+
+      /// Name -> reference value, and its relative tolerance.
+      std::map<std::string, double> references;
+      std::map<std::string, double> tolerances;
+
+      /// Hertz line contact to compare the pressure with: {radius [mm], force
+      /// per length of the full cylinder [N/mm]}; empty: none.
+      std::vector<double> hertz;
+
+      void add_parameters(ParameterHandler &prm);
+      void check() const;
+    };
+
+
+
+    /// Files and screen.
+    struct Output
+    {
+      std::string directory = "output";
+
+      /// "full", "table" or "none".
+      std::string screen = "full";
+
+      bool vtu     = true;
+      bool profile = true;
+
+      void add_parameters(ParameterHandler &prm);
+    };
+
+
+
+    /// All of them, and the name of the case: the stem of its file.
+    struct All
+    {
+      std::string name;
+
+      Mesh mesh;
+      Element element;
+      Solids solids;
+      Boundary boundary;
+      Contact contact;
+      Solution solution;
+      Probes probes;
+      Output output;
+
+      void add_parameters(ParameterHandler &prm);
+
+      /**
+       * What only several entries together can tell: every entry of one
+       * concern against every other. Throws InputError.
+       */
+      void check() const;
+    };
+  } // namespace Parameters
+
+
+
+  /**
+   * Read a case from a .prm file into @p parameters, with @p overrides of the
+   * form "Section/Entry=value" on top, and check it. @p prm is the handler
+   * that was filled, to print what was used.
+   *
+   * The format is that of ParameterHandler with three differences. An
+   * <code>include</code> is relative to the file that includes, and so is the
+   * mesh file to the file that names it; an entry set twice in one file is an
+   * error (a file may override what it includes, and a later include an
+   * earlier one); an unknown entry is answered with the nearest known one.
+   * Throws InputError with file and line.
+   */
+  void read_parameters(const std::filesystem::path &file,
+                       const std::vector<std::string> &overrides,
+                       ParameterHandler &prm,
+                       Parameters::All &parameters);
+} // namespace Contact
+
+#endif
