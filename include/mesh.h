@@ -35,11 +35,11 @@ namespace Contact
 
     Point<2>
     get_new_point(const ArrayView<const Point<2>> &surrounding_points,
-                  const ArrayView<const double> &weights) const override;
+                  const ArrayView<const double>   &weights) const override;
 
   private:
     const Point<2> center;
-    const double radius;
+    const double   radius;
   };
 
 
@@ -61,10 +61,10 @@ namespace Contact
      */
     explicit Mesh(const Parameters::Mesh &parameters);
 
-    Triangulation<2> triangulation;
-    std::map<std::string, types::material_id> bodies;
+    Triangulation<2>                                    triangulation;
+    std::map<std::string, types::material_id>           bodies;
     std::map<std::string, std::set<types::boundary_id>> boundaries;
-    std::map<std::string, unsigned int> points;
+    std::map<std::string, unsigned int>                 points;
 
     /// The groups below, or an InputError that names the groups there are.
     types::material_id body(const std::string &name,

@@ -31,7 +31,7 @@ namespace Contact
     /// Where the mesh comes from and which of its boundaries are arcs.
     struct Mesh
     {
-      std::string file;
+      std::string  file;
       unsigned int refinements = 0;
 
       /// Boundary group -> {centre x, centre y, radius} [mm].
@@ -97,7 +97,7 @@ namespace Contact
       std::string master;
 
       /// "nodal" or "Gauss".
-      std::string rule            = "Gauss";
+      std::string  rule           = "Gauss";
       unsigned int n_gauss_points = 3;
 
       /// Points of the slave surface that carry no contact point.
@@ -123,16 +123,16 @@ namespace Contact
       unsigned int n_increments = 2;
 
       /// "fixed point" or "Newton".
-      std::string geometry                 = "fixed point";
-      double geometry_tolerance            = 1e-2;
+      std::string  geometry                = "fixed point";
+      double       geometry_tolerance      = 1e-2;
       unsigned int max_geometry_iterations = 30;
 
       /// "fixed point" or "Newton".
-      std::string friction                 = "fixed point";
-      double friction_tolerance            = 1e-10;
+      std::string  friction                = "fixed point";
+      double       friction_tolerance      = 1e-10;
       unsigned int max_friction_iterations = 60;
 
-      double newton_tolerance            = 1e-10;
+      double       newton_tolerance      = 1e-10;
       unsigned int max_newton_iterations = 40;
 
       void add_parameters(ParameterHandler &prm);
@@ -181,14 +181,14 @@ namespace Contact
     {
       std::string name;
 
-      Mesh mesh;
-      Element element;
-      Solids solids;
+      Mesh     mesh;
+      Element  element;
+      Solids   solids;
       Boundary boundary;
-      Contact contact;
+      Contact  contact;
       Solution solution;
-      Probes probes;
-      Output output;
+      Probes   probes;
+      Output   output;
 
       void add_parameters(ParameterHandler &prm);
 
@@ -214,10 +214,10 @@ namespace Contact
    * earlier one); an unknown entry is answered with the nearest known one.
    * Throws InputError with file and line.
    */
-  void read_parameters(const std::filesystem::path &file,
+  void read_parameters(const std::filesystem::path    &file,
                        const std::vector<std::string> &overrides,
-                       ParameterHandler &prm,
-                       Parameters::All &parameters);
+                       ParameterHandler               &prm,
+                       Parameters::All                &parameters);
 } // namespace Contact
 
 #endif
