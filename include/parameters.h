@@ -9,13 +9,34 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <filesystem>
+#include <iosfwd>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "errors.h"
+
 namespace Contact
 {
   using namespace dealii;
+
+  /**
+   * Entries that can be read, but are wrong: the one by its value, or several
+   * because they contradict each other. What checks a structure names them as
+   * "Section/Entry"; read_parameters() adds where they were set.
+   */
+  struct EntryError : public InputError
+  {
+    EntryError(const std::string              &problem,
+               const std::vector<std::string> &entries,
+               const std::string              &remedy);
+
+    const std::string              problem;
+    const std::vector<std::string> entries;
+    const std::string              remedy;
+  };
+
+
 
   /**
    * The parameters of a case, one plain structure per concern. Each structure
@@ -38,6 +59,7 @@ namespace Contact
       std::map<std::string, std::vector<double>> arcs;
 
       void add_parameters(ParameterHandler &prm);
+      void check() const;
     };
 
 
@@ -51,6 +73,7 @@ namespace Contact
       std::string centre_node = "bound";
 
       void add_parameters(ParameterHandler &prm);
+      void check() const;
     };
 
 
@@ -86,6 +109,7 @@ namespace Contact
       std::map<std::string, double> force_y;
 
       void add_parameters(ParameterHandler &prm);
+      void check() const;
     };
 
 
@@ -104,7 +128,7 @@ namespace Contact
       std::vector<std::string> excluded_points;
 
       double friction_coefficient = 0; // Coulomb [-]
-      double tresca_limit         = 0; // [MPa]
+      double tresca_limit         = 0; // [MPa]; instead of Coulomb
 
       bool frictional() const
       {
@@ -113,6 +137,10 @@ namespace Contact
 
       void add_parameters(ParameterHandler &prm);
       void check() const;
+
+    private:
+      void check_friction() const;
+      void check_excluded_points() const;
     };
 
 
@@ -136,6 +164,7 @@ namespace Contact
       unsigned int max_newton_iterations = 40;
 
       void add_parameters(ParameterHandler &prm);
+      void check() const;
     };
 
 
@@ -156,6 +185,10 @@ namespace Contact
 
       void add_parameters(ParameterHandler &prm);
       void check() const;
+
+    private:
+      void check_quantities() const;
+      void check_references() const;
     };
 
 
@@ -205,19 +238,27 @@ namespace Contact
   /**
    * Read a case from a .prm file into @p parameters, with @p overrides of the
    * form "Section/Entry=value" on top, and check it. @p prm is the handler
-   * that was filled, to print what was used.
+   * that was filled, to print what was used; it refers to @p parameters, which
+   * has to live as long. What both hold before is lost.
    *
    * The format is that of ParameterHandler with three differences. An
    * <code>include</code> is relative to the file that includes, and so is the
-   * mesh file to the file that names it; an entry set twice in one file is an
-   * error (a file may override what it includes, and a later include an
-   * earlier one); an unknown entry is answered with the nearest known one.
-   * Throws InputError with file and line.
+   * mesh file to the file that names it (an override names it relative to the
+   * working directory); an entry set twice in one file is an error (a file may
+   * override what it includes, and a later include an earlier one); an unknown
+   * entry is answered with the nearest known one. Throws InputError with file
+   * and line.
    */
   void read_parameters(const std::filesystem::path    &file,
                        const std::vector<std::string> &overrides,
                        ParameterHandler               &prm,
                        Parameters::All                &parameters);
+
+  /**
+   * Print every entry with its default, its allowed values, its meaning and
+   * its unit, as a parameter file.
+   */
+  void print_parameters(std::ostream &out);
 } // namespace Contact
 
 #endif

@@ -1,0 +1,142 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_contact_interface_h
+#define contact_contact_interface_h
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparse_matrix.h>
+
+#include "contact_points.h"
+#include "elasticity.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// What a contact point feels in a given state.
+  struct ContactState
+  {
+    double gap;      // [mm], negative: penetration
+    double slip;     // of this increment [mm]
+    double lambda_n; // interpolated multipliers [MPa]
+    double lambda_t;
+    double p_trial; // lambda_n - c gap: in contact where positive
+    double q_trial; // lambda_t - c slip: sticks where within the bound
+  };
+
+
+
+  /// What the points of a zone do.
+  struct StatusCount
+  {
+    unsigned int active = 0; // stick and slip
+    unsigned int stick  = 0;
+  };
+
+
+
+  /**
+   * One contact zone: the points on its slave surface, the kernel that reads
+   * them, and the active set.
+   *
+   * The solution vector holds the displacement, then the normal multipliers,
+   * and only with friction the tangential ones. With the tractions
+   *   p = lambda_n - c g  in contact,  0 if open,
+   *   q = lambda_t - c s  if sticking, +-bound if slipping, 0 if open,
+   * the discrete equations are, summed over the points,
+   *   elastic forces_a - w (p n + q t) C_a = 0,
+   *   w psi_k (p - lambda_n)/c = 0,   w psi_k (q - lambda_t)/c = 0:
+   * the stationarity of the augmented Lagrangian of Alart and Curnier (Comput.
+   * Methods Appl. Mech. Engrg. 92, 1991), whose semismooth Newton method with
+   * the status kept in the points is the primal-dual active set of
+   * Hintermueller, Ito and Kunisch (SIAM J. Optim. 13, 2003).
+   */
+  class ContactInterface
+  {
+  public:
+    ContactInterface(const Discretization      &discretization,
+                     const Elasticity          &elasticity,
+                     const Parameters::Contact &parameters);
+
+    const FrictionLaw law;
+    const Surface     slave;
+    const Surface     master;
+
+    std::vector<ContactPoint> points;
+    MultiplierSpace           multipliers;
+
+    unsigned int n_multipliers() const;
+
+    /// First index of the tangential multipliers in the solution.
+    types::global_dof_index normal_index(const unsigned int multiplier) const;
+    types::global_dof_index tangential_index(const unsigned int k) const;
+
+    /**
+     * Pair all points with the master in the configuration @p u. Returns
+     * whether a point changed its master edge: then the matrix couples other
+     * unknowns than before.
+     */
+    bool pair(const Vector<double> &u);
+
+    /**
+     * The first guess of the active set: points that touch, penetrate, or are
+     * closer than @p tolerance times the length of their slave edge.
+     */
+    void initialize_status(const Vector<double> &u, const double tolerance);
+
+    /// Set the bounds of the next Tresca problem from the present pressures;
+    /// return the largest change, relative to the largest bound.
+    double update_bounds(const Vector<double> &solution,
+                         const Vector<double> &u_start);
+
+    /// Set the status of all points from the state; return how many changed.
+    unsigned int update_status(const Vector<double> &solution,
+                               const Vector<double> &u_start,
+                               const bool            newton_friction);
+
+    StatusCount count() const;
+
+    /// Add the couplings of the points.
+    void add_couplings(DynamicSparsityPattern &pattern) const;
+
+    /// How the kernel linearises.
+    struct Linearization
+    {
+      /// Projection, normal and tangent move with the bodies.
+      bool moving_geometry;
+
+      /// The bound of the shear traction moves with the pressure.
+      bool moving_bound;
+    };
+
+    /// Add the tangent and the residual, constraints eliminated.
+    void assemble(const Vector<double> &solution,
+                  const Vector<double> &u_start,
+                  const Linearization  &linearization,
+                  SparseMatrix<double> &matrix,
+                  Vector<double>       &residual) const;
+
+    ContactState state(const ContactPoint   &point,
+                       const Vector<double> &solution,
+                       const Vector<double> &u_start) const;
+
+  private:
+    struct LocalSystem;
+
+    void assemble_point(const ContactPoint   &point,
+                        const Vector<double> &solution,
+                        const Vector<double> &u_start,
+                        const Linearization  &linearization,
+                        LocalSystem          &local) const;
+
+    void collect_unknowns(const ContactPoint                   &point,
+                          std::vector<types::global_dof_index> &unknowns) const;
+
+    const Discretization &discretization;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,176 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact_points.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace Contact
+{
+  namespace
+  {
+    /// Fill in the slave side of a point at @p xi of the slave edge @p e.
+    ContactPoint
+    make_point(const Surface &slave, const unsigned int e, const double xi)
+    {
+      const auto     &edge = slave.edges[e];
+      const EdgeShape shape(slave.degree, xi);
+
+      ContactPoint point;
+      point.slave_edge    = e;
+      point.slave_xi      = xi;
+      point.n_slave_nodes = 0;
+      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+        if (shape.value[a] != 0)
+          {
+            const unsigned int k = point.n_slave_nodes++;
+            point.dofs[k]        = slave.nodes[edge.nodes[a]].dofs;
+            point.X[k]           = slave.nodes[edge.nodes[a]].X;
+            point.C[k]           = shape.value[a];
+            point.C1[k] = point.C2[k] = 0;
+          }
+      point.n_nodes = point.n_slave_nodes;
+      return point;
+    }
+
+
+
+    /// Whether the tangential row lies in the span of the normal one, once the
+    /// unknowns that a support fixes are out.
+    bool is_void(const ContactPoint   &point,
+                 const Discretization &discretization)
+    {
+      double nn = 0, nt = 0, tt = 0;
+      for (unsigned int a = 0; a < point.n_nodes; ++a)
+        for (unsigned int i = 0; i < 2; ++i)
+          if (!discretization.is_fixed(point.dofs[a][i]))
+            {
+              nn += std::pow(point.C[a] * point.normal[i], 2);
+              tt += std::pow(point.C[a] * point.tangent[i], 2);
+              nt +=
+                point.C[a] * point.C[a] * point.normal[i] * point.tangent[i];
+            }
+      // Below this sine of the angle between the rows their two multipliers
+      // would be told apart by the round-off of the pairing alone.
+      const double sine = 1e-3;
+      return tt * nn - nt * nt <= sine * sine * nn * nn;
+    }
+  } // namespace
+
+
+
+  std::vector<ContactPoint>
+  make_nodal_points(const Surface                &slave,
+                    const std::set<unsigned int> &excluded,
+                    MultiplierSpace              &multipliers)
+  {
+    multipliers.of_node.assign(slave.nodes.size(),
+                               numbers::invalid_unsigned_int);
+    multipliers.n_multipliers = 0;
+
+    std::vector<ContactPoint>   points;
+    const std::array<double, 3> ends{ { -1, 1, 0 } };
+    for (unsigned int e = 0; e < slave.edges.size(); ++e)
+      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+        {
+          const unsigned int node = slave.edges[e].nodes[a];
+          if (excluded.count(node) > 0)
+            continue;
+
+          if (multipliers.of_node[node] == numbers::invalid_unsigned_int)
+            {
+              multipliers.of_node[node] = multipliers.n_multipliers++;
+              points.push_back(make_point(slave, e, ends[a]));
+              points.back().n_multipliers  = 1;
+              points.back().multipliers[0] = multipliers.of_node[node];
+              points.back().psi[0]         = 1;
+              points.back().weight         = 0;
+            }
+
+          // The share of this edge in the integral of the shape function.
+          const double share =
+            slave.degree == 1 ? 1. : (a == 2 ? 4. / 3. : 1. / 3.);
+          points[multipliers.of_node[node]].weight +=
+            share * slave.reference_jacobian(slave.edges[e],
+                                             EdgeShape(slave.degree, ends[a]));
+        }
+    return points;
+  }
+
+
+
+  std::vector<ContactPoint> make_gauss_points(const Surface     &slave,
+                                              const unsigned int n_points,
+                                              MultiplierSpace   &multipliers)
+  {
+    multipliers.of_node.resize(slave.nodes.size());
+    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+      multipliers.of_node[i] = i;
+    multipliers.n_multipliers = slave.nodes.size();
+
+    const QGauss<1>           quadrature(n_points);
+    std::vector<ContactPoint> points;
+    for (unsigned int e = 0; e < slave.edges.size(); ++e)
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          const double    xi = 2 * quadrature.point(q)[0] - 1;
+          const EdgeShape shape(slave.degree, xi);
+
+          points.push_back(make_point(slave, e, xi));
+          ContactPoint &point = points.back();
+          point.weight        = 2 * quadrature.weight(q) *
+                         slave.reference_jacobian(slave.edges[e], shape);
+          point.n_multipliers = slave.n_nodes_per_edge();
+          for (unsigned int a = 0; a < point.n_multipliers; ++a)
+            {
+              point.multipliers[a] = slave.edges[e].nodes[a];
+              point.psi[a]         = shape.value[a];
+            }
+        }
+    return points;
+  }
+
+
+
+  void pair_with_master(ContactPoint         &point,
+                        const Surface        &master,
+                        const SurfaceSearch  &search,
+                        const Discretization &discretization,
+                        const Vector<double> &u)
+  {
+    Point<2> x;
+    for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
+      for (unsigned int i = 0; i < 2; ++i)
+        x[i] += point.C[a] * (point.X[a][i] + u[point.dofs[a][i]]);
+
+    const Projection projection = search.closest_point(x);
+    point.facing                = !projection.off_the_end;
+    point.master_edge           = projection.edge;
+    point.master_xi             = projection.xi;
+
+    const auto     &edge = master.edges[projection.edge];
+    const EdgeShape shape(master.degree, projection.xi);
+    Tensor<1, 2>    along;
+    point.n_nodes = point.n_slave_nodes;
+    for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
+      {
+        const unsigned int k    = point.n_nodes++;
+        const unsigned int node = edge.nodes[a];
+        point.dofs[k]           = master.nodes[node].dofs;
+        point.X[k]              = master.nodes[node].X;
+        point.C[k]              = -shape.value[a];
+        point.C1[k]             = -shape.first[a];
+        point.C2[k]             = -shape.second[a];
+        along += shape.first[a] * master.position(node, u);
+      }
+
+    // The body lies to the left of the edge: n is along, turned by -90
+    // degrees, and along is n turned by +90.
+    point.metric  = along.norm();
+    point.tangent = along / point.metric;
+    point.normal  = Tensor<1, 2>({ point.tangent[1], -point.tangent[0] });
+    point.tangential_row_is_void = is_void(point, discretization);
+  }
+} // namespace Contact

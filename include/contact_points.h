@@ -1,0 +1,129 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_contact_points_h
+#define contact_contact_points_h
+
+#include "friction_law.h"
+#include "surface.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * What a contact point does: nothing, carry pressure and stick, carry
+   * pressure and slip. A point without friction slips under a zero bound.
+   */
+  enum class Status
+  {
+    open,
+    stick,
+    slip
+  };
+
+
+
+  /**
+   * The contact point, the idea that carries this program: a place on the
+   * slave surface with a weight, the place on the master surface that it
+   * faces, and the multipliers that act there.
+   *
+   * With the nodes of the slave edge (coefficient +N) and of the master edge
+   * (coefficient -N) in one list, all that contact needs are sums over it:
+   *   gap             g = n . sum_a C_a x_a          (negative: penetration)
+   *   slip            s = t . sum_a C_a (u_a - u_a at the increment's start)
+   *   force on node a     w (p n + q t) C_a
+   * Sign conventions, stated here once: n is the unit normal of the master
+   * edge, out of the master body; t its unit tangent, n turned by +90 degrees;
+   * the pressure p is positive in compression; q is the component along t of
+   * the traction on the slave.
+   */
+  struct ContactPoint
+  {
+    static constexpr unsigned int max_nodes       = 6;
+    static constexpr unsigned int max_multipliers = 3;
+
+    // The slave side, the same during the whole run.
+    unsigned int slave_edge; // in the slave surface
+    double       slave_xi;
+    double       weight;          // undeformed length it stands for [mm]
+    double       complementarity; // the c of p - c g [MPa/mm]
+
+    // The multipliers that act here: p = sum_k psi_k lambda_k.
+    unsigned int                              n_multipliers;
+    std::array<unsigned int, max_multipliers> multipliers;
+    std::array<double, max_multipliers>       psi;
+
+    // The pairing with the master.
+    bool         facing = false; // false: off the end, nothing to touch
+    unsigned int master_edge;
+    double       master_xi;
+
+    // The nodes of both sides, slave first.
+    unsigned int                    n_slave_nodes;
+    unsigned int                    n_nodes;
+    std::array<NodeDoFs, max_nodes> dofs;
+    std::array<Point<2>, max_nodes> X;  // reference positions [mm]
+    std::array<double, max_nodes>   C;  // coefficients
+    std::array<double, max_nodes>   C1; // their derivatives with respect
+    std::array<double, max_nodes>   C2; // to the master coordinate
+
+    Tensor<1, 2> normal, tangent;
+    double       metric; // |d x_m / d xi| [mm]
+
+    // A tangential row that says no more than the normal one is dropped: so
+    // at a slave node on a symmetry line.
+    bool tangential_row_is_void = false;
+
+    Status status         = Status::open;
+    int    slip_direction = 0; // sign of the shear traction
+
+    // Bound of the shear traction while a Tresca problem is solved [MPa].
+    double tresca_bound = 0;
+  };
+
+
+
+  /// Slave surface nodes -> multipliers, which not every node has to carry.
+  struct MultiplierSpace
+  {
+    /// Multiplier of each slave node, or numbers::invalid_unsigned_int.
+    std::vector<unsigned int> of_node;
+    unsigned int              n_multipliers = 0;
+  };
+
+
+
+  /**
+   * The nodal rule: one point per slave node, mid-sides included, weighted by
+   * the integral of its shape function (trapezoidal and Simpson's rule); the
+   * constraint is collocated. Without the nodes in @p excluded.
+   */
+  std::vector<ContactPoint>
+  make_nodal_points(const Surface                &slave,
+                    const std::set<unsigned int> &excluded,
+                    MultiplierSpace              &multipliers);
+
+  /**
+   * The Gauss rule: @p n_points quadrature points per slave edge, multipliers
+   * at the nodes interpolated along the edge; the constraint is the weak one.
+   */
+  std::vector<ContactPoint> make_gauss_points(const Surface     &slave,
+                                              const unsigned int n_points,
+                                              MultiplierSpace   &multipliers);
+
+  /**
+   * Pair a point with the closest point of the master in the configuration
+   * @p u, and keep coordinate, normal and tangent there.
+   */
+  void pair_with_master(ContactPoint         &point,
+                        const Surface        &master,
+                        const SurfaceSearch  &search,
+                        const Discretization &discretization,
+                        const Vector<double> &u);
+} // namespace Contact
+
+#endif

@@ -1,0 +1,199 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "discretization.h"
+
+#include <deal.II/base/function.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_fe.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/numerics/vector_tools.h>
+
+#include "errors.h"
+
+namespace Contact
+{
+  Discretization::Discretization(const Mesh            &mesh,
+                                 const Parameters::All &parameters)
+    : mesh(mesh)
+    , degree(parameters.element.degree)
+    , bound_centre(degree == 2 && parameters.element.centre_node == "bound")
+    , mapping(MappingQ<2>(degree), MappingFE<2>(FE_SimplexP<2>(degree)))
+    , fe(FESystem<2>(FE_Q<2>(degree), 2),
+         FESystem<2>(FE_SimplexP<2>(degree), 2))
+    , quadrature(QGauss<2>(degree + 1), QGaussSimplex<2>(degree))
+    , dof_handler(mesh.triangulation)
+  {
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      cell->set_active_fe_index(cell->reference_cell().is_hyper_cube() ? 0 : 1);
+    dof_handler.distribute_dofs(fe);
+
+    collect_vertex_dofs();
+    collect_supports(parameters.boundary);
+    collect_ties(parameters.boundary);
+    collect_loads(parameters.boundary);
+    make_constraints({});
+  }
+
+
+
+  void Discretization::constrain_update(const Vector<double> &u,
+                                        const double          load_factor)
+  {
+    std::map<types::global_dof_index, double> updates;
+    bool                                      vanish = true;
+    for (const auto &[dof, value] : prescribed)
+      {
+        updates[dof] = load_factor * value - u[dof];
+        vanish       = vanish && updates[dof] == 0;
+      }
+
+    if (!(vanish && updates_vanish))
+      make_constraints(updates);
+    updates_vanish = vanish;
+  }
+
+
+
+  bool Discretization::is_fixed(const types::global_dof_index dof) const
+  {
+    return prescribed.count(dof) > 0;
+  }
+
+
+
+  void Discretization::collect_vertex_dofs()
+  {
+    vertex_dofs.assign(mesh.triangulation.n_vertices(),
+                       { { numbers::invalid_dof_index,
+                           numbers::invalid_dof_index } });
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        for (unsigned int c = 0; c < 2; ++c)
+          vertex_dofs[cell->vertex_index(v)][c] =
+            cell->vertex_dof_index(v, c, cell->active_fe_index());
+  }
+
+
+
+  void Discretization::collect_supports(const Parameters::Boundary &boundary)
+  {
+    const auto collect = [this](const auto &groups, const unsigned int c) {
+      const std::string entry =
+        std::string("Boundary conditions/Displacement ") + "xy"[c];
+      ComponentMask component(2, false);
+      component.set(c, true);
+
+      for (const auto &[name, value] : groups)
+        {
+          std::map<types::global_dof_index, double> values;
+          if (mesh.points.count(name) > 0)
+            values[vertex_dofs[mesh.point(name, entry)][c]] = value;
+          else
+            for (const types::boundary_id id : mesh.boundary(name, entry))
+              VectorTools::interpolate_boundary_values(
+                mapping,
+                dof_handler,
+                id,
+                Functions::ConstantFunction<2>(value, 2),
+                values,
+                component);
+
+          for (const auto &[dof, dof_value] : values)
+            if (prescribed.emplace(dof, dof_value).first->second != dof_value)
+              throw InputError("'" + name +
+                                 "' shares a node with another "
+                                 "group that is moved differently",
+                               entry,
+                               "give both the same displacement, or let the "
+                               "groups end before they meet");
+        }
+    };
+
+    collect(boundary.displacement_x, 0);
+    collect(boundary.displacement_y, 1);
+  }
+
+
+
+  void Discretization::collect_ties(const Parameters::Boundary &boundary)
+  {
+    const std::string entry = "Boundary conditions/Tied y";
+    for (const auto &[name, partner] : boundary.tied_y)
+      {
+        const auto dof = vertex_dofs[mesh.point(name, entry)][1];
+        if (is_fixed(dof))
+          throw InputError("point '" + name + "' is tied and supported in y",
+                           entry,
+                           "remove the tie or the support");
+        ties[dof] = vertex_dofs[mesh.point(partner, entry)][1];
+      }
+  }
+
+
+
+  void Discretization::collect_loads(const Parameters::Boundary &boundary)
+  {
+    dead_load.reinit(dof_handler.n_dofs());
+    for (const auto &[name, force] : boundary.force_x)
+      dead_load[vertex_dofs[mesh.point(name, "Boundary conditions/Force x")]
+                           [0]] += force;
+    for (const auto &[name, force] : boundary.force_y)
+      dead_load[vertex_dofs[mesh.point(name, "Boundary conditions/Force y")]
+                           [1]] += force;
+  }
+
+
+
+  void Discretization::make_constraints(
+    const std::map<types::global_dof_index, double> &updates)
+  {
+    constraints.clear();
+    for (const auto &[dof, value] : prescribed)
+      {
+        constraints.add_line(dof);
+        const auto update = updates.find(dof);
+        if (update != updates.end())
+          constraints.set_inhomogeneity(dof, update->second);
+      }
+    for (const auto &[dof, partner] : ties)
+      {
+        constraints.add_line(dof);
+        constraints.add_entry(dof, partner, 1.);
+      }
+    if (bound_centre)
+      bind_centres();
+    constraints.close();
+  }
+
+
+
+  void Discretization::bind_centres()
+  {
+    // FE_Q(2) numbers the corners 0-3, the mid-sides 4-7, the centre 8.
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->reference_cell().is_hyper_cube())
+        {
+          dofs.resize(cell->get_fe().n_dofs_per_cell());
+          cell->get_dof_indices(dofs);
+          for (unsigned int c = 0; c < 2; ++c)
+            {
+              const auto dof = [&](const unsigned int node) {
+                return dofs[cell->get_fe().component_to_system_index(c, node)];
+              };
+              constraints.add_line(dof(8));
+              for (unsigned int node = 0; node < 4; ++node)
+                constraints.add_entry(dof(8), dof(node), -0.25);
+              for (unsigned int node = 4; node < 8; ++node)
+                constraints.add_entry(dof(8), dof(node), 0.5);
+            }
+        }
+  }
+} // namespace Contact

@@ -1,0 +1,85 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_discretization_h
+#define contact_discretization_h
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/hp/fe_collection.h>
+#include <deal.II/hp/mapping_collection.h>
+#include <deal.II/hp/q_collection.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/vector.h>
+
+#include <array>
+
+#include "mesh.h"
+#include "parameters.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// The two displacement unknowns of a node.
+  using NodeDoFs = std::array<types::global_dof_index, 2>;
+
+  /**
+   * The finite element spaces of all bodies: quadrangles are FE_Q, triangles
+   * FE_SimplexP of the same degree, the geometry is isoparametric.
+   *
+   * Quadrature: 2x2 and 1 point at degree 1, 3x3 and 3 points at degree 2.
+   *
+   * With <code>bound_centre</code> the centre value of a quadrangle of degree 2
+   * is 1/2 sum(mid-sides) - 1/4 sum(corners): the 8-node element.
+   */
+  class Discretization
+  {
+  public:
+    Discretization(const Mesh &mesh, const Parameters::All &parameters);
+
+    const Mesh        &mesh;
+    const unsigned int degree;
+    const bool         bound_centre;
+
+    const hp::MappingCollection<2> mapping;
+    const hp::FECollection<2>      fe;
+    const hp::QCollection<2>       quadrature;
+    DoFHandler<2>                  dof_handler;
+
+    /// Supports, ties and bound centres, for the next Newton update.
+    AffineConstraints<double> constraints;
+
+    /// The dead forces at full load [N per mm of thickness].
+    Vector<double> dead_load;
+
+    /// The unknowns of each vertex of the triangulation.
+    std::vector<NodeDoFs> vertex_dofs;
+
+    /**
+     * Make the constraints such that the next update brings the supported
+     * unknowns from their value in @p u to @p load_factor times the prescribed
+     * displacement. Costs nothing where nothing changes.
+     */
+    void constrain_update(const Vector<double> &u, const double load_factor);
+
+    /// Whether a support fixes this unknown.
+    bool is_fixed(const types::global_dof_index dof) const;
+
+  private:
+    void collect_vertex_dofs();
+    void collect_supports(const Parameters::Boundary &boundary);
+    void collect_ties(const Parameters::Boundary &boundary);
+    void collect_loads(const Parameters::Boundary &boundary);
+    void
+    make_constraints(const std::map<types::global_dof_index, double> &updates);
+    void bind_centres();
+
+    std::map<types::global_dof_index, double>                  prescribed;
+    std::map<types::global_dof_index, types::global_dof_index> ties;
+    bool updates_vanish = true;
+  };
+} // namespace Contact
+
+#endif

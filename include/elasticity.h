@@ -1,0 +1,100 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_elasticity_h
+#define contact_elasticity_h
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <memory>
+#include <vector>
+
+#include "discretization.h"
+#include "kinematics.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The bodies: residual and consistent tangent of
+   *   integral S(u) : delta E dX - dead load . delta u = 0.
+   *
+   * The gradients of the shape functions are with respect to the reference
+   * configuration and never change: they are computed once. Where the centre
+   * of a quadrangle is bound, they are those of the eight free nodes, so that
+   * the centre costs nothing in assembly.
+   */
+  class Elasticity
+  {
+  public:
+    virtual ~Elasticity() = default;
+
+    /// The kinematics named in the parameters.
+    static std::unique_ptr<Elasticity>
+    create(const Discretization     &discretization,
+           const Parameters::Solids &parameters);
+
+    /// Add the couplings of the bodies.
+    void add_couplings(DynamicSparsityPattern &pattern) const;
+
+    /**
+     * Add the tangent to @p matrix and the residual (internal minus
+     * @p load_factor times dead forces) to @p residual, constraints eliminated.
+     */
+    virtual void assemble(const Vector<double> &u,
+                          const double          load_factor,
+                          SparseMatrix<double> &matrix,
+                          Vector<double>       &residual) const = 0;
+
+    /**
+     * The forces on all nodes, unconstrained: internal minus load. Where a
+     * node is supported or in contact, the force that acts there.
+     */
+    virtual Vector<double> forces(const Vector<double> &u,
+                                  const double          load_factor) const = 0;
+
+    /// Cauchy stress [MPa] in all quadrature points of all cells, in the order
+    /// of the active cells.
+    virtual std::vector<std::vector<SymmetricTensor<2, 3>>>
+    stresses(const Vector<double> &u) const = 0;
+
+    /// The tangent does not depend on the displacement.
+    virtual bool is_linear() const = 0;
+
+    /// Young's modulus [MPa] of a body.
+    double young(const types::material_id body) const;
+
+  protected:
+    Elasticity(const Discretization     &discretization,
+               const Parameters::Solids &parameters);
+
+    /// What of a cell stays the same during a run.
+    struct Cell
+    {
+      const Material                      *material;
+      std::vector<types::global_dof_index> dofs;      // (x, y) node by node
+      std::vector<double>                  JxW;       // by point
+      std::vector<Tensor<1, 2>>            gradients; // by point, then node
+
+      unsigned int n_nodes() const
+      {
+        return dofs.size() / 2;
+      }
+    };
+
+    const Discretization                  &discretization;
+    std::map<types::material_id, Material> materials;
+    std::map<types::material_id, double>   young_moduli;
+    std::vector<Cell>                      cells;
+
+  private:
+    void tabulate();
+  };
+} // namespace Contact
+
+#endif

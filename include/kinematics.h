@@ -1,0 +1,111 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_kinematics_h
+#define contact_kinematics_h
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * Isotropic linear elasticity in plane strain, by the Lame parameters [MPa]:
+   * stress = lambda tr(strain) I + 2 mu strain. With the Green-Lagrange strain
+   * and the second Piola-Kirchhoff stress it is the St. Venant-Kirchhoff
+   * material.
+   */
+  struct Material
+  {
+    Material(const double young, const double poisson)
+      : lambda(young * poisson / ((1 + poisson) * (1 - 2 * poisson)))
+      , mu(young / (2 * (1 + poisson)))
+    {
+    }
+
+    /// The stress in the plane; plane strain adds lambda tr(strain) across it.
+    SymmetricTensor<2, 2> stress(const SymmetricTensor<2, 2> &strain) const
+    {
+      return lambda * trace(strain) * unit_symmetric_tensor<2>() +
+             2 * mu * strain;
+    }
+
+    double stress_out_of_plane(const SymmetricTensor<2, 2> &strain) const
+    {
+      return lambda * trace(strain);
+    }
+
+    const double lambda;
+    const double mu;
+  };
+
+
+
+  /**
+   * The two kinematics have the same functions, of the displacement gradient
+   * H = grad u with respect to the reference configuration:
+   *  - strain(H) and its variation through the gradient of motion F:
+   *    delta strain = sym(F^T grad delta u);
+   *  - cauchy(H, S): the true stress of a material stress S;
+   *  - has_geometric_stiffness: whether the strain itself depends on H to the
+   *    second order, which adds S : (grad delta u^T grad u) to the tangent.
+   */
+  struct SmallStrain
+  {
+    static constexpr bool has_geometric_stiffness = false;
+
+    static Tensor<2, 2> gradient_of_motion(const Tensor<2, 2> &)
+    {
+      return unit_symmetric_tensor<2>();
+    }
+
+    static SymmetricTensor<2, 2> strain(const Tensor<2, 2> &H)
+    {
+      return symmetrize(H);
+    }
+
+    static SymmetricTensor<2, 3> cauchy(const Tensor<2, 2> &,
+                                        const SymmetricTensor<2, 3> &S)
+    {
+      return S;
+    }
+  };
+
+
+
+  /// Total Lagrangian: F = I + H, E = (F^T F - I)/2, sigma = F S F^T / det F.
+  struct LargeDisplacement
+  {
+    static constexpr bool has_geometric_stiffness = true;
+
+    static Tensor<2, 2> gradient_of_motion(const Tensor<2, 2> &H)
+    {
+      return H + static_cast<Tensor<2, 2>>(unit_symmetric_tensor<2>());
+    }
+
+    static SymmetricTensor<2, 2> strain(const Tensor<2, 2> &H)
+    {
+      return symmetrize(H) + 0.5 * symmetrize(transpose(H) * H);
+    }
+
+    static SymmetricTensor<2, 3> cauchy(const Tensor<2, 2>          &H,
+                                        const SymmetricTensor<2, 3> &S)
+    {
+      // Plane strain: the third direction neither stretches nor turns.
+      Tensor<2, 3> F;
+      for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int j = 0; j < 2; ++j)
+          F[i][j] = H[i][j];
+      for (unsigned int i = 0; i < 3; ++i)
+        F[i][i] += 1;
+      return symmetrize(F * static_cast<Tensor<2, 3>>(S) * transpose(F)) /
+             determinant(F);
+    }
+  };
+} // namespace Contact
+
+#endif

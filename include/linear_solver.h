@@ -1,0 +1,50 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_linear_solver_h
+#define contact_linear_solver_h
+
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <memory>
+#include <vector>
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The sparse direct solver UMFPACK for unsymmetric and indefinite systems.
+   * SparseDirectUMFPACK of deal.II analyses the pattern anew with every
+   * factorization; here the analysis is kept as long as the pattern stands.
+   */
+  class DirectSolver
+  {
+  public:
+    /// Announce the pattern of the matrices to come.
+    void initialize(const SparsityPattern &pattern);
+
+    /// Throws NotConverged if the matrix is singular.
+    void factorize(const SparseMatrix<double> &matrix);
+
+    /// Replace the right-hand side @p b by the solution.
+    void solve(Vector<double> &b) const;
+
+  private:
+    using Handle = std::unique_ptr<void, void (*)(void *)>;
+
+    // Compressed rows with sorted columns, and the place in them of each value
+    // of the deal.II matrix, which has the diagonal first in each row.
+    std::vector<int>          row_starts, columns;
+    std::vector<unsigned int> positions;
+    std::vector<double>       values;
+
+    Handle symbolic{ nullptr, nullptr };
+    Handle numeric{ nullptr, nullptr };
+  };
+} // namespace Contact
+
+#endif

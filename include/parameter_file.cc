@@ -1,0 +1,497 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "parameter_file.h"
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <set>
+#include <sstream>
+
+#include "errors.h"
+
+namespace Contact
+{
+  namespace
+  {
+    using Names = std::vector<std::string>;
+
+    struct Statement
+    {
+      unsigned int line;
+      std::string  text;
+    };
+
+
+
+    std::string in_quotes(const std::string &name)
+    {
+      return "'" + name + "'";
+    }
+
+
+
+    std::string lower_case(std::string text)
+    {
+      for (char &c : text)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      return text;
+    }
+
+
+
+    // Names are compared word by word: 'Gauss   points' is 'Gauss points'.
+    std::string with_single_blanks(const std::string &text)
+    {
+      std::istringstream words(text);
+      std::string        word, result;
+      while (words >> word)
+        result += (result.empty() ? "" : " ") + word;
+      return result;
+    }
+
+
+
+    // Split at the first separator; without one, the second part is empty.
+    std::pair<std::string, std::string> split_at(const std::string &text,
+                                                 const std::size_t  position)
+    {
+      if (position == std::string::npos)
+        return { Utilities::trim(text), "" };
+      return { Utilities::trim(text.substr(0, position)),
+               Utilities::trim(text.substr(position + 1)) };
+    }
+
+
+
+    // A backslash at the very end of a line joins it with the next one, and
+    // only then a comment is cut off, as ParameterHandler does it.
+    std::vector<Statement> read_statements(std::istream &in)
+    {
+      std::vector<Statement> statements;
+      std::string            text;
+      bool                   joined = false;
+      for (unsigned int line = 1; std::getline(in, text); ++line)
+        {
+          text = Utilities::trim(text);
+          if (!joined)
+            statements.push_back({ line, "" });
+          joined = !text.empty() && text.back() == '\\';
+          if (joined)
+            text.pop_back();
+          statements.back().text += text;
+        }
+      for (Statement &statement : statements)
+        statement.text =
+          Utilities::trim(statement.text.substr(0, statement.text.find('#')));
+      return statements;
+    }
+
+
+
+    // Levenshtein's distance: insertions, deletions and replacements that
+    // turn one word into the other. Only one row of the table is kept.
+    std::size_t edit_distance(const std::string &a, const std::string &b)
+    {
+      std::vector<std::size_t> row(b.size() + 1);
+      std::iota(row.begin(), row.end(), 0);
+      for (std::size_t i = 0; i < a.size(); ++i)
+        {
+          std::size_t diagonal = row[0]++;
+          for (std::size_t j = 0; j < b.size(); ++j)
+            {
+              const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+              diagonal                   = row[j + 1];
+              row[j + 1] = std::min({ replaced, row[j] + 1, diagonal + 1 });
+            }
+        }
+      return row.back();
+    }
+
+
+
+    // The position of the nearest word; their number if all of them are too
+    // far away to be what was meant.
+    std::size_t nearest(const std::string &word, const Names &candidates)
+    {
+      std::size_t best     = candidates.size();
+      std::size_t shortest = std::max<std::size_t>(2, word.size() / 3) + 1;
+      for (std::size_t i = 0; i < candidates.size(); ++i)
+        {
+          const std::size_t distance =
+            edit_distance(lower_case(word), lower_case(candidates[i]));
+          if (distance < shortest)
+            {
+              shortest = distance;
+              best     = i;
+            }
+        }
+      return best;
+    }
+
+
+
+    // A map would keep the first of two equal keys and forget the other.
+    std::string repeated_key(const Patterns::PatternBase &pattern,
+                             const std::string           &value)
+    {
+      const auto *map = dynamic_cast<const Patterns::Map *>(&pattern);
+      if (map == nullptr)
+        return "";
+      std::set<std::string> keys;
+      for (const std::string &element :
+           Utilities::split_string_list(value, map->get_separator()))
+        {
+          const std::string key =
+            split_at(element, element.find(map->get_key_value_separator()))
+              .first;
+          if (!keys.insert(key).second)
+            return key;
+        }
+      return "";
+    }
+  } // namespace
+
+
+
+  std::string DeclaredEntry::path() const
+  {
+    return section + "/" + name;
+  }
+
+
+
+  std::string DeclaredEntry::allowed_values() const
+  {
+    // Bounds that do not bound are only in the way.
+    const std::vector<std::pair<std::string, std::string>> in_words = {
+      { " v such that -MAX_DOUBLE <= v <= MAX_DOUBLE", "" },
+      { " <= MAX_DOUBLE", "" },
+      { " <= 2147483647", "" },
+      { " of 0 to 4294967295 elements", "" },
+      { "  ", " " }
+    };
+
+    std::string text = pattern->description(Patterns::PatternBase::Text);
+    for (const auto &[from, to] : in_words)
+      text = Utilities::replace_in_string(text, from, to);
+    return text;
+  }
+
+
+
+  std::vector<DeclaredEntry> declared_entries(const ParameterHandler &prm)
+  {
+    // The handler tells what it knows in no other form than in print.
+    std::stringstream text;
+    prm.print_parameters(text,
+                         static_cast<ParameterHandler::OutputStyle>(
+                           ParameterHandler::JSON |
+                           ParameterHandler::KeepDeclarationOrder));
+
+    const auto                 tree = nlohmann::ordered_json::parse(text);
+    std::vector<DeclaredEntry> entries;
+    for (const auto &section : tree.items())
+      for (const auto &entry : section.value().items())
+        entries.push_back({ section.key(),
+                            entry.key(),
+                            entry.value().at("default_value"),
+                            entry.value().at("documentation"),
+                            Patterns::pattern_factory(
+                              entry.value().at("pattern_description")) });
+    return entries;
+  }
+
+
+
+  ParameterReader::ParameterReader(ParameterHandler &prm)
+    : prm(prm)
+    , entries(declared_entries(prm))
+  {
+  }
+
+
+
+  void ParameterReader::read_file(const std::filesystem::path &file,
+                                  const std::string           &asked_by)
+  {
+    std::ifstream in(file);
+    if (!in || std::filesystem::is_directory(file))
+      throw InputError("There is no parameter file " +
+                         in_quotes(file.string()) + ".",
+                       asked_by,
+                       "correct the name; an included file is relative to "
+                       "the file that includes it");
+
+    const auto path = std::filesystem::weakly_canonical(file);
+    for (const OpenFile &open_file : open_files)
+      if (open_file.path == path)
+        throw InputError(in_quotes(file.string()) + " includes itself.",
+                         asked_by,
+                         "remove this include");
+
+    open_files.push_back({ path, section, {} });
+    for (const Statement &statement : read_statements(in))
+      read_statement(statement.text,
+                     { file.string() + ":" + std::to_string(statement.line),
+                       file.parent_path() });
+    check_section_closed();
+    open_files.pop_back();
+  }
+
+
+
+  void ParameterReader::read_override(const std::string &assignment)
+  {
+    const Place place = { "--set '" + assignment + "'", "" };
+    const auto  slash =
+      assignment.substr(0, assignment.find('=')).find_last_of('/');
+    if (slash == std::string::npos)
+      throw InputError(in_quotes(assignment) + " names no section.",
+                       place.name,
+                       "write --set 'Section/Entry=value'");
+
+    const auto [in_section, rest] = split_at(assignment, slash);
+    read_assignment(with_single_blanks(in_section), rest, place, overrides);
+  }
+
+
+
+  void ParameterReader::resolve_path(const std::string &in_section,
+                                     const std::string &name)
+  {
+    const auto setting = settings.find(in_section + "/" + name);
+    prm.enter_subsection(in_section);
+    if (setting != settings.end() && !prm.get(name).empty())
+      prm.set(name,
+              std::filesystem::absolute(setting->second.directory /
+                                        prm.get(name))
+                .lexically_normal()
+                .string());
+    prm.leave_subsection();
+  }
+
+
+
+  std::string ParameterReader::where(const Names &paths) const
+  {
+    std::string text;
+    for (const std::string &path : paths)
+      {
+        const auto setting = settings.find(path);
+        text += (text.empty() ? "" : ", ") + path + " (" +
+                (setting == settings.end() ? "default" : setting->second.name) +
+                ")";
+      }
+    return text;
+  }
+
+
+
+  void ParameterReader::read_statement(const std::string &statement,
+                                       const Place       &place)
+  {
+    const auto [keyword, rest] =
+      split_at(statement, statement.find_first_of(" \t"));
+    const std::string action = lower_case(keyword);
+
+    if (statement.empty())
+      return;
+    else if (action == "subsection" && !rest.empty())
+      enter_section(with_single_blanks(rest), place);
+    else if (action == "end" && rest.empty())
+      leave_section(place);
+    else if (action == "include" && !rest.empty())
+      read_include(rest, place);
+    else if (action == "set")
+      read_assignment(section, rest, place, open_files.back().settings);
+    else
+      throw InputError(in_quotes(statement) + " is not understood.",
+                       place.name,
+                       "a line is 'subsection name', 'set name = value', "
+                       "'include file' or 'end'; a comment starts with #");
+  }
+
+
+
+  void ParameterReader::read_include(const std::string &file,
+                                     const Place       &place)
+  {
+    read_file((place.directory / file).lexically_normal(), place.name);
+  }
+
+
+
+  void ParameterReader::enter_section(const std::string &name,
+                                      const Place       &place)
+  {
+    if (!section.empty())
+      throw InputError("Section " + in_quotes(name) +
+                         " starts inside section " + in_quotes(section) + ".",
+                       place.name + ", " + section_place.name,
+                       "close " + in_quotes(section) + " with 'end' first");
+    if (!has_section(name))
+      throw InputError("There is no section " + in_quotes(name) + ".",
+                       place.name,
+                       nearest_section(name));
+    section       = name;
+    section_place = place;
+  }
+
+
+
+  void ParameterReader::leave_section(const Place &place)
+  {
+    // A file closes what it opens, not the section it is included in.
+    if (section == open_files.back().outer_section)
+      throw InputError("There is no section to end.",
+                       place.name,
+                       "remove this 'end'");
+    section = "";
+  }
+
+
+
+  void ParameterReader::check_section_closed() const
+  {
+    if (section != open_files.back().outer_section)
+      throw InputError("Section " + in_quotes(section) + " is not closed.",
+                       section_place.name,
+                       "add the missing 'end'");
+  }
+
+
+
+  void ParameterReader::read_assignment(const std::string &in_section,
+                                        const std::string &assignment,
+                                        const Place       &place,
+                                        Settings          &set_before)
+  {
+    const auto equal_sign = assignment.find('=');
+    if (equal_sign == std::string::npos)
+      throw InputError(in_quotes(assignment) + " is given no value.",
+                       place.name,
+                       "write a '=' between the name and the value");
+
+    const auto [name, value] = split_at(assignment, equal_sign);
+    const DeclaredEntry &entry =
+      find_entry(in_section, with_single_blanks(name), place);
+
+    const auto [earlier, is_new] = set_before.insert({ entry.path(), place });
+    if (!is_new)
+      throw InputError(entry.path() + " is set twice.",
+                       earlier->second.name + ", " + place.name,
+                       "keep one of the two");
+    set(entry, value, place);
+  }
+
+
+
+  void ParameterReader::set(const DeclaredEntry &entry,
+                            const std::string   &value,
+                            const Place         &place)
+  {
+    const std::string entry_and_place = entry.path() + " (" + place.name + ")";
+    if (!entry.pattern->match(value))
+      throw InputError(in_quotes(value) + " is not allowed for " +
+                         entry.path() + ".",
+                       entry_and_place,
+                       "allowed: " + entry.allowed_values());
+
+    const std::string key = repeated_key(*entry.pattern, value);
+    if (!key.empty())
+      throw InputError(in_quotes(key) + " is given twice in " + entry.path() +
+                         ".",
+                       entry_and_place,
+                       "keep one of the two");
+
+    prm.enter_subsection(entry.section);
+    prm.set(entry.name, value);
+    prm.leave_subsection();
+    settings[entry.path()] = place;
+  }
+
+
+
+  bool ParameterReader::has_section(const std::string &name) const
+  {
+    return std::any_of(entries.begin(),
+                       entries.end(),
+                       [&](const DeclaredEntry &entry) {
+                         return entry.section == name;
+                       });
+  }
+
+
+
+  const DeclaredEntry &
+  ParameterReader::find_entry(const std::string &in_section,
+                              const std::string &name,
+                              const Place       &place) const
+  {
+    for (const DeclaredEntry &entry : entries)
+      if (entry.section == in_section && entry.name == name)
+        return entry;
+
+    if (!in_section.empty() && !has_section(in_section))
+      throw InputError("There is no section " + in_quotes(in_section) + ".",
+                       place.name,
+                       nearest_section(in_section));
+    throw InputError("There is no entry " + in_quotes(name) +
+                       (in_section.empty()
+                          ? std::string(" outside of the sections.")
+                          : " in section " + in_quotes(in_section) + "."),
+                     place.name,
+                     nearest_entry(in_section, name));
+  }
+
+
+
+  std::string ParameterReader::nearest_section(const std::string &name) const
+  {
+    Names sections;
+    for (const DeclaredEntry &entry : entries)
+      if (sections.empty() || sections.back() != entry.section)
+        sections.push_back(entry.section);
+
+    const std::size_t i = nearest(name, sections);
+    if (i < sections.size())
+      return "did you mean " + in_quotes(sections[i]) + "?";
+
+    std::string all;
+    for (const std::string &known : sections)
+      all += (all.empty() ? "" : ", ") + known;
+    return "the sections are: " + all;
+  }
+
+
+
+  std::string ParameterReader::nearest_entry(const std::string &in_section,
+                                             const std::string &name) const
+  {
+    // A slip of the pen is more likely than the wrong section.
+    Names here, everywhere, paths;
+    for (const DeclaredEntry &entry : entries)
+      {
+        if (entry.section == in_section)
+          here.push_back(entry.name);
+        everywhere.push_back(entry.name);
+        paths.push_back(entry.path());
+      }
+
+    std::size_t i = nearest(name, here);
+    if (i < here.size())
+      return "did you mean " + in_quotes(here[i]) + "?";
+    i = nearest(name, everywhere);
+    if (i < everywhere.size())
+      return "did you mean " + in_quotes(paths[i]) + "?";
+    return "'contact --parameters' lists the entries";
+  }
+} // namespace Contact

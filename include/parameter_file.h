@@ -1,0 +1,121 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_parameter_file_h
+#define contact_parameter_file_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// An entry as it was declared in a ParameterHandler.
+  struct DeclaredEntry
+  {
+    std::string section;
+    std::string name;
+    std::string default_value;
+    std::string documentation;
+
+    std::unique_ptr<const Patterns::PatternBase> pattern;
+
+    /// "Section/Name", the way messages and overrides name it.
+    std::string path() const;
+
+    /// What the pattern allows, in words.
+    std::string allowed_values() const;
+  };
+
+  /// All entries of @p prm in the order of their declaration.
+  std::vector<DeclaredEntry> declared_entries(const ParameterHandler &prm);
+
+
+
+  /**
+   * Reads parameter files into a ParameterHandler. The reader of
+   * ParameterHandler itself forgets where an entry was set, which the messages
+   * of this program tell. Sections are not nested here.
+   */
+  class ParameterReader
+  {
+  public:
+    /// The entries have to be declared in @p prm already.
+    explicit ParameterReader(ParameterHandler &prm);
+
+    /// Read a file and what it includes. @p asked_by is who wants it.
+    void read_file(const std::filesystem::path &file,
+                   const std::string           &asked_by = "command line");
+
+    /// Set one entry from the command line: "Section/Entry=value".
+    void read_override(const std::string &assignment);
+
+    /// Make the path in an entry, if there is one, absolute: it is relative to
+    /// the directory of the file that sets it.
+    void resolve_path(const std::string &section, const std::string &name);
+
+    /// Entries "Section/Entry" with where they were set, for messages.
+    std::string where(const std::vector<std::string> &paths) const;
+
+  private:
+    /// Where a statement stands, and what paths in it are relative to.
+    struct Place
+    {
+      std::string           name;
+      std::filesystem::path directory;
+    };
+
+    /// What was set, and where.
+    using Settings = std::map<std::string, Place>;
+
+    /// A file that is being read: the section it was included in, and what it
+    /// sets itself.
+    struct OpenFile
+    {
+      std::filesystem::path path;
+      std::string           outer_section;
+      Settings              settings;
+    };
+
+    void read_statement(const std::string &statement, const Place &place);
+    void read_include(const std::string &file, const Place &place);
+    void enter_section(const std::string &name, const Place &place);
+    void leave_section(const Place &place);
+    void check_section_closed() const;
+    void read_assignment(const std::string &in_section,
+                         const std::string &assignment,
+                         const Place       &place,
+                         Settings          &set_before);
+    void set(const DeclaredEntry &entry,
+             const std::string   &value,
+             const Place         &place);
+
+    bool                 has_section(const std::string &name) const;
+    const DeclaredEntry &find_entry(const std::string &in_section,
+                                    const std::string &name,
+                                    const Place       &place) const;
+    std::string          nearest_section(const std::string &name) const;
+    std::string          nearest_entry(const std::string &in_section,
+                                       const std::string &name) const;
+
+    ParameterHandler                &prm;
+    const std::vector<DeclaredEntry> entries;
+
+    std::vector<OpenFile> open_files; // innermost last
+    std::string           section;    // the open one, or none
+    Place                 section_place;
+
+    Settings settings;
+    Settings overrides;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,310 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "surface.h"
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "errors.h"
+
+namespace Contact
+{
+  EdgeShape::EdgeShape(const unsigned int degree, const double xi)
+  {
+    if (degree == 1)
+      {
+        value  = { { (1 - xi) / 2, (1 + xi) / 2, 0 } };
+        first  = { { -0.5, 0.5, 0 } };
+        second = { { 0, 0, 0 } };
+      }
+    else
+      {
+        value  = { { xi * (xi - 1) / 2, xi * (xi + 1) / 2, 1 - xi * xi } };
+        first  = { { xi - 0.5, xi + 0.5, -2 * xi } };
+        second = { { 1, 1, -2 } };
+      }
+  }
+
+
+
+  Surface::Surface(const Discretization               &discretization,
+                   const std::set<types::boundary_id> &boundary_ids,
+                   const std::string                  &name)
+    : degree(discretization.degree)
+  {
+    collect_edges(discretization, boundary_ids);
+    if (edges.empty())
+      throw InputError("the surface '" + name + "' has no edge",
+                       "Contact",
+                       "name a boundary group of the mesh that has lines");
+    chain_edges();
+    renumber_nodes();
+  }
+
+
+
+  void Surface::collect_edges(const Discretization &discretization,
+                              const std::set<types::boundary_id> &boundary_ids)
+  {
+    std::vector<Point<2>> support_points(discretization.dof_handler.n_dofs());
+    DoFTools::map_dofs_to_support_points(discretization.mapping,
+                                         discretization.dof_handler,
+                                         support_points);
+
+    std::map<types::global_dof_index, unsigned int> node_of_dof;
+    std::vector<types::global_dof_index>            dofs;
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        {
+          const auto face = cell->face(f);
+          if (!face->at_boundary() ||
+              boundary_ids.count(face->boundary_id()) == 0)
+            continue;
+
+          const auto &fe = cell->get_fe();
+          dofs.resize(fe.n_dofs_per_face(f));
+          face->get_dof_indices(dofs, cell->active_fe_index());
+
+          Edge edge{ { { 0, 0, 0 } }, cell->material_id(), false, false };
+          for (unsigned int k = 0; k < dofs.size(); ++k)
+            {
+              const auto [c, a] = fe.face_system_to_component_index(k, f);
+              if (c == 0)
+                {
+                  const auto found = node_of_dof.emplace(dofs[k], nodes.size());
+                  if (found.second)
+                    nodes.push_back(
+                      { { { dofs[k], 0 } }, support_points[dofs[k]] });
+                  edge.nodes[a] = found.first->second;
+                }
+            }
+          for (unsigned int k = 0; k < dofs.size(); ++k)
+            {
+              const auto [c, a] = fe.face_system_to_component_index(k, f);
+              if (c == 1)
+                nodes[edge.nodes[a]].dofs[1] = dofs[k];
+            }
+
+          const Tensor<1, 2> along =
+            nodes[edge.nodes[1]].X - nodes[edge.nodes[0]].X;
+          const Tensor<1, 2> inward = cell->center() - face->center();
+          if (along[0] * inward[1] - along[1] * inward[0] < 0)
+            std::swap(edge.nodes[0], edge.nodes[1]);
+          edges.push_back(edge);
+        }
+  }
+
+
+
+  void Surface::chain_edges()
+  {
+    std::map<unsigned int, unsigned int> begins_at, ends_at;
+    for (unsigned int e = 0; e < edges.size(); ++e)
+      {
+        begins_at[edges[e].nodes[0]] = e;
+        ends_at[edges[e].nodes[1]]   = e;
+      }
+    for (Edge &edge : edges)
+      {
+        edge.begins_surface = ends_at.count(edge.nodes[0]) == 0;
+        edge.ends_surface   = begins_at.count(edge.nodes[1]) == 0;
+      }
+
+    // Follow every open chain from its beginning, then what is left: loops.
+    std::vector<Edge> chained;
+    std::vector<bool> taken(edges.size(), false);
+    const auto        follow = [&](unsigned int e) {
+      while (!taken[e])
+        {
+          taken[e] = true;
+          chained.push_back(edges[e]);
+          if (!edges[e].ends_surface)
+            e = begins_at[edges[e].nodes[1]];
+        }
+    };
+    for (unsigned int e = 0; e < edges.size(); ++e)
+      if (edges[e].begins_surface)
+        follow(e);
+    for (unsigned int e = 0; e < edges.size(); ++e)
+      follow(e);
+    edges = chained;
+  }
+
+
+
+  void Surface::renumber_nodes()
+  {
+    std::vector<unsigned int> new_number(nodes.size(),
+                                         numbers::invalid_unsigned_int);
+    std::vector<Node>         ordered;
+    for (Edge &edge : edges)
+      {
+        // Along the edge: first, (middle,) last.
+        std::vector<unsigned int> along{ 0, 1 };
+        if (degree == 2)
+          along = { 0, 2, 1 };
+        for (const unsigned int a : along)
+          {
+            unsigned int &node = edge.nodes[a];
+            if (new_number[node] == numbers::invalid_unsigned_int)
+              {
+                new_number[node] = ordered.size();
+                ordered.push_back(nodes[node]);
+              }
+            node = new_number[node];
+          }
+      }
+    nodes = ordered;
+  }
+
+
+
+  Point<2> Surface::position(const unsigned int    node,
+                             const Vector<double> &u) const
+  {
+    const auto &[dofs, X] = nodes[node];
+    return X + Point<2>(u[dofs[0]], u[dofs[1]]);
+  }
+
+
+
+  double Surface::reference_jacobian(const Edge      &edge,
+                                     const EdgeShape &shape) const
+  {
+    Tensor<1, 2> tangent;
+    for (unsigned int a = 0; a <= degree; ++a)
+      tangent += shape.first[a] * nodes[edge.nodes[a]].X;
+    return tangent.norm();
+  }
+
+
+
+  std::vector<double> Surface::arc_length(const std::vector<Point<2>> &x) const
+  {
+    std::vector<double> s(nodes.size(), 0.);
+    for (unsigned int i = 1; i < s.size(); ++i)
+      s[i] = s[i - 1] + x[i].distance(x[i - 1]);
+    return s;
+  }
+
+
+
+  SurfaceSearch::SurfaceSearch(const Surface &surface, const Vector<double> &u)
+    : surface(surface)
+  {
+    for (unsigned int i = 0; i < surface.nodes.size(); ++i)
+      positions.push_back(surface.position(i, u));
+
+    std::vector<std::pair<Box, unsigned int>> entries;
+    for (unsigned int e = 0; e < surface.edges.size(); ++e)
+      {
+        const auto            x = edge_positions(e);
+        std::vector<Point<2>> hull{ x[0], x[1] };
+        // A parabola stays within the triangle of its ends and the point
+        // where its end tangents meet.
+        if (surface.degree == 2)
+          hull.push_back(Point<2>(2 * x[2] - 0.5 * (x[0] + x[1])));
+        boxes.emplace_back(hull);
+        entries.emplace_back(boxes.back(), e);
+      }
+    tree = pack_rtree(entries);
+  }
+
+
+
+  std::array<Point<2>, 3>
+  SurfaceSearch::edge_positions(const unsigned int edge) const
+  {
+    std::array<Point<2>, 3> x;
+    for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
+      x[a] = positions[surface.edges[edge].nodes[a]];
+    return x;
+  }
+
+
+
+  Projection SurfaceSearch::closest_point(const Point<2> &x) const
+  {
+    namespace bgi = boost::geometry::index;
+
+    Projection best{};
+    double     best_distance = std::numeric_limits<double>::max();
+    for (auto entry = tree.qbegin(bgi::nearest(x, surface.edges.size()));
+         entry != tree.qend();
+         ++entry)
+      {
+        const double to_box =
+          boost::geometry::comparable_distance(x, entry->first);
+        if (to_box > best_distance)
+          break;
+        const Projection candidate = project(x, entry->second);
+        const double     distance  = distance_square(x, candidate);
+        if (distance < best_distance)
+          {
+            best          = candidate;
+            best_distance = distance;
+          }
+      }
+    return best;
+  }
+
+
+
+  // Newton's method for (x - x_m(xi)) . x_m'(xi) = 0 from the projection onto
+  // the chord; on a straight edge the first step is exact. Where the curvature
+  // of the distance is not positive, Gauss-Newton takes over.
+  Projection SurfaceSearch::project(const Point<2>    &x,
+                                    const unsigned int edge) const
+  {
+    const auto         nodes = edge_positions(edge);
+    const Tensor<1, 2> chord = nodes[1] - nodes[0];
+    double xi = 2 * ((x - nodes[0]) * chord) / chord.norm_square() - 1;
+
+    if (surface.degree == 2)
+      {
+        xi = std::max(-1.5, std::min(1.5, xi));
+        for (unsigned int iteration = 0; iteration < 50; ++iteration)
+          {
+            const EdgeShape shape(2, xi);
+            Tensor<1, 2>    r = x, tangent, curvature;
+            for (unsigned int a = 0; a < 3; ++a)
+              {
+                r -= shape.value[a] * nodes[a];
+                tangent += shape.first[a] * nodes[a];
+                curvature += shape.second[a] * nodes[a];
+              }
+            const double full  = tangent.norm_square() - r * curvature;
+            const double slope = full > 0 ? full : tangent.norm_square();
+            const double step  = (r * tangent) / slope;
+            xi                 = std::max(-2., std::min(2., xi + step));
+            if (std::abs(step) < 1e-14)
+              break;
+          }
+      }
+
+    const auto  &flags = surface.edges[edge];
+    const double low   = flags.begins_surface ? -1 - overhang : -1;
+    const double high  = flags.ends_surface ? 1 + overhang : 1;
+    const bool   off =
+      (flags.begins_surface && xi < low) || (flags.ends_surface && xi > high);
+    return { edge, std::max(low, std::min(high, xi)), off };
+  }
+
+
+
+  double SurfaceSearch::distance_square(const Point<2>   &x,
+                                        const Projection &projection) const
+  {
+    const auto      nodes = edge_positions(projection.edge);
+    const EdgeShape shape(surface.degree, projection.xi);
+    Tensor<1, 2>    r = x;
+    for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
+      r -= shape.value[a] * nodes[a];
+    return r.norm_square();
+  }
+} // namespace Contact
