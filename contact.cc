@@ -42,7 +42,7 @@ namespace Contact
     std::unique_ptr<Elasticity> elasticity;
     ContactInterface            interface;
 
-    DynamicSparsityPattern elastic_pattern;
+    SparsityPattern elastic_pattern;
     SparsityPattern      pattern;
     SparseMatrix<double> matrix;
     Vector<double>       residual, solution, start;
@@ -61,9 +61,10 @@ namespace Contact
   {
     const unsigned int n= discretization.dof_handler.n_dofs()+interface.n_multipliers();
     solution.reinit(n); start.reinit(n); residual.reinit(n);
-    elastic_pattern.reinit(n,n);
-    elasticity->add_couplings(elastic_pattern);
-    for (unsigned int i=0;i<n;++i) elastic_pattern.add(i,i);
+    DynamicSparsityPattern d(n,n);
+    elasticity->add_couplings(d);
+    for (unsigned int i=0;i<n;++i) d.add(i,i);
+    elastic_pattern.copy_from(d);
     newton_geometry = parameters.solution.geometry == "Newton";
     newton_friction = parameters.solution.friction == "Newton";
   }
@@ -76,7 +77,9 @@ namespace Contact
   void ContactProblem::setup_system()
   {
     TimerOutput::Scope t(timer, "pattern");
-    DynamicSparsityPattern d(elastic_pattern);
+    DynamicSparsityPattern d(solution.size(), solution.size());
+    elasticity->add_couplings(d);
+    for (unsigned int i=0;i<solution.size();++i) d.add(i,i);
     interface.add_couplings(d);
     pattern.copy_from(d);
     matrix.reinit(pattern);

@@ -64,7 +64,7 @@ namespace Contact
     Triangulation<2>                                    triangulation;
     std::map<std::string, types::material_id>           bodies;
     std::map<std::string, std::set<types::boundary_id>> boundaries;
-    std::map<std::string, unsigned int>                 points;
+    std::map<std::string, std::vector<unsigned int>>    points;
 
     /// The groups below, or an InputError that names the groups there are.
     types::material_id body(const std::string &name,
@@ -75,6 +75,12 @@ namespace Contact
 
     /// The name of a body by its id.
     std::string body_name(const types::material_id id) const;
+
+  private:
+    /// Lay the lines of a boundary group, and the triangles at it, on a circle.
+    void attach_arc(const std::string &name,
+                    const Point<2>    &center,
+                    const double       radius);
   };
 } // namespace Contact
 

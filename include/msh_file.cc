@@ -67,15 +67,10 @@ namespace Contact
       T read(const std::string &meaning)
       {
         T value;
-        if (words >> value)
-          return value;
-
-        words.clear();
-        std::string word;
-        words >> word;
-        fail("expected " + meaning + ", found " +
-               (word.empty() ? "the end of the line" : "'" + word + "'"),
-             "the file is damaged or incomplete: write it again");
+        if (!(words >> value))
+          fail("expected " + meaning + " in '" + words.str() + "'",
+               "the file is damaged or incomplete: write it again");
+        return value;
       }
 
       /// The name of a physical group, which stands in quotes.
@@ -102,6 +97,14 @@ namespace Contact
           fail("expected " + keyword + ", found '" + found + "'",
                "the section announces another number of entries than it has: "
                "write the file again");
+      }
+
+      /// Pass over the lines of a section which is not needed.
+      void skip(const std::string &section)
+      {
+        do
+          next_in(section);
+        while (words.str().find("$End" + section.substr(1)) != 0);
       }
 
       [[noreturn]] void fail(const std::string &what,
@@ -358,17 +361,6 @@ namespace Contact
             }
         }
     }
-
-
-
-    /// Pass over a section which we do not need.
-    void skip_section(const std::string &section, LineReader &lines)
-    {
-      const std::string keyword = "$End" + section.substr(1);
-      do
-        lines.next_in(section);
-      while (lines.read<std::string>(keyword) != keyword);
-    }
   } // namespace
 
 
@@ -399,7 +391,7 @@ namespace Contact
                            : read_elements_41(entities, lines, msh);
         else
           {
-            skip_section(section, lines);
+            lines.skip(section);
             continue;
           }
         lines.end(section);

@@ -38,6 +38,13 @@ namespace Contact
 
 
 
+    bool contains(const std::string &text, const std::string &part)
+    {
+      return text.find(part) != std::string::npos;
+    }
+
+
+
     std::string lower_case(std::string text)
     {
       for (char &c : text)
@@ -135,28 +142,6 @@ namespace Contact
         }
       return best;
     }
-
-
-
-    // A map would keep the first of two equal keys and forget the other.
-    std::string repeated_key(const Patterns::PatternBase &pattern,
-                             const std::string           &value)
-    {
-      const auto *map = dynamic_cast<const Patterns::Map *>(&pattern);
-      if (map == nullptr)
-        return "";
-      std::set<std::string> keys;
-      for (const std::string &element :
-           Utilities::split_string_list(value, map->get_separator()))
-        {
-          const std::string key =
-            split_at(element, element.find(map->get_key_value_separator()))
-              .first;
-          if (!keys.insert(key).second)
-            return key;
-        }
-      return "";
-    }
   } // namespace
 
 
@@ -170,19 +155,41 @@ namespace Contact
 
   std::string DeclaredEntry::allowed_values() const
   {
-    // Bounds that do not bound are only in the way.
-    const std::vector<std::pair<std::string, std::string>> in_words = {
-      { " v such that -MAX_DOUBLE <= v <= MAX_DOUBLE", "" },
-      { " <= MAX_DOUBLE", "" },
-      { " <= 2147483647", "" },
-      { " of 0 to 4294967295 elements", "" },
-      { "  ", " " }
-    };
+    // ParameterHandler's own words for maps and lists are hard to read.
+    const std::string item = contains(pattern, "[Double") ? "number" : "name";
+    if (contains(pattern, "[Map") && contains(pattern, "[List"))
+      return "any number of 'name: " + item + ", " + item +
+             ", ...', separated by ';'";
+    if (contains(pattern, "[Map"))
+      return "any number of 'name: " + item + "', separated by ','";
+    if (contains(pattern, "[List"))
+      return "any number of " + item + "s, separated by ','";
+    if (contains(pattern, "[Anything"))
+      return "any text";
+    if (contains(pattern, "[Double"))
+      return "a number";
 
-    std::string text = pattern->description(Patterns::PatternBase::Text);
-    for (const auto &[from, to] : in_words)
-      text = Utilities::replace_in_string(text, from, to);
-    return text;
+    const std::string text = Patterns::pattern_factory(pattern)->description(
+      Patterns::PatternBase::Text);
+    return Utilities::replace_in_string(text, " <= 2147483647", "");
+  }
+
+
+
+  std::string DeclaredEntry::repeated_key(const std::string &value) const
+  {
+    if (!contains(pattern, "[Map"))
+      return "";
+    const std::string     separator = contains(pattern, "[List") ? ";" : ",";
+    std::set<std::string> keys;
+    for (const std::string &element :
+         Utilities::split_string_list(value, separator))
+      {
+        const std::string key = split_at(element, element.find(':')).first;
+        if (!keys.insert(key).second)
+          return key;
+      }
+    return "";
   }
 
 
@@ -200,12 +207,14 @@ namespace Contact
     std::vector<DeclaredEntry> entries;
     for (const auto &section : tree.items())
       for (const auto &entry : section.value().items())
-        entries.push_back({ section.key(),
-                            entry.key(),
-                            entry.value().at("default_value"),
-                            entry.value().at("documentation"),
-                            Patterns::pattern_factory(
-                              entry.value().at("pattern_description")) });
+        {
+          const auto &field = entry.value();
+          entries.push_back({ section.key(),
+                              entry.key(),
+                              field.at("default_value"),
+                              field.at("documentation"),
+                              field.at("pattern_description") });
+        }
     return entries;
   }
 
@@ -399,23 +408,28 @@ namespace Contact
                             const Place         &place)
   {
     const std::string entry_and_place = entry.path() + " (" + place.name + ")";
-    if (!entry.pattern->match(value))
-      throw InputError(in_quotes(value) + " is not allowed for " +
-                         entry.path() + ".",
-                       entry_and_place,
-                       "allowed: " + entry.allowed_values());
+    prm.enter_subsection(entry.section);
+    try
+      {
+        prm.set(entry.name, value);
+      }
+    catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
+      {
+        throw InputError(in_quotes(value) + " is not allowed for " +
+                           entry.path() + ".",
+                         entry_and_place,
+                         "allowed: " + entry.allowed_values());
+      }
+    prm.leave_subsection();
+    settings[entry.path()] = place;
 
-    const std::string key = repeated_key(*entry.pattern, value);
+    // A map keeps the first of two equal keys and forgets the other.
+    const std::string key = entry.repeated_key(value);
     if (!key.empty())
       throw InputError(in_quotes(key) + " is given twice in " + entry.path() +
                          ".",
                        entry_and_place,
                        "keep one of the two");
-
-    prm.enter_subsection(entry.section);
-    prm.set(entry.name, value);
-    prm.leave_subsection();
-    settings[entry.path()] = place;
   }
 
 

@@ -10,7 +10,6 @@
 
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,13 +25,17 @@ namespace Contact
     std::string default_value;
     std::string documentation;
 
-    std::unique_ptr<const Patterns::PatternBase> pattern;
+    /// The pattern, as ParameterHandler describes it.
+    std::string pattern;
 
     /// "Section/Name", the way messages and overrides name it.
     std::string path() const;
 
     /// What the pattern allows, in words.
     std::string allowed_values() const;
+
+    /// The key that @p value, which matches the pattern, gives twice; if any.
+    std::string repeated_key(const std::string &value) const;
   };
 
   /// All entries of @p prm in the order of their declaration.

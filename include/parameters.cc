@@ -634,13 +634,16 @@ namespace Contact
     for (const DeclaredEntry &entry : declared_entries(prm))
       {
         if (entry.section != section)
-          out << (section.empty() ? "" : "end\n\n") << "subsection "
-              << (section = entry.section) << '\n';
-        const std::string text =
-          entry.documentation + " Allowed: " + entry.allowed_values() + '.';
-        for (const std::string &line :
-             Utilities::break_text_into_lines(text, 74))
-          out << "  # " << line << '\n';
+          out << (section.empty() ? "" : "end\n\n\n") << "subsection "
+              << entry.section << '\n';
+        else
+          out << '\n';
+        section = entry.section;
+        for (const std::string &text :
+             { entry.documentation, "Allowed: " + entry.allowed_values() })
+          for (const std::string &line :
+               Utilities::break_text_into_lines(text, 74))
+            out << "  # " << line << '\n';
         out << "  set " << entry.name << " = " << entry.default_value << '\n';
       }
     out << "end\n";
