@@ -117,8 +117,16 @@ namespace Contact
           slave.nodes[edge[0]].X.distance(slave.nodes[edge[1]].X);
         const double gap = state(point, u, u).gap;
         if (point.facing && gap <= tolerance * length)
-          point.status = Status::stick;
+          point.status =
+            can_stick(point) ? Status::stick : Status::slip;
       }
+  }
+
+
+
+  bool ContactInterface::can_stick(const ContactPoint &point) const
+  {
+    return !law.is_frictionless() && !point.tangential_row_is_void;
   }
 
 
@@ -189,16 +197,11 @@ namespace Contact
           {
             const double bound =
               newton_friction ? law.bound(now.p_trial) : point.tresca_bound;
-            const bool may_stick =
-              !law.is_frictionless() && !point.tangential_row_is_void;
-            if (may_stick && std::abs(now.q_trial) <= bound)
-              status = Status::stick;
-            else
-              {
-                status = Status::slip;
-                if (may_stick)
-                  direction = now.q_trial > 0 ? 1 : -1;
-              }
+            const bool sticks =
+              can_stick(point) && std::abs(now.q_trial) <= bound;
+            status = sticks ? Status::stick : Status::slip;
+            if (can_stick(point) && !sticks)
+              direction = now.q_trial > 0 ? 1 : -1;
           }
         if (status != point.status || direction != point.slip_direction)
           ++n_changes;

@@ -126,6 +126,10 @@ namespace Contact
   private:
     struct LocalSystem;
 
+    /// Without friction, and where its tangential row is void, a point in
+    /// contact slips.
+    bool can_stick(const ContactPoint &point) const;
+
     void assemble_point(const ContactPoint   &point,
                         const Vector<double> &solution,
                         const Vector<double> &u_start,

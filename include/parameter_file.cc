@@ -166,12 +166,14 @@ namespace Contact
       return "any number of " + item + "s, separated by ','";
     if (contains(pattern, "[Anything"))
       return "any text";
-    if (contains(pattern, "[Double"))
-      return "a number";
+    if (contains(pattern, "[Double -MAX"))
+      return "any number";
 
-    const std::string text = Patterns::pattern_factory(pattern)->description(
+    std::string text = Patterns::pattern_factory(pattern)->description(
       Patterns::PatternBase::Text);
-    return Utilities::replace_in_string(text, " <= 2147483647", "");
+    for (const std::string no_bound : { " <= 2147483647", " <= MAX_DOUBLE" })
+      text = Utilities::replace_in_string(text, no_bound, "");
+    return lower_case(text.substr(0, 1)) + text.substr(1);
   }
 
 
@@ -415,6 +417,7 @@ namespace Contact
       }
     catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
       {
+        prm.leave_subsection();
         throw InputError(in_quotes(value) + " is not allowed for " +
                            entry.path() + ".",
                          entry_and_place,

@@ -57,17 +57,6 @@ namespace Contact
 
 
 
-    void check_not_negative(const double value, const std::string &entry)
-    {
-      if (!(value >= 0))
-        throw EntryError(entry + " is " + Utilities::to_string(value) +
-                           ", but can not be negative.",
-                         { entry },
-                         "set 0 or a positive value");
-    }
-
-
-
     // The keys of one map have to be keys of another one as well.
     template<typename A, typename B>
     void check_keys(const std::map<std::string, A> &map,
@@ -99,6 +88,22 @@ namespace Contact
                              other_entry + ", which contradict each other.",
                            { entry, other_entry },
                            "remove " + in_quotes(key) + " from one of the two");
+    }
+
+
+
+    // ParameterHandler prints what is allowed only in a form that is not a
+    // parameter file.
+    void print_entry(const DeclaredEntry &entry, std::ostream &out)
+    {
+      for (const std::string &text :
+           { entry.documentation, "Allowed: " + entry.allowed_values() })
+        for (const std::string &line :
+             Utilities::break_text_into_lines(text, 74))
+          out << "  # " << line << '\n';
+      out << "  set " << entry.name << " ="
+          << (entry.default_value.empty() ? "" : " ") << entry.default_value
+          << '\n';
     }
   } // namespace
 
@@ -191,7 +196,7 @@ namespace Contact
       prm.enter_subsection("Solids");
       prm.add_parameter("Young's modulus",
                         young,
-                        "'body: E' [MPa], separated by ','.");
+                        "'body: E' [MPa], separated by ','; E > 0.");
       prm.add_parameter("Poisson's ratio",
                         poisson,
                         "'body: nu' [-], separated by ','; the same bodies "
@@ -314,11 +319,13 @@ namespace Contact
                         "rule nodal.");
       prm.add_parameter("Friction coefficient",
                         friction_coefficient,
-                        "Coulomb's coefficient of friction [-]; 0: none.");
+                        "Coulomb's coefficient of friction [-]; 0: none.",
+                        Patterns::Double(0));
       prm.add_parameter("Tresca limit",
                         tresca_limit,
                         "Bound of the tangential traction that does not "
-                        "depend on the pressure [MPa]; 0: none.");
+                        "depend on the pressure [MPa]; 0: none.",
+                        Patterns::Double(0));
       prm.leave_subsection();
     }
 
@@ -336,8 +343,6 @@ namespace Contact
                            in_quotes(slave) + ".",
                          surfaces,
                          "set two different boundary groups");
-      check_not_negative(friction_coefficient, "Contact/Friction coefficient");
-      check_not_negative(tresca_limit, "Contact/Tresca limit");
       check_friction();
       check_excluded_points();
     }
@@ -403,10 +408,11 @@ namespace Contact
                         "[-]; fixed point: in a loop of their own, Newton: "
                         "with the displacements.",
                         loop);
-      prm.add_parameter("Geometry tolerance",
-                        geometry_tolerance,
-                        "Change of the displacements in one turn of the "
-                        "geometry loop, relative to the displacements [-].");
+      prm.add_parameter(
+        "Geometry tolerance",
+        geometry_tolerance,
+        "Change of the displacements in one turn of the "
+        "geometry loop, relative to the displacements [-]; > 0.");
       prm.add_parameter("Max geometry iterations",
                         max_geometry_iterations,
                         "Turns of the geometry loop before giving up [-].",
@@ -417,10 +423,11 @@ namespace Contact
                         "fixed point: in a loop of its own, Newton: with the "
                         "displacements.",
                         loop);
-      prm.add_parameter("Friction tolerance",
-                        friction_tolerance,
-                        "Change of the displacements in one turn of the "
-                        "friction loop, relative to the displacements [-].");
+      prm.add_parameter(
+        "Friction tolerance",
+        friction_tolerance,
+        "Change of the displacements in one turn of the "
+        "friction loop, relative to the displacements [-]; > 0.");
       prm.add_parameter("Max friction iterations",
                         max_friction_iterations,
                         "Turns of the friction loop before giving up [-].",
@@ -428,7 +435,7 @@ namespace Contact
       prm.add_parameter("Newton tolerance",
                         newton_tolerance,
                         "Residual of equilibrium, relative to the forces "
-                        "[-].");
+                        "[-]; > 0.");
       prm.add_parameter("Max Newton iterations",
                         max_newton_iterations,
                         "Newton iterations before giving up [-].",
@@ -463,7 +470,8 @@ namespace Contact
       prm.add_parameter("Tolerances",
                         tolerances,
                         "'name: value', separated by ','; the deviation from "
-                        "the reference that is accepted, relative to it [-].");
+                        "the reference that is accepted, relative to it [-]; "
+                        "> 0.");
       prm.add_parameter("Hertz",
                         hertz,
                         "Line contact of Hertz to compare the pressure with: "
@@ -628,23 +636,17 @@ namespace Contact
     ParameterHandler prm;
     parameters.add_parameters(prm);
 
-    // ParameterHandler prints what is allowed only in a form that is no
-    // parameter file.
     std::string section;
     for (const DeclaredEntry &entry : declared_entries(prm))
       {
-        if (entry.section != section)
-          out << (section.empty() ? "" : "end\n\n\n") << "subsection "
-              << entry.section << '\n';
+        if (section.empty())
+          out << "subsection " << entry.section << '\n';
+        else if (section != entry.section)
+          out << "end\n\n\n\nsubsection " << entry.section << '\n';
         else
           out << '\n';
+        print_entry(entry, out);
         section = entry.section;
-        for (const std::string &text :
-             { entry.documentation, "Allowed: " + entry.allowed_values() })
-          for (const std::string &line :
-               Utilities::break_text_into_lines(text, 74))
-            out << "  # " << line << '\n';
-        out << "  set " << entry.name << " = " << entry.default_value << '\n';
       }
     out << "end\n";
   }

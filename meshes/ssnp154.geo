@@ -137,7 +137,7 @@ Line(26)   = {28, 25};
 Line(27)   = {25, 24};
 Line(28)   = {25, 29};
 Line(29)   = {29, 23};
-// Inner sides of the patch, concentric and radial: all its angles are right.
+// Inner sides of the patch, concentric and radial: near-rectangular cells.
 Circle(30) = {26, 25, 27};
 Line(31)   = {22, 27};
 // Long side of the triangle at the centre, see below.
@@ -159,7 +159,7 @@ Recombine Surface {11};
 
 // The lower quarter is bounded by 59 + 20 + 38 = 117 edges. An odd outline
 // cannot be filled with quadrangles alone: blossom gives up and a fallback
-// leaves hundreds of triangles. So one triangle is cut off by hand, at the
+// leaves some 200 triangles. So one triangle is cut off by hand, at the
 // centre, far from contact and load; what remains has 116 edges.
 Curve Loop(12) = {22, -29, -32, -25, 30, -31};
 Plane Surface(12) = {12};
