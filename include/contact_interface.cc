@@ -117,7 +117,7 @@ namespace Contact
           slave.nodes[edge[0]].X.distance(slave.nodes[edge[1]].X);
         const double gap = state(point, u, u).gap;
         if (point.facing && gap <= tolerance * length)
-          point.status =
+          point.decision.status =
             can_stick(point) ? Status::stick : Status::slip;
       }
   }
@@ -171,7 +171,7 @@ namespace Contact
     for (ContactPoint &point : points)
       {
         const double bound =
-          point.status == Status::open
+          point.decision.status == Status::open
             ? law.bound(0)
             : law.bound(state(point, solution, u_start).p_trial);
         change  = std::max(change, std::abs(bound - point.tresca_bound));
@@ -183,30 +183,66 @@ namespace Contact
 
 
 
+  Decision ContactInterface::decide(const ContactPoint &point,
+                                    const double        p_trial,
+                                    const double        q_trial,
+                                    const bool          moving_bound) const
+  {
+    if (!point.facing || p_trial <= 0)
+      return { Status::open, 0 };
+    if (!can_stick(point))
+      return { Status::slip, 0 };
+
+    const double bound = moving_bound ? law.bound(p_trial) : point.tresca_bound;
+    if (std::abs(q_trial) <= bound)
+      return { Status::stick, 0 };
+    return { Status::slip, q_trial > 0 ? 1 : -1 };
+  }
+
+
+
+  Traction ContactInterface::traction(const ContactPoint &point,
+                                      const Decision     &decision,
+                                      const double        p_trial,
+                                      const double        q_trial,
+                                      const bool          moving_bound) const
+  {
+    Traction traction;
+    if (decision.status == Status::open)
+      return traction;
+
+    traction.p     = p_trial;
+    traction.dp_dp = 1;
+    if (decision.status == Status::stick)
+      {
+        traction.q     = q_trial;
+        traction.dq_dq = 1;
+      }
+    else if (moving_bound)
+      {
+        traction.q = decision.slip_direction * law.bound(p_trial);
+        traction.dq_dp =
+          decision.slip_direction * law.bound_derivative(p_trial);
+      }
+    else
+      traction.q = decision.slip_direction * point.tresca_bound;
+    return traction;
+  }
+
+
+
   unsigned int ContactInterface::update_status(const Vector<double> &solution,
                                                const Vector<double> &u_start,
-                                               const bool newton_friction)
+                                               const bool moving_bound)
   {
     unsigned int n_changes = 0;
     for (ContactPoint &point : points)
       {
-        const ContactState now       = state(point, solution, u_start);
-        Status             status    = Status::open;
-        int                direction = 0;
-        if (point.facing && now.p_trial > 0)
-          {
-            const double bound =
-              newton_friction ? law.bound(now.p_trial) : point.tresca_bound;
-            const bool sticks =
-              can_stick(point) && std::abs(now.q_trial) <= bound;
-            status = sticks ? Status::stick : Status::slip;
-            if (can_stick(point) && !sticks)
-              direction = now.q_trial > 0 ? 1 : -1;
-          }
-        if (status != point.status || direction != point.slip_direction)
-          ++n_changes;
-        point.status         = status;
-        point.slip_direction = direction;
+        const ContactState now = state(point, solution, u_start);
+        const Decision     decision =
+          decide(point, now.p_trial, now.q_trial, moving_bound);
+        n_changes += !(decision == point.decision);
+        point.decision = decision;
       }
     return n_changes;
   }
@@ -218,8 +254,8 @@ namespace Contact
     StatusCount count;
     for (const ContactPoint &point : points)
       {
-        count.active += point.status != Status::open;
-        count.stick += point.status == Status::stick;
+        count.active += point.decision.status != Status::open;
+        count.stick += point.decision.status == Status::stick;
       }
     return count;
   }
@@ -258,17 +294,15 @@ namespace Contact
 
 
 
-  /// A point's unknowns, its residual, and the rows of derivatives of which
-  /// the tangent is made.
-  struct ContactInterface::LocalSystem
+  /// How foot point and edge of a contact point move with the bodies.
+  struct ContactInterface::Motion
   {
-    using Row = std::array<double,
-                           2 * ContactPoint::max_nodes +
-                             2 * ContactPoint::max_multipliers>;
+    using Row = std::array<double, 2 * ContactPoint::max_nodes>;
 
-    std::vector<types::global_dof_index> unknowns;
-    FullMatrix<double>                   matrix;
-    Vector<double>                       residual;
+    Row    d_xi{};       // of the foot's coordinate
+    Row    omega{};      // rotation: d_n = -omega t, d_t = omega n
+    double slip_normal;  // n . sum C_a (u_a - start)
+    double slip_stretch; // t . sum C1_a (u_a - start)
   };
 
 
@@ -276,137 +310,151 @@ namespace Contact
   // With tau = d x_m/d xi, kappa = d^2 x_m/d xi^2, m = |tau| and the gap g, the
   // foot of the normal moves as
   //   (m^2 - g n.kappa) d_xi = tau . sum C_a du_a - g n . sum C1_a du_a
-  // (C1 carries the minus of the master side), the edge turns by
-  //   omega = n . d_tau / m,  d_n = -omega t,  d_t = omega n.
-  void ContactInterface::assemble_point(const ContactPoint   &point,
-                                        const Vector<double> &solution,
-                                        const Vector<double> &u_start,
-                                        const Linearization  &linearization,
-                                        LocalSystem          &local) const
+  // (C1 carries the minus of the master side), and the edge turns by
+  //   omega = n . d_tau / m.
+  ContactInterface::Motion
+  ContactInterface::motion(const ContactPoint   &point,
+                           const Vector<double> &solution,
+                           const Vector<double> &u_start) const
   {
-    using Row = LocalSystem::Row;
-
-    collect_unknowns(point, local.unknowns);
-    const unsigned int n_u = 2 * point.n_nodes;
-    const unsigned int n_m = point.n_multipliers;
-    const unsigned int n   = local.unknowns.size();
-    local.matrix.reinit(n, n);
-    local.residual.reinit(n);
-
-    const ContactState  now      = state(point, solution, u_start);
-    const bool          contact  = point.status != Status::open;
-    const bool          friction = !law.is_frictionless();
-    const double        c        = point.complementarity;
-    const Tensor<1, 2> &normal   = point.normal;
-    const Tensor<1, 2> &tangent  = point.tangent;
-
-    // The derivatives of gap and slip, and of the moving geometry.
-    Row d_gap{}, d_slip{}, d_xi{}, omega{};
+    Tensor<1, 2> kappa, r, d_r, d_r1;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
         {
-          d_gap[2 * a + i]  = point.C[a] * normal[i];
-          d_slip[2 * a + i] = point.C[a] * tangent[i];
+          const double u = solution[point.dofs[a][i]];
+          const double x = point.X[a][i] + u;
+          const double d = u - u_start[point.dofs[a][i]];
+          kappa[i] -= point.C2[a] * x;
+          r[i] += point.C[a] * x;
+          d_r[i] += point.C[a] * d;
+          d_r1[i] += point.C1[a] * d;
         }
+    const double gap   = point.normal * r;
+    const double curve = point.normal * kappa;
+    const double slope = point.metric * point.metric - gap * curve;
 
-    const bool moving = linearization.moving_geometry && contact;
-    if (moving)
-      {
-        Tensor<1, 2> kappa, d_r, d_r1;
-        for (unsigned int a = 0; a < point.n_nodes; ++a)
-          for (unsigned int i = 0; i < 2; ++i)
-            {
-              const double u  = solution[point.dofs[a][i]];
-              const double du = u - u_start[point.dofs[a][i]];
-              kappa[i] -= point.C2[a] * (point.X[a][i] + u);
-              d_r[i] += point.C[a] * du;
-              d_r1[i] += point.C1[a] * du;
-            }
-        const double slope =
-          point.metric * point.metric - now.gap * (normal * kappa);
-        for (unsigned int a = 0; a < point.n_nodes; ++a)
-          for (unsigned int i = 0; i < 2; ++i)
-            {
-              const unsigned int j = 2 * a + i;
-              d_xi[j]              = (point.metric * tangent[i] * point.C[a] -
-                         now.gap * normal[i] * point.C1[a]) /
-                        slope;
-              omega[j] =
-                (-point.C1[a] * normal[i] + (normal * kappa) * d_xi[j]) /
-                point.metric;
-            }
-        for (unsigned int j = 0; j < n_u; ++j)
-          d_slip[j] += (normal * d_r) * omega[j] + (tangent * d_r1) * d_xi[j];
-      }
+    Motion motion;
+    motion.slip_normal  = point.normal * d_r;
+    motion.slip_stretch = point.tangent * d_r1;
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          const unsigned int j = 2 * a + i;
+          if (!point.foot_is_clipped)
+            motion.d_xi[j] = (point.metric * point.tangent[i] * point.C[a] -
+                              gap * point.normal[i] * point.C1[a]) /
+                             slope;
+          motion.omega[j] =
+            (curve * motion.d_xi[j] - point.C1[a] * point.normal[i]) /
+            point.metric;
+        }
+    return motion;
+  }
 
-    // The tractions and their derivatives.
-    double p = 0, q = 0;
-    Row    d_p{}, d_q{};
-    if (contact)
-      {
-        p = now.p_trial;
-        for (unsigned int j = 0; j < n_u; ++j)
-          d_p[j] = -c * d_gap[j];
-        for (unsigned int k = 0; k < n_m; ++k)
-          d_p[n_u + k] = point.psi[k];
-      }
-    if (point.status == Status::stick)
-      {
-        q = now.q_trial;
-        for (unsigned int j = 0; j < n_u; ++j)
-          d_q[j] = -c * d_slip[j];
-        for (unsigned int k = 0; k < n_m; ++k)
-          d_q[n_u + n_m + k] = point.psi[k];
-      }
-    else if (point.slip_direction != 0)
-      {
-        if (linearization.moving_bound)
-          {
-            q = point.slip_direction * law.bound(p);
-            for (unsigned int j = 0; j < n_u + n_m; ++j)
-              d_q[j] = point.slip_direction * law.bound_derivative(p) * d_p[j];
-          }
-        else
-          q = point.slip_direction * point.tresca_bound;
-      }
 
-    // The forces on the nodes.
+
+  void ContactInterface::rows(const ContactPoint   &point,
+                              const Vector<double> &solution,
+                              const Vector<double> &u_start,
+                              const Linearization  &linearization,
+                              Rows                 &rows) const
+  {
+    collect_unknowns(point, rows.unknowns);
+    const unsigned int n_u = 2 * point.n_nodes;
+    const unsigned int n_m = point.n_multipliers;
+    for (auto *row :
+         { &rows.p_trial, &rows.q_trial, &rows.load_p, &rows.load_q })
+      row->reinit(rows.unknowns.size());
+
+    const double c = point.complementarity;
     const double w = point.weight;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
         {
-          const double       traction = p * normal[i] + q * tangent[i];
-          const double       turned   = q * normal[i] - p * tangent[i];
-          const unsigned int row      = 2 * a + i;
-          local.residual[row]         = -w * traction * point.C[a];
-          for (unsigned int j = 0; j < n; ++j)
-            local.matrix(row, j) =
-              -w * (d_p[j] * normal[i] + d_q[j] * tangent[i]) * point.C[a];
-          if (moving)
-            for (unsigned int j = 0; j < n_u; ++j)
-              local.matrix(row, j) -= w * (turned * point.C[a] * omega[j] +
-                                           traction * point.C1[a] * d_xi[j]);
+          const unsigned int j = 2 * a + i;
+          rows.p_trial[j]      = -c * point.C[a] * point.normal[i];
+          rows.q_trial[j]      = -c * point.C[a] * point.tangent[i];
+          rows.load_p[j]       = -w * point.C[a] * point.normal[i];
+          rows.load_q[j]       = -w * point.C[a] * point.tangent[i];
         }
-
-    // The constraints.
     for (unsigned int k = 0; k < n_m; ++k)
       {
-        const double w_k        = w * point.psi[k] / c;
-        local.residual[n_u + k] = w_k * (p - now.lambda_n);
-        for (unsigned int j = 0; j < n; ++j)
-          local.matrix(n_u + k, j) = w_k * d_p[j];
-        for (unsigned int l = 0; l < n_m; ++l)
-          local.matrix(n_u + k, n_u + l) -= w_k * point.psi[l];
-
-        if (friction)
+        rows.p_trial[n_u + k] = point.psi[k];
+        rows.load_p[n_u + k]  = w * point.psi[k] / c;
+        if (!law.is_frictionless())
           {
-            const unsigned int row = n_u + n_m + k;
-            local.residual[row]    = w_k * (q - now.lambda_t);
-            for (unsigned int j = 0; j < n; ++j)
-              local.matrix(row, j) = w_k * d_q[j];
-            for (unsigned int l = 0; l < n_m; ++l)
-              local.matrix(row, n_u + n_m + l) -= w_k * point.psi[l];
+            rows.q_trial[n_u + n_m + k] = point.psi[k];
+            rows.load_q[n_u + n_m + k]  = w * point.psi[k] / c;
           }
+      }
+
+    if (linearization.moving_geometry && !law.is_frictionless())
+      {
+        const Motion moves = motion(point, solution, u_start);
+        for (unsigned int j = 0; j < n_u; ++j)
+          rows.q_trial[j] -= c * (moves.slip_normal * moves.omega[j] +
+                                  moves.slip_stretch * moves.d_xi[j]);
+      }
+  }
+
+
+
+  void ContactInterface::assemble_point(const ContactPoint   &point,
+                                        const Vector<double> &solution,
+                                        const Vector<double> &u_start,
+                                        const Linearization  &linearization,
+                                        Rows                 &rows,
+                                        FullMatrix<double>   &matrix,
+                                        Vector<double>       &residual) const
+  {
+    this->rows(point, solution, u_start, linearization, rows);
+    const unsigned int n   = rows.unknowns.size();
+    const unsigned int n_u = 2 * point.n_nodes;
+    const unsigned int n_m = point.n_multipliers;
+
+    const ContactState now = state(point, solution, u_start);
+    const Traction     t   = traction(point,
+                                point.decision,
+                                now.p_trial,
+                                now.q_trial,
+                                linearization.moving_bound);
+
+    matrix.reinit(n, n);
+    residual.reinit(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        residual[i]       = t.p * rows.load_p[i] + t.q * rows.load_q[i];
+        const double by_p = t.dp_dp * rows.load_p[i] + t.dq_dp * rows.load_q[i];
+        const double by_q = t.dq_dq * rows.load_q[i];
+        for (unsigned int j = 0; j < n; ++j)
+          matrix(i, j) = by_p * rows.p_trial[j] + by_q * rows.q_trial[j];
+      }
+
+    // The constraints w psi_k (p - lambda)/c = 0 take the multipliers off.
+    const double scale = point.weight / point.complementarity;
+    for (unsigned int k = 0; k < n_m; ++k)
+      for (unsigned int b = 0; b < (law.is_frictionless() ? 1 : 2); ++b)
+        {
+          const unsigned int row    = n_u + b * n_m + k;
+          const double       lambda = b == 0 ? now.lambda_n : now.lambda_t;
+          residual[row] -= scale * point.psi[k] * lambda;
+          for (unsigned int l = 0; l < n_m; ++l)
+            matrix(row, n_u + b * n_m + l) -=
+              scale * point.psi[k] * point.psi[l];
+        }
+
+    // The loads turn and travel with the master edge.
+    if (linearization.moving_geometry && point.decision.status != Status::open)
+      {
+        const Motion       moves  = motion(point, solution, u_start);
+        const Tensor<1, 2> along  = t.p * point.normal + t.q * point.tangent;
+        const Tensor<1, 2> turned = t.q * point.normal - t.p * point.tangent;
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          for (unsigned int i = 0; i < 2; ++i)
+            for (unsigned int j = 0; j < n_u; ++j)
+              matrix(2 * a + i, j) -=
+                point.weight * (turned[i] * point.C[a] * moves.omega[j] +
+                                along[i] * point.C1[a] * moves.d_xi[j]);
       }
   }
 
@@ -418,13 +466,21 @@ namespace Contact
                                   SparseMatrix<double> &matrix,
                                   Vector<double>       &residual) const
   {
-    LocalSystem local;
+    Rows               rows;
+    FullMatrix<double> local_matrix;
+    Vector<double>     local_residual;
     for (const ContactPoint &point : points)
       {
-        assemble_point(point, solution, u_start, linearization, local);
-        discretization.constraints.distribute_local_to_global(local.matrix,
-                                                              local.residual,
-                                                              local.unknowns,
+        assemble_point(point,
+                       solution,
+                       u_start,
+                       linearization,
+                       rows,
+                       local_matrix,
+                       local_residual);
+        discretization.constraints.distribute_local_to_global(local_matrix,
+                                                              local_residual,
+                                                              rows.unknowns,
                                                               matrix,
                                                               residual);
       }

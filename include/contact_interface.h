@@ -7,6 +7,7 @@
 #define contact_contact_interface_h
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_matrix.h>
 
 #include "contact_points.h"
@@ -25,6 +26,16 @@ namespace Contact
     double lambda_t;
     double p_trial; // lambda_n - c gap: in contact where positive
     double q_trial; // lambda_t - c slip: sticks where within the bound
+  };
+
+
+
+  /// Pressure p and shear traction q of a point [MPa], and their derivatives
+  /// with respect to the trial values.
+  struct Traction
+  {
+    double p = 0, dp_dp = 0;
+    double q = 0, dq_dp = 0, dq_dq = 0;
   };
 
 
@@ -95,7 +106,7 @@ namespace Contact
     /// Set the status of all points from the state; return how many changed.
     unsigned int update_status(const Vector<double> &solution,
                                const Vector<double> &u_start,
-                               const bool            newton_friction);
+                               const bool            moving_bound);
 
     StatusCount count() const;
 
@@ -119,22 +130,62 @@ namespace Contact
                   SparseMatrix<double> &matrix,
                   Vector<double>       &residual) const;
 
+    /**
+     * The rows of a point over its unknowns: derivatives of the trial values
+     * p and q, and the loads on all equations that a unit of p and q exerts.
+     * The equations of the whole problem are
+     *   elastic(x) + sum over the points of (load_p p + load_q q) = ...,
+     * where p and q depend on x through the trial values alone (and with moving
+     * geometry through the turning of the loads): all that the search of the
+     * active set needs.
+     */
+    struct Rows
+    {
+      std::vector<types::global_dof_index> unknowns;
+      Vector<double>                       p_trial, q_trial; // derivatives
+      Vector<double>                       load_p, load_q;
+    };
+
+    void rows(const ContactPoint   &point,
+              const Vector<double> &solution,
+              const Vector<double> &u_start,
+              const Linearization  &linearization,
+              Rows                 &rows) const;
+
+    /// What a point decides to do under trial values.
+    Decision decide(const ContactPoint &point,
+                    const double        p_trial,
+                    const double        q_trial,
+                    const bool          moving_bound) const;
+
+    /// The tractions that follow from a decision and trial values.
+    Traction traction(const ContactPoint &point,
+                      const Decision     &decision,
+                      const double        p_trial,
+                      const double        q_trial,
+                      const bool          moving_bound) const;
+
     ContactState state(const ContactPoint   &point,
                        const Vector<double> &solution,
                        const Vector<double> &u_start) const;
 
   private:
-    struct LocalSystem;
-
     /// Without friction, and where its tangential row is void, a point in
     /// contact slips.
     bool can_stick(const ContactPoint &point) const;
+
+    struct Motion;
+    Motion motion(const ContactPoint   &point,
+                  const Vector<double> &solution,
+                  const Vector<double> &u_start) const;
 
     void assemble_point(const ContactPoint   &point,
                         const Vector<double> &solution,
                         const Vector<double> &u_start,
                         const Linearization  &linearization,
-                        LocalSystem          &local) const;
+                        Rows                 &rows,
+                        FullMatrix<double>   &matrix,
+                        Vector<double>       &residual) const;
 
     void collect_unknowns(const ContactPoint                   &point,
                           std::vector<types::global_dof_index> &unknowns) const;

@@ -149,6 +149,7 @@ namespace Contact
     point.facing                = !projection.off_the_end;
     point.master_edge           = projection.edge;
     point.master_xi             = projection.xi;
+    point.foot_is_clipped       = projection.clipped;
 
     const auto     &edge = master.edges[projection.edge];
     const EdgeShape shape(master.degree, projection.xi);

@@ -26,6 +26,20 @@ namespace Contact
 
 
 
+  /// A status, and for a slipping point the sign of its shear traction.
+  struct Decision
+  {
+    Status status         = Status::open;
+    int    slip_direction = 0;
+
+    bool operator==(const Decision &other) const
+    {
+      return status == other.status && slip_direction == other.slip_direction;
+    }
+  };
+
+
+
   /**
    * The contact point, the idea that carries this program: a place on the
    * slave surface with a weight, the place on the master surface that it
@@ -74,12 +88,14 @@ namespace Contact
     Tensor<1, 2> normal, tangent;
     double       metric; // |d x_m / d xi| [mm]
 
+    // Over a corner of the master the foot stays at the corner.
+    bool foot_is_clipped = false;
+
     // A tangential row that says no more than the normal one is dropped: so
     // at a slave node on a symmetry line.
     bool tangential_row_is_void = false;
 
-    Status status         = Status::open;
-    int    slip_direction = 0; // sign of the shear traction
+    Decision decision;
 
     // Bound of the shear traction while a Tresca problem is solved [MPa].
     double tresca_bound = 0;

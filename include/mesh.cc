@@ -5,26 +5,54 @@
 
 #include "mesh.h"
 
+#include <deal.II/base/geometry_info.h>
+
 #include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria_accessor.h>
+#include <deal.II/grid/tria_iterator.h>
 
 #include <algorithm>
+#include <sstream>
+#include <utility>
 
 #include "errors.h"
 #include "msh_file.h"
 
 namespace Contact
 {
-  ArcManifold::ArcManifold(const Point<2> &center, const double radius)
-    : center(center)
-    , radius(radius)
+  bool Arc::on_circle(const Point<2> &p) const
   {
+    return std::abs(p.distance(center) - radius) < tolerance * radius;
   }
+
+
+
+  bool Arc::over_one_chord(const Point<2> &p, const Point<2> &q) const
+  {
+    // Of the points of the circle, those beyond the chord as seen from the
+    // centre are the piece over it. The ends are on the chord up to round-off.
+    const auto beyond = [this](const Point<2> &a, const auto &chord) {
+      const Tensor<1, 2> middle = 0.5 * (chord[0] + chord[1] - 2. * center);
+      return (a - center - middle) * middle > -1e-10 * radius * radius;
+    };
+
+    return on_circle(p) && on_circle(q) &&
+           std::any_of(chords.begin(), chords.end(), [&](const auto &chord) {
+             return beyond(p, chord) && beyond(q, chord);
+           });
+  }
+
+
+
+  ArcManifold::ArcManifold(const std::vector<Arc> &arcs)
+    : arcs(arcs)
+  {}
 
 
 
   std::unique_ptr<Manifold<2>> ArcManifold::clone() const
   {
-    return std::make_unique<ArcManifold>(center, radius);
+    return std::make_unique<ArcManifold>(arcs);
   }
 
 
@@ -33,18 +61,24 @@ namespace Contact
     const ArrayView<const Point<2>> &surrounding_points,
     const ArrayView<const double>   &weights) const
   {
-    Point<2>     mean;
-    unsigned int n_used = 0, n_on_circle = 0;
+    // The corners of a triangle are all handed over, with the weight zero for
+    // the one opposite to a mid-side.
+    Point<2>              mean;
+    std::vector<Point<2>> contributing;
     for (unsigned int i = 0; i < weights.size(); ++i)
-      if (std::abs(weights[i]) > 1e-10)
+      if (std::abs(weights[i]) > 1e-12)
         {
           mean += weights[i] * surrounding_points[i];
-          ++n_used;
-          n_on_circle += std::abs(surrounding_points[i].distance(center) -
-                                  radius) < 1e-6 * radius;
+          contributing.push_back(surrounding_points[i]);
         }
-    if (n_used == 2 && n_on_circle == 2)
-      return center + radius / mean.distance(center) * (mean - center);
+
+    if (contributing.size() == 2)
+      for (const Arc &arc : arcs)
+        if (arc.over_one_chord(contributing[0], contributing[1]))
+          {
+            const Tensor<1, 2> ray = mean - arc.center;
+            return arc.center + arc.radius / ray.norm() * ray;
+          }
     return mean;
   }
 
@@ -52,331 +86,247 @@ namespace Contact
 
   namespace
   {
+    /// A line by its vertices, the smaller one first.
     using Edge = std::pair<unsigned int, unsigned int>;
 
     Edge edge(const unsigned int a, const unsigned int b)
     {
-      return { std::min(a, b), std::max(a, b) };
+      return std::minmax({ a, b });
     }
 
 
 
-    [[noreturn]] void wrong_cell(const MshFile          &msh,
-                                 const MshFile::Element &element,
-                                 const std::string      &what)
+    /// A cell in our vertex numbers, anticlockwise.
+    struct Cell
     {
-      std::string corners;
-      for (const long node : element.nodes)
-        corners += " (" + std::to_string(msh.nodes.at(node)[0]) + ", " +
-                   std::to_string(msh.nodes.at(node)[1]) + ")";
-      throw InputError(what + ": element " + std::to_string(element.number) +
-                         " with the corners" + corners,
-                       msh.name,
-                       "mend the mesh there");
-    }
-
-
-
-    /// Twice the signed area of a triangle.
-    double twice_area(const Point<3> &a, const Point<3> &b, const Point<3> &c)
-    {
-      return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    }
-
-
-
-    /// Turn a clockwise cell round; refuse one that is neither: tangled.
-    void orient(const MshFile &msh, MshFile::Element &element)
-    {
-      const unsigned int n          = element.nodes.size();
-      unsigned int       n_positive = 0, n_negative = 0;
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          const double area =
-            twice_area(msh.nodes.at(element.nodes[i]),
-                       msh.nodes.at(element.nodes[(i + 1) % n]),
-                       msh.nodes.at(element.nodes[(i + 2) % n]));
-          n_positive += area > 0;
-          n_negative += area < 0;
-        }
-      if (n_negative == n)
-        std::reverse(element.nodes.begin(), element.nodes.end());
-      else if (n_positive != n)
-        wrong_cell(msh, element, "a cell is tangled, concave or without area");
-    }
-
-
-
-    /// Collects from the file what a triangulation is made of.
-    class Builder
-    {
-    public:
-      explicit Builder(MshFile &msh)
-        : msh(msh)
-      {
-      }
-
-      void add_cells(std::map<std::string, types::material_id> &bodies);
-      void add_lines(
-        std::map<std::string, std::set<types::boundary_id>> &boundaries);
-      void add_points(std::map<std::string, std::vector<unsigned int>> &points);
-      void create(Triangulation<2> &triangulation);
-
-    private:
-      unsigned int vertex(const long node);
-
-      MshFile                     &msh;
-      std::map<long, unsigned int> vertex_of_node;
-      std::vector<Point<2>>        vertices;
-      std::vector<CellData<2>>     quadrangles, triangles;
-      std::map<Edge, unsigned int> n_cells_at;
-      SubCellData                  subcells;
+      std::vector<unsigned int> corners;
+      types::material_id        body;
     };
 
 
 
-    unsigned int Builder::vertex(const long node)
+    std::string to_string(const Point<2> &p)
     {
-      const auto known = vertex_of_node.emplace(node, vertices.size());
-      if (known.second)
-        {
-          const Point<3> &x = msh.nodes.at(node);
-          vertices.emplace_back(x[0], x[1]);
-        }
-      return known.first->second;
+      std::ostringstream out;
+      out << "(" << p << ")";
+      std::string text = out.str();
+      std::replace(text.begin(), text.end(), ' ', ',');
+      return text;
     }
 
 
 
-    void Builder::add_cells(std::map<std::string, types::material_id> &bodies)
+    /// Where something is wrong in the file, beyond its syntax.
+    std::string where(const MshFile &msh, const MshFile::Element &element)
     {
-      std::map<long, int> group_of_element;
-      for (MshFile::Element &element : msh.elements[2])
-        {
-          if (element.groups.empty())
-            wrong_cell(msh, element, "a cell belongs to no physical surface");
-          const int  group = element.groups.front();
-          const auto known = group_of_element.emplace(element.number, group);
-          if (element.groups.size() > 1 || known.first->second != group)
-            wrong_cell(msh, element, "a cell belongs to two bodies");
-
-          const auto name = msh.names[2].find(group);
-          if (name == msh.names[2].end())
-            throw InputError("physical surface " + std::to_string(group) +
-                               " has no name",
-                             msh.name,
-                             "name the physical surfaces: they are the bodies");
-          orient(msh, element);
-
-          const unsigned int n = element.nodes.size();
-          CellData<2>        cell(n);
-          // deal.II numbers the corners of a quadrangle lexicographically.
-          for (unsigned int i = 0; i < n; ++i)
-            cell.vertices[n == 4 && i > 1 ? 5 - i : i] =
-              vertex(element.nodes[i]);
-          cell.material_id =
-            bodies.emplace(name->second, bodies.size()).first->second;
-          for (unsigned int i = 0; i < n; ++i)
-            ++n_cells_at[edge(vertex(element.nodes[i]),
-                              vertex(element.nodes[(i + 1) % n]))];
-          (n == 4 ? quadrangles : triangles).push_back(cell);
-        }
-      if (bodies.empty())
-        throw InputError("the mesh has no physical surface",
-                         msh.name,
-                         "name at least one surface: it is a body");
+      return msh.name + ", element " + std::to_string(element.number);
     }
 
 
 
-    void Builder::add_lines(
-      std::map<std::string, std::set<types::boundary_id>> &boundaries)
+    /// 'a', 'b' and what else the keys of a map are; for messages.
+    template <typename T>
+    std::string list(const std::map<std::string, T> &groups)
     {
-      // A group without a boundary line is still a group of the mesh.
-      for (const auto &[tag, name] : msh.names[1])
-        boundaries[name];
-
-      std::map<Edge, std::set<int>> groups_of;
-      for (const MshFile::Element &element : msh.elements[1])
-        {
-          const auto a = vertex_of_node.find(element.nodes[0]);
-          const auto b = vertex_of_node.find(element.nodes[1]);
-          if (a == vertex_of_node.end() || b == vertex_of_node.end())
-            continue;
-          const Edge line    = edge(a->second, b->second);
-          const auto n_cells = n_cells_at.find(line);
-          // Lines inside a body carry no boundary.
-          if (n_cells != n_cells_at.end() && n_cells->second == 1)
-            groups_of[line].insert(element.groups.begin(),
-                                   element.groups.end());
-        }
-
-      std::map<std::set<int>, types::boundary_id> id_of;
-      for (const auto &[line, groups] : groups_of)
-        {
-          CellData<1> boundary_line;
-          boundary_line.vertices = { line.first, line.second };
-          boundary_line.boundary_id =
-            id_of.emplace(groups, id_of.size() + 1).first->second;
-          subcells.boundary_lines.push_back(boundary_line);
-          for (const int group : groups)
-            if (msh.names[1].count(group) > 0)
-              boundaries[msh.names[1].at(group)].insert(
-                boundary_line.boundary_id);
-        }
+      std::string names;
+      for (const auto &group : groups)
+        names += (names.empty() ? "'" : ", '") + group.first + "'";
+      return names.empty() ? "none" : names;
     }
 
 
 
-    void Builder::add_points(
-      std::map<std::string, std::vector<unsigned int>> &points)
-    {
-      for (const MshFile::Element &element : msh.elements[0])
-        for (const int group : element.groups)
-          {
-            const auto name = msh.names[0].find(group);
-            const auto v    = vertex_of_node.find(element.nodes[0]);
-            if (name != msh.names[0].end() && v != vertex_of_node.end())
-              points[name->second].push_back(v->second);
-          }
-    }
-
-
-
-    void Builder::create(Triangulation<2> &triangulation)
-    {
-      // Only quadrangles have to be turned to agree on the direction of their
-      // shared lines; the function knows of no triangles.
-      GridTools::consistently_order_cells(quadrangles);
-      std::vector<CellData<2>> cells = quadrangles;
-      cells.insert(cells.end(), triangles.begin(), triangles.end());
-      triangulation.create_triangulation(vertices, cells, subcells);
-    }
-
-
-
-    std::string listed(const std::vector<std::string> &names)
-    {
-      std::string text;
-      for (const std::string &name : names)
-        text += (text.empty() ? "" : ", ") + name;
-      return text.empty() ? "none" : text;
-    }
-
-
-
-    template<typename Map>
-    const typename Map::mapped_type &find_group(const Map         &groups,
-                                                const std::string &kind,
-                                                const std::string &name,
-                                                const std::string &entry)
+    template <typename T>
+    const T &find(const std::map<std::string, T> &groups,
+                  const std::string              &kind,
+                  const std::string              &name,
+                  const std::string              &entry)
     {
       const auto group = groups.find(name);
       if (group == groups.end())
-        {
-          std::vector<std::string> names;
-          for (const auto &known : groups)
-            names.push_back(known.first);
-          throw InputError("the mesh has no " + kind + " '" + name + "'",
-                           entry,
-                           "use one of the groups of the mesh: " +
-                             listed(names));
-        }
+        throw InputError("the mesh has no " + kind + " '" + name + "'",
+                         "entry '" + entry + "'",
+                         "of this kind the mesh has: " + list(groups));
       return group->second;
     }
-  } // namespace
 
 
 
-  Mesh::Mesh(const Parameters::Mesh &parameters)
-  {
-    MshFile msh = read_msh(parameters.file);
-    Builder builder(msh);
-    builder.add_cells(bodies);
-    builder.add_lines(boundaries);
-    builder.add_points(points);
-    builder.create(triangulation);
-    for (const auto &[name, arc] : parameters.arcs)
-      attach_arc(name, Point<2>(arc[0], arc[1]), arc[2]);
-    triangulation.refine_global(parameters.refinements);
-  }
+    /// A group that is named but empty is a slip in the geometry's file.
+    void check_groups(const MshFile &msh)
+    {
+      for (unsigned int dimension = 0; dimension < msh.names.size(); ++dimension)
+        {
+          std::set<int> used;
+          if (dimension < msh.elements.size())
+            for (const auto &element : msh.elements[dimension])
+              used.insert(element.groups.begin(), element.groups.end());
+
+          for (const auto &[tag, name] : msh.names[dimension])
+            if (used.count(tag) == 0)
+              throw InputError("the physical group '" + name +
+                                 "' of dimension " +
+                                 std::to_string(dimension) + " is empty",
+                               msh.name,
+                               "give it elements or delete it");
+        }
+    }
 
 
 
-  void Mesh::attach_arc(const std::string &name,
-                        const Point<2>    &center,
-                        const double       radius)
-  {
-    const auto              &ids = boundary(name, "Mesh/Arcs");
-    const types::manifold_id id  = triangulation.get_manifold_ids().size();
-    for (const auto &cell : triangulation.active_cell_iterators())
-      for (const unsigned int f : cell->face_indices())
-        if (cell->face(f)->at_boundary() &&
-            ids.count(cell->face(f)->boundary_id()) > 0)
+    /// Number the nodes that are corners of cells, in the order of the file's
+    /// numbers. The others (mid-sides, centres of circles) are no vertices.
+    std::map<long, unsigned int> number_vertices(const MshFile &msh)
+    {
+      std::map<long, unsigned int> vertices;
+      for (const auto &cell : msh.elements[2])
+        for (const long node : cell.nodes)
           {
-            for (const unsigned int v : cell->face(f)->vertex_indices())
-              {
-                const Point<2> &x   = cell->face(f)->vertex(v);
-                const double    off = std::abs(x.distance(center) - radius);
-                if (off > 1e-3 * radius)
-                  throw InputError("'" + name +
-                                     "' is no such arc: the point (" +
-                                     std::to_string(x[0]) + ", " +
-                                     std::to_string(x[1]) + ") is " +
-                                     std::to_string(off) + " mm off",
-                                   "Mesh/Arcs",
-                                   "correct centre and radius");
-              }
-            if (cell->reference_cell().is_simplex())
-              cell->set_all_manifold_ids(id);
-            else
-              cell->face(f)->set_manifold_id(id);
+            if (msh.nodes.count(node) == 0)
+              throw InputError("node " + std::to_string(node) +
+                                 " does not exist",
+                               where(msh, cell),
+                               "write the mesh file again");
+            vertices.emplace(node, 0);
           }
-    triangulation.set_manifold(id, ArcManifold(center, radius));
-  }
+
+      unsigned int n = 0;
+      for (auto &vertex : vertices)
+        vertex.second = n++;
+      return vertices;
+    }
 
 
 
-  types::material_id Mesh::body(const std::string &name,
-                                const std::string &entry) const
-  {
-    return find_group(bodies, "body", name, entry);
-  }
+    /// The vertices' coordinates in the plane, which may have any height.
+    std::vector<Point<2>>
+    vertex_points(const MshFile                      &msh,
+                  const std::map<long, unsigned int> &vertices)
+    {
+      std::vector<Point<2>> points;
+      double                extent = 0, lowest = 0, highest = 0;
+      for (const auto &vertex : vertices)
+        {
+          const Point<3> &p = msh.nodes.at(vertex.first);
+          points.emplace_back(p[0], p[1]);
+          extent  = std::max(extent, points.front().distance(points.back()));
+          lowest  = points.size() == 1 ? p[2] : std::min(lowest, p[2]);
+          highest = points.size() == 1 ? p[2] : std::max(highest, p[2]);
+        }
+
+      if (highest - lowest > 1e-9 * extent)
+        throw InputError("the mesh is not plane: z goes from " +
+                           std::to_string(lowest) + " to " +
+                           std::to_string(highest),
+                         msh.name,
+                         "mesh surfaces in a plane of constant z");
+      return points;
+    }
 
 
 
-  const std::set<types::boundary_id> &
-  Mesh::boundary(const std::string &name, const std::string &entry) const
-  {
-    const auto &ids = find_group(boundaries, "boundary", name, entry);
-    if (ids.empty())
-      throw InputError("the group '" + name + "' has no line on the boundary",
-                       entry,
-                       "name a group of boundary lines");
-    return ids;
-  }
+    /// Physical surface tag -> material id: 0, 1, ... in the order of tags.
+    std::map<int, types::material_id> number_bodies(const MshFile &msh)
+    {
+      std::map<int, types::material_id> bodies;
+      for (const auto &body : msh.names[2])
+        bodies.emplace(body.first, bodies.size());
+      if (bodies.empty())
+        throw InputError("the mesh has no physical surface with a name",
+                         msh.name,
+                         "name the bodies: Physical Surface(\"...\") = {...}; "
+                         "in the .geo file");
+      return bodies;
+    }
 
 
 
-  unsigned int Mesh::point(const std::string &name,
-                           const std::string &entry) const
-  {
-    const auto &vertices = find_group(points, "point", name, entry);
-    if (vertices.size() != 1)
-      throw InputError("the point group '" + name + "' has " +
-                         std::to_string(vertices.size()) + " points",
-                       entry,
-                       "name a group of one point");
-    return vertices.front();
-  }
+    types::material_id
+    body_of(const MshFile::Element                  &cell,
+            const std::map<int, types::material_id> &bodies,
+            const MshFile                           &msh)
+    {
+      if (cell.groups.empty() || bodies.count(cell.groups[0]) == 0)
+        throw InputError("a cell belongs to no physical surface with a name",
+                         where(msh, cell),
+                         "every cell needs a body: Physical Surface(\"...\") "
+                         "= {...}; in the .geo file");
+      for (const int tag : cell.groups)
+        if (tag != cell.groups[0])
+          throw InputError("a cell belongs to two physical surfaces",
+                           where(msh, cell),
+                           "every cell belongs to precisely one body");
+      return bodies.at(cell.groups[0]);
+    }
 
 
 
-  std::string Mesh::body_name(const types::material_id id) const
-  {
-    for (const auto &[name, body] : bodies)
-      if (body == id)
-        return name;
-    return "";
-  }
+    /**
+     * Turn a cell round if it is clockwise. At each corner the two edges that
+     * meet there span the same orientation, or the cell is tangled: then its
+     * Jacobian vanishes somewhere inside.
+     */
+    void make_anticlockwise(const std::vector<Point<2>> &points,
+                            std::vector<unsigned int>   &corners,
+                            const MshFile::Element      &element,
+                            const MshFile               &msh)
+    {
+      const unsigned int  n = corners.size();
+      std::vector<double> determinants;
+      double              size = 0;
+      std::string         list;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const Point<2>    &corner = points[corners[i]];
+          const Tensor<1, 2> next   = points[corners[(i + 1) % n]] - corner;
+          const Tensor<1, 2> last   = points[corners[(i + n - 1) % n]] - corner;
+          determinants.push_back(cross_product_2d(last) * next);
+          size = std::max(size, next.norm_square());
+          list += " " + to_string(corner);
+        }
+
+      const auto [low, high] =
+        std::minmax_element(determinants.begin(), determinants.end());
+      if (*high < -1e-12 * size)
+        std::reverse(corners.begin(), corners.end());
+      else if (*low < 1e-12 * size)
+        throw InputError("a cell is tangled or has no area, its corners are" +
+                           list,
+                         where(msh, element),
+                         "quadrangles have to be convex, with four corners");
+    }
+
+
+
+    std::vector<Cell>
+    make_cells(const MshFile                           &msh,
+               const std::map<long, unsigned int>      &vertices,
+               const std::vector<Point<2>>             &points,
+               const std::map<int, types::material_id> &bodies)
+    {
+      std::vector<Cell> cells;
+
+      // A cell of two groups stands twice in a file of format 2.2.
+      std::map<std::set<unsigned int>, types::material_id> known;
+      for (const auto &element : msh.elements[2])
+        {
+          Cell cell;
+          cell.body = body_of(element, bodies, msh);
+          for (const long node : element.nodes)
+            cell.corners.push_back(vertices.at(node));
+          make_anticlockwise(points, cell.corners, element, msh);
+
+          const auto [entry, is_new] =
+            known.insert({ { cell.corners.begin(), cell.corners.end() },
+                           cell.body });
+          if (is_new)
+            cells.push_back(cell);
+          else if (entry->second != cell.body)
+            throw InputError("a cell belongs to two physical surfaces",
+                             where(msh, element),
+                             "every cell belongs to precisely one body");
+        }
+      return cells;
+    }
+  } // namespace
 } // namespace Contact

@@ -9,7 +9,9 @@
 #include <deal.II/grid/manifold.h>
 #include <deal.II/grid/tria.h>
 
+#include <array>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -21,15 +23,46 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * A straight manifold, except midway between two points of a circle: there
-   * it answers with the point of the circle (the mean is moved radially).
-   * Serves quadrangles and triangles alike, which the 6-node triangle on an
-   * arc needs: MappingFE asks for one manifold for a whole triangle.
+   * A boundary that is an arc of a circle: the circle and the chords of the
+   * arc, which are its lines before any refinement. Between the ends of one
+   * chord the boundary is round.
+   */
+  struct Arc
+  {
+    Point<2>                             center;
+    double                               radius;
+    std::vector<std::array<Point<2>, 2>> chords;
+
+    /// How far from the circle a point of the arc may lie, by the radius: the
+    /// digits an ASCII mesh may be short of, yet far less than an edge rises.
+    static constexpr double tolerance = 1e-5;
+
+    /// Whether a point lies on the circle.
+    bool on_circle(const Point<2> &p) const;
+
+    /// Whether two points lie on the piece of the circle over one chord.
+    bool over_one_chord(const Point<2> &p, const Point<2> &q) const;
+  };
+
+
+
+  /**
+   * A straight manifold, except between two points of the same piece of an
+   * arc: there it answers with the point of the circle (the weighted mean is
+   * moved radially).
+   *
+   * It serves quadrangles and triangles alike. The 6-node triangle on an arc
+   * is why it has to be straight everywhere else: MappingFE asks for one
+   * manifold for a whole triangle and its lines, hence (a line has two sides)
+   * for all triangles that hang together, so one such object serves all arcs.
+   * And it is why the chords have to be known: two points of a circle may as
+   * well be joined by a line inside the body, or by another boundary that was
+   * not said to be round.
    */
   class ArcManifold : public Manifold<2>
   {
   public:
-    ArcManifold(const Point<2> &center, const double radius);
+    ArcManifold(const std::vector<Arc> &arcs);
 
     std::unique_ptr<Manifold<2>> clone() const override;
 
@@ -38,8 +71,7 @@ namespace Contact
                   const ArrayView<const double>   &weights) const override;
 
   private:
-    const Point<2> center;
-    const double   radius;
+    const std::vector<Arc> arcs;
   };
 
 
@@ -47,26 +79,34 @@ namespace Contact
   /**
    * The triangulation of all bodies and the names of its parts: bodies are
    * material ids, boundaries are sets of boundary ids (a line may belong to
-   * several groups: each combination of groups has an id of its own), points
-   * are vertices.
+   * several groups: each combination of groups has an id of its own; what is
+   * in no named group has the id 0), points are vertices.
+   *
+   * Two nodes of the file stay two vertices even if they lie at the same
+   * place, as those of two bodies that touch in a point do.
    */
   class Mesh
   {
   public:
     /**
      * Read a gmsh file in MSH format 2.2 or 4.1, ASCII, with physical names.
-     * Quadrangles and triangles of first order may be mixed; clockwise cells
-     * are turned round; lines inside a body are ignored. Arcs get their
-     * manifold, then the mesh is refined. Throws InputError.
+     * Quadrangles and triangles may be mixed; of elements of second order only
+     * the corners are used; clockwise cells are turned round; lines inside a
+     * body are ignored. Arcs get their manifold, then the mesh is refined.
+     * Throws InputError.
      */
     explicit Mesh(const Parameters::Mesh &parameters);
 
     Triangulation<2>                                    triangulation;
     std::map<std::string, types::material_id>           bodies;
     std::map<std::string, std::set<types::boundary_id>> boundaries;
-    std::map<std::string, std::vector<unsigned int>>    points;
 
-    /// The groups below, or an InputError that names the groups there are.
+    /// A group of several points is numbers::invalid_unsigned_int; points
+    /// which are no corners of cells are left out.
+    std::map<std::string, unsigned int> points;
+
+    /// The groups above, or an InputError which says what there is instead.
+    /// @p entry is the entry of the parameters that names the group.
     types::material_id body(const std::string &name,
                             const std::string &entry) const;
     const std::set<types::boundary_id> &
@@ -77,10 +117,8 @@ namespace Contact
     std::string body_name(const types::material_id id) const;
 
   private:
-    /// Lay the lines of a boundary group, and the triangles at it, on a circle.
-    void attach_arc(const std::string &name,
-                    const Point<2>    &center,
-                    const double       radius);
+    /// Make the boundaries of @p parameters round, whose lines are straight.
+    void set_arcs(const Parameters::Mesh &parameters);
   };
 } // namespace Contact
 

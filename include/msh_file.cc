@@ -43,13 +43,10 @@ namespace Contact
         while (std::getline(input, line))
           {
             ++number;
-            // Files written on Windows end their lines with \r.
-            if (line.find_first_not_of(" \t\r") != std::string::npos)
-              {
-                words.clear();
-                words.str(line);
-                return true;
-              }
+            words.clear();
+            words.str(line);
+            if (!(words >> std::ws).eof())
+              return true;
           }
         return false;
       }
@@ -92,8 +89,7 @@ namespace Contact
       {
         const std::string keyword = "$End" + section.substr(1);
         next_in(section);
-        const std::string found = read<std::string>(keyword);
-        if (found != keyword)
+        if (const auto found = read<std::string>(keyword); found != keyword)
           fail("expected " + keyword + ", found '" + found + "'",
                "the section announces another number of entries than it has: "
                "write the file again");

@@ -87,6 +87,9 @@ namespace Contact
 
     /// The point lies before the first or behind the last edge of the chain.
     bool off_the_end;
+
+    /// The foot of the normal lies outside the edge; xi is its nearer end.
+    bool clipped;
   };
 
 
