@@ -3,172 +3,814 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include <deal.II/base/timer.h>
+// @sect3{Introduction}
+//
+// Two deformable bodies touch, with Coulomb friction between them. We look for
+// the displacement u of both, the contact pressure p and the shear traction q
+// on the surface where they meet, such that for all virtual displacements
+//
+//   integral S(u) : delta E(u) dX - sum over the points of contact
+//     w (p n + q t) . (delta u_slave - delta u_master) = dead loads . delta u,
+//
+//   g >= 0,  p >= 0,  p g = 0              (the bodies do not penetrate),
+//   |q| <= mu p,  and slip only where |q| = mu p, against q   (friction).
+//
+// The conditions in the last two lines are inequalities, yet not hard to solve
+// once they are written as equations: with any c > 0,
+//
+//   p = max(0, lambda_n - c g),
+//   q = projection of lambda_t - c s onto [-mu p, mu p],
+//
+// lambda_n = p and lambda_t = q being the Lagrange multipliers of the gap g and
+// of the slip s. Their semismooth Newton method is the primal-dual active set
+// method of step-41 and step-42: every point of contact makes a decision (open,
+// stick or slip) from the signs of these expressions, a linear system is
+// solved under all decisions, and when no point changes its mind we are done.
+// Here the search for the decisions happens inside the linear problem of one
+// Newton step, see ActiveSetSearch, so that few steps are needed.
+//
+// Around Newton's method there are up to three loops, and each is there only if
+// the scene asks for it:
+//
+//   load increments        because friction depends on the history;
+//     geometry loop        which master edge faces which slave point, and with
+//                          what normal; absent if Newton's method does it;
+//       friction loop      the bound mu p is frozen: a problem of Tresca's
+//                          friction; absent without Coulomb friction, or if
+//                          Newton's method does it;
+//         Newton's method.
+//
+// The classes behind this file, from the bottom up: Parameters, Mesh,
+// Discretization, Elasticity (the bodies), Surface and ContactPoint (where they
+// meet), ContactInterface (the equations of contact), ActiveSetSearch,
+// DirectSolver, and for the results StressRecovery, ResultFiles, RunSummary.
+//
+// References: P. Alart and A. Curnier, Comput. Methods Appl. Mech. Engrg. 92
+// (1991) 353-375; M. Hintermueller, K. Ito and K. Kunisch, SIAM J. Optim. 13
+// (2003) 865-888; S. Hueeber and B. Wohlmuth, Comput. Methods Appl. Mech.
+// Engrg. 194 (2005) 3147-3166; the benchmark: A. W. A. Konter, Advanced Finite
+// Element Contact Benchmarks, NAFEMS 2006, and SSNP154 of Code_Aster's
+// validation manual.
 
+#include <deal.II/base/conditional_ostream.h>
+#include <deal.II/base/timer.h>
 #include <deal.II/lac/sparsity_pattern.h>
 
+#include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <sstream>
 
+#include "active_set.h"
 #include "contact_interface.h"
 #include "discretization.h"
 #include "elasticity.h"
 #include "errors.h"
 #include "linear_solver.h"
 #include "parameters.h"
+#include "postprocessing.h"
+#include "result_files.h"
 #include "stress_recovery.h"
+#include "summary.h"
+#include "support_check.h"
 
 namespace Contact
 {
   using namespace dealii;
 
+  // @sect3{The ContactProblem class}
+  //
+  // One case, from its parameters to its summary. The order of the functions
+  // is the order in which they are called.
   class ContactProblem
   {
   public:
-    explicit ContactProblem(const Parameters::All &parameters);
-    void run();
+    ContactProblem(const Parameters::All  &parameters,
+                   const ParameterHandler &prm,
+                   const bool              verbose);
+
+    RunSummary run();
 
   private:
-    void geometry_loop();
-    void friction_loop();
-    unsigned int newton_loop(const bool newton_friction);
-    void pair();
-    void setup_system();
+    void   setup_system();
+    void   print_scene();
+    void   solve_increment(const unsigned int k);
+    void   solve_with_geometry_loop();
+    void   solve_with_friction_loop();
+    void   solve_newton(const bool keep_factorization);
+    void   pair_bodies();
     double assemble_system();
+    void   solve_linear_system(const bool keep_factorization);
+    void   output_increment(const unsigned int k);
+    void   probe(const std::vector<SymmetricTensor<2, 3>> &vertex_stresses);
+    void   finish();
 
-    const Parameters::All       parameters;
-    Mesh                        mesh;
-    Discretization              discretization;
-    std::unique_ptr<Elasticity> elasticity;
-    ContactInterface            interface;
+    bool   has_friction() const;
+    double largest_change(const Vector<double> &from) const;
+    std::optional<HertzLineContact> hertz() const;
+    std::string
+    chattering_points(const std::vector<signed char> &decisions) const;
 
-    SparsityPattern elastic_pattern;
-    SparsityPattern      pattern;
-    SparseMatrix<double> matrix;
-    Vector<double>       residual, solution, start;
+    const Parameters::All   parameters;
+    const ParameterHandler &prm;
+    ConditionalOStream      screen;
+    TimerOutput             timer;
+    RunSummary              summary;
+
+    // The scene.
+    std::unique_ptr<Mesh>             mesh;
+    std::unique_ptr<Discretization>   discretization;
+    std::unique_ptr<Elasticity>       elasticity;
+    std::unique_ptr<ContactInterface> interface; // none without contact
+    std::unique_ptr<StressRecovery>   stress_recovery;
+    std::unique_ptr<ResultFiles>      files;
+
+    // The linear system. The unknowns are the displacements, then the
+    // multipliers.
+    SparsityPattern      sparsity_pattern;
+    SparseMatrix<double> system_matrix;
+    Vector<double>       system_rhs;
     DirectSolver         solver;
-    double load_factor = 0;
-    bool newton_geometry, newton_friction;
-    unsigned int n_it=0;
-    ContactInterface::Linearization linearization;
-    TimerOutput timer;
+
+    // Whether the factorization belongs to the present pairing and decisions.
+    bool factorization_is_current = false;
+
+    // The state now, and at the start of the increment.
+    Vector<double> solution;
+    Vector<double> start;
+    double         load_factor     = 0;
+    double         reference_force = 0;
+    bool           is_first_step   = true;
+
+    ContactInterface::Linearization linearization{};
   };
 
-  ContactProblem::ContactProblem(const Parameters::All &parameters)
-  :parameters(parameters), mesh(parameters.mesh), discretization(mesh,parameters),
-   elasticity(Elasticity::create(discretization, parameters.solids)),
-   interface(discretization,*elasticity,parameters.contact), timer(std::cout, TimerOutput::summary, TimerOutput::cpu_times)
+
+
+  ContactProblem::ContactProblem(const Parameters::All  &parameters,
+                                 const ParameterHandler &prm,
+                                 const bool              verbose)
+    : parameters(parameters)
+    , prm(prm)
+    , screen(std::cout, verbose && parameters.output.screen == "full")
+    , timer(std::cout, TimerOutput::never, TimerOutput::cpu_and_wall_times)
   {
-    const unsigned int n= discretization.dof_handler.n_dofs()+interface.n_multipliers();
-    solution.reinit(n); start.reinit(n); residual.reinit(n);
-    DynamicSparsityPattern d(n,n);
-    elasticity->add_couplings(d);
-    for (unsigned int i=0;i<n;++i) d.add(i,i);
-    elastic_pattern.copy_from(d);
-    newton_geometry = parameters.solution.geometry == "Newton";
-    newton_friction = parameters.solution.friction == "Newton";
+    summary.case_name = parameters.name;
+    summary.mesh_file =
+      std::filesystem::path(parameters.mesh.file).filename().string();
   }
 
-  void ContactProblem::pair()
+
+
+  // @sect4{ContactProblem::run}
+  //
+  // What goes wrong with the input leaves here as an exception; what does not
+  // converge is a result as well: the summary says so, and nothing that was
+  // written looks as if it had converged.
+  RunSummary ContactProblem::run()
   {
-    TimerOutput::Scope t(timer, "pair");
-    if (interface.pair(solution)) setup_system();
+    setup_system();
+    print_scene();
+
+    try
+      {
+        for (unsigned int k = 1; k <= parameters.solution.n_increments; ++k)
+          {
+            summary.increments.emplace_back();
+            solve_increment(k);
+            summary.increments.back().converged = true;
+            output_increment(k);
+          }
+        summary.converged = true;
+        summary.message.clear();
+      }
+    catch (const NotConverged &failure)
+      {
+        summary.message = "increment " +
+                          std::to_string(summary.increments.size()) + ": " +
+                          failure.what();
+        screen << summary.message << std::endl;
+      }
+    finish();
+    return summary;
   }
+
+
+
+  // @sect4{ContactProblem::setup_system}
+  //
+  // Everything that can be wrong with the input shows here, before anything is
+  // computed or written.
   void ContactProblem::setup_system()
   {
-    TimerOutput::Scope t(timer, "pattern");
-    DynamicSparsityPattern d(solution.size(), solution.size());
-    elasticity->add_couplings(d);
-    for (unsigned int i=0;i<solution.size();++i) d.add(i,i);
-    interface.add_couplings(d);
-    pattern.copy_from(d);
-    matrix.reinit(pattern);
-    solver.initialize(pattern);
+    TimerOutput::Scope scope(timer, "setup");
+
+    mesh           = std::make_unique<Mesh>(parameters.mesh);
+    discretization = std::make_unique<Discretization>(*mesh, parameters);
+    elasticity     = Elasticity::create(*discretization, parameters.solids);
+    if (!parameters.contact.slave.empty())
+      interface = std::make_unique<ContactInterface>(*discretization,
+                                                     *elasticity,
+                                                     parameters.contact);
+    stress_recovery = std::make_unique<StressRecovery>(*discretization);
+
+    summary.n_displacements = discretization->dof_handler.n_dofs();
+    summary.n_multipliers   = interface ? interface->n_multipliers() : 0;
+    const auto n_unknowns   = summary.n_displacements + summary.n_multipliers;
+    solution.reinit(n_unknowns);
+    start.reinit(n_unknowns);
+    system_rhs.reinit(n_unknowns);
+
+    linearization.moving_geometry = parameters.solution.geometry == "Newton";
+    linearization.moving_bound    = parameters.solution.friction == "Newton";
+    reference_force               = discretization->dead_load.l2_norm();
+
+    // A body that nothing holds would show as a singular matrix much later.
+    pair_bodies();
+    if (interface)
+      interface->initialize_status(solution);
+    check_supports(*discretization, interface.get());
+
+    // From here on the results of an earlier run are replaced; until this one
+    // ends, its summary says that it has not converged.
+    files = std::make_unique<ResultFiles>(
+      std::filesystem::path(parameters.output.directory) / parameters.name,
+      *discretization);
+    summary.message = "the run has not ended";
+    write_summary(summary, files->directory / "summary.json");
   }
+
+
+
+  void ContactProblem::print_scene()
+  {
+    auto &effects         = summary.effects;
+    effects["kinematics"] = parameters.solids.kinematics;
+    effects["element"] =
+      parameters.element.degree == 1
+        ? "linear"
+        : (discretization->bound_centre ? "quadratic, 8 nodes"
+                                        : "quadratic, 9 nodes");
+    effects["contact"] = "none";
+    if (interface)
+      {
+        const FrictionLaw &law = interface->law;
+        std::ostringstream friction;
+        if (law.is_frictionless())
+          friction << "none";
+        else if (law.coulomb_coefficient > 0)
+          friction << "Coulomb " << law.coulomb_coefficient << ", "
+                   << parameters.solution.friction;
+        else
+          friction << "Tresca " << law.tresca_limit << " MPa";
+        effects["contact"] = parameters.contact.rule + " rule, " +
+                             std::to_string(interface->points.size()) +
+                             " points";
+        effects["friction"] = friction.str();
+        effects["geometry"] = parameters.solution.geometry;
+      }
+
+    screen << "Case " << parameters.name << ": "
+           << mesh->triangulation.n_active_cells() << " cells of "
+           << summary.mesh_file << ", " << summary.n_displacements
+           << " displacements, " << summary.n_multipliers << " multipliers"
+           << std::endl;
+    for (const auto &[effect, choice] : effects)
+      screen << "  " << std::left << std::setw(12) << effect << std::right
+             << choice << std::endl;
+  }
+
+
+
+  // @sect4{ContactProblem::solve_increment}
+  void ContactProblem::solve_increment(const unsigned int k)
+  {
+    load_factor = static_cast<double>(k) / parameters.solution.n_increments;
+    start       = solution;
+    discretization->constrain_update(solution, load_factor);
+    summary.increments.back().load_factor = load_factor;
+    screen << "Increment " << k << " of " << parameters.solution.n_increments
+           << ", load factor " << load_factor << std::endl;
+
+    solve_with_geometry_loop();
+
+    if (interface)
+      {
+        const StatusCount count          = interface->count();
+        summary.increments.back().active = count.active;
+        summary.increments.back().stick  = count.stick;
+        summary.increments.back().slip   = count.active - count.stick;
+      }
+  }
+
+
+
+  // @sect4{ContactProblem::solve_with_geometry_loop}
+  //
+  // Pair, freeze projections and normals, solve, pair again. The first turn is
+  // never accepted: it knows the geometry of the increment's start only. The
+  // criterion is the one of the reference solution: the largest change of a
+  // displacement against the largest displacement of the increment before.
+  void ContactProblem::solve_with_geometry_loop()
+  {
+    if (!interface || linearization.moving_geometry)
+      {
+        solve_with_friction_loop();
+        return;
+      }
+
+    double change = 0;
+    for (unsigned int turn = 1;
+         turn <= parameters.solution.max_geometry_iterations;
+         ++turn)
+      {
+        const Vector<double> last           = solution;
+        const double         last_increment = largest_change(start);
+
+        screen << "  geometry, turn " << turn << std::endl;
+        ++summary.increments.back().geometry_iterations;
+        pair_bodies();
+        solve_with_friction_loop();
+
+        change = largest_change(last) / last_increment;
+        if (turn > 1)
+          {
+            screen << "    change of the displacement " << change << std::endl;
+            if (change < parameters.solution.geometry_tolerance)
+              return;
+          }
+      }
+    throw NotConverged(
+      "the geometry loop ends with a change of " + std::to_string(change) +
+      " after " + std::to_string(parameters.solution.max_geometry_iterations) +
+      " turns");
+  }
+
+
+
+  // @sect4{ContactProblem::solve_with_friction_loop}
+  //
+  // Coulomb's friction as a fixed point over Tresca's: solve with frozen bounds
+  // of the shear traction, update the bounds from the pressures, until they
+  // stay. Between two such problems little changes, so the factorization is
+  // kept as long as it serves.
+  void ContactProblem::solve_with_friction_loop()
+  {
+    if (!has_friction() || linearization.moving_bound ||
+        interface->law.coulomb_coefficient == 0)
+      {
+        if (has_friction())
+          interface->update_bounds(solution, start);
+        solve_newton(/*keep_factorization=*/false);
+        return;
+      }
+
+    double change = 0;
+    for (unsigned int turn = 1;
+         turn <= parameters.solution.max_friction_iterations;
+         ++turn)
+      {
+        ++summary.increments.back().friction_iterations;
+        solve_newton(/*keep_factorization=*/turn > 1);
+        change = interface->update_bounds(solution, start);
+        screen << "    friction, turn " << turn << ": change of the bound "
+               << change << std::endl;
+        if (change <= parameters.solution.friction_tolerance)
+          return;
+      }
+    throw NotConverged(
+      "the friction loop ends with a change of the bound of " +
+      std::to_string(change) + " after " +
+      std::to_string(parameters.solution.max_friction_iterations) + " turns");
+  }
+
+
+
+  // @sect4{ContactProblem::solve_newton}
+  //
+  // Newton's method on displacements, multipliers and decisions together. It
+  // has converged when no point changes its mind and the residual, forces and
+  // constraints, is small against the forces.
+  void ContactProblem::solve_newton(const bool keep_factorization)
+  {
+    IncrementRecord &record = summary.increments.back();
+
+    std::vector<signed char> last_decisions;
+    double                   last_residual = std::numeric_limits<double>::max();
+    for (unsigned int step = 0;
+         step <= parameters.solution.max_newton_iterations;
+         ++step)
+      {
+        if (interface && linearization.moving_geometry)
+          pair_bodies();
+
+        // Before the very first step there are no multipliers to judge by: the
+        // decisions are those from the initial gaps.
+        unsigned int n_changes = 0;
+        if (interface)
+          last_decisions = interface->signature();
+        if (interface && !is_first_step)
+          n_changes = interface->update_status(solution,
+                                               start,
+                                               linearization.moving_bound);
+        if (n_changes > 0)
+          factorization_is_current = false;
+
+        const double residual = assemble_system();
+        screen << "    Newton " << std::setw(2) << step << "  residual "
+               << std::scientific << std::setprecision(3) << residual
+               << std::defaultfloat << std::setprecision(6);
+        if (interface)
+          {
+            const StatusCount count = interface->count();
+            screen << "  active " << count.active << "  stick " << count.stick
+                   << "  changes " << n_changes;
+          }
+        screen << std::endl;
+
+        if (!std::isfinite(residual))
+          throw NotConverged("the residual is not a number in Newton step " +
+                             std::to_string(step));
+        if (!is_first_step && n_changes == 0 &&
+            residual <= parameters.solution.newton_tolerance)
+          return;
+        if (step == parameters.solution.max_newton_iterations)
+          throw NotConverged("Newton's method ends with the residual " +
+                             std::to_string(residual) + " after " +
+                             std::to_string(step) + " steps" +
+                             chattering_points(last_decisions));
+
+        solve_linear_system(keep_factorization &&
+                            residual < 0.1 * last_residual);
+        last_residual = residual;
+        is_first_step = false;
+        ++record.newton_iterations;
+      }
+  }
+
+
+
+  // @sect4{ContactProblem::pair_bodies}
+  //
+  // When a point faces another edge than before, the matrix couples other
+  // unknowns than before: a new pattern, and a new analysis in the solver.
+  void ContactProblem::pair_bodies()
+  {
+    TimerOutput::Scope scope(timer, "search");
+
+    factorization_is_current = false;
+    const bool is_new        = sparsity_pattern.empty();
+    const bool changed       = interface && interface->pair(solution);
+    if (!is_new && !changed)
+      return;
+
+    DynamicSparsityPattern pattern(solution.size(), solution.size());
+    elasticity->add_couplings(pattern);
+    if (interface)
+      interface->add_couplings(pattern);
+    for (unsigned int i = 0; i < pattern.n_rows(); ++i)
+      pattern.add(i, i);
+
+    sparsity_pattern.copy_from(pattern);
+    system_matrix.reinit(sparsity_pattern);
+    solver.initialize(sparsity_pattern);
+  }
+
+
+
+  // @sect4{ContactProblem::assemble_system}
+  //
+  // Returns the residual relative to the forces: to the load, or where
+  // displacements are prescribed, to the forces that they ask for.
   double ContactProblem::assemble_system()
   {
-    TimerOutput::Scope t(timer, "assemble");
-    matrix = 0; residual = 0;
-    elasticity->assemble(solution, load_factor, matrix, residual);
-    interface.assemble(solution, start, linearization, matrix, residual);
-    for (unsigned int i=0;i<discretization.dof_handler.n_dofs();++i)
-      if (discretization.constraints.is_constrained(i)) { matrix.diag_element(i)=1; residual[i]=0;}
-    return residual.l2_norm();
+    TimerOutput::Scope scope(timer, "assembly");
+
+    system_matrix = 0;
+    system_rhs    = 0;
+    elasticity->assemble(solution, load_factor, system_matrix, system_rhs);
+    if (interface)
+      interface->assemble(solution,
+                          start,
+                          linearization,
+                          system_matrix,
+                          system_rhs);
+
+    // Unknowns that are not free keep a row of their own, and their update
+    // comes from the constraints afterwards.
+    for (unsigned int i = 0; i < discretization->dof_handler.n_dofs(); ++i)
+      if (discretization->constraints.is_constrained(i))
+        {
+          system_matrix.diag_element(i) = 1;
+          system_rhs[i]                 = 0;
+        }
+
+    double square =
+      interface ? std::pow(interface->constraint_norm(system_rhs), 2) : 0.;
+    for (unsigned int i = 0; i < discretization->dof_handler.n_dofs(); ++i)
+      square += system_rhs[i] * system_rhs[i];
+    if (reference_force == 0)
+      reference_force = std::sqrt(square);
+    return reference_force > 0 ? std::sqrt(square) / reference_force : 0.;
   }
-  unsigned int ContactProblem::newton_loop(const bool nf)
+
+
+
+  // @sect4{ContactProblem::solve_linear_system}
+  void ContactProblem::solve_linear_system(const bool keep_factorization)
   {
-    linearization = {newton_geometry, nf};
-    for (unsigned int it=0; it<parameters.solution.max_newton_iterations; ++it)
+    if (!(keep_factorization && factorization_is_current))
+      {
+        TimerOutput::Scope scope(timer, "factorization");
+        solver.factorize(system_matrix);
+        factorization_is_current = true;
+      }
     {
-      if (newton_geometry) pair();
-      const unsigned int changes = it==0 && n_it==0 ? 0 : interface.update_status(solution,start,nf);
-      const double r = assemble_system();
-      const auto c = interface.count();
-      std::cout << "  it " << it << " changes " << changes << " active " << c.active << " stick " << c.stick << " residual " << r << std::endl;
-      if (it>0 && changes==0 && r < 1e-8*17500) return it;
-      if (it==0 && r < 1e-8*17500 && changes==0 && n_it>0) return it;
-      {TimerOutput::Scope t(timer, "factorize");
-      solver.factorize(matrix);}
-      {TimerOutput::Scope t(timer, "solve");
-      solver.solve(residual);}
-      discretization.constraints.distribute(residual);
-      solution -= residual;
-      ++n_it;
+      TimerOutput::Scope scope(timer, "solution");
+      solver.solve(system_rhs);
+      discretization->constraints.distribute(system_rhs);
     }
-    throw NotConverged("Newton");
+    if (interface)
+      {
+        TimerOutput::Scope scope(timer, "active set");
+        ActiveSetSearch(*discretization, *interface, solver, linearization)
+          .correct(solution, start, system_rhs);
+      }
+    solution += system_rhs;
+    discretization->constrain_update(solution, load_factor);
   }
-  void ContactProblem::friction_loop()
+
+
+
+  // @sect4{ContactProblem::output_increment}
+  void ContactProblem::output_increment(const unsigned int k)
   {
-    if (interface.law.is_frictionless() || newton_friction) { newton_loop(newton_friction); return; }
-    for (unsigned int k=0;k<parameters.solution.max_friction_iterations;++k)
-    {
-      newton_loop(false);
-      const double change = interface.update_bounds(solution,start);
-      std::cout << " friction change " << change << std::endl;
-      if (k>0 && change < 1e-10) return;
-    }
-    throw NotConverged("friction");
+    const bool is_last = k == parameters.solution.n_increments;
+    if (!is_last && !parameters.output.vtu)
+      return;
+    TimerOutput::Scope scope(timer, "output");
+
+    const auto stresses =
+      stress_recovery->vertex_stresses(*elasticity, solution);
+    std::vector<ProfileRow> slave_rows;
+    if (interface && (parameters.output.vtu || parameters.output.profile))
+      slave_rows = slave_profile(*interface,
+                                 *discretization,
+                                 stresses,
+                                 solution,
+                                 start,
+                                 hertz());
+
+    if (parameters.output.vtu)
+      {
+        files->write_bodies(k, load_factor, stresses, solution);
+        if (interface)
+          files->write_contact(k, load_factor, interface->slave, slave_rows);
+      }
+    if (!is_last)
+      return;
+
+    if (interface && parameters.output.profile)
+      files->write_profile(slave_rows,
+                           master_profile(*interface,
+                                          *discretization,
+                                          stresses,
+                                          solution,
+                                          slave_rows,
+                                          hertz()));
+    probe(stresses);
   }
-  void ContactProblem::geometry_loop()
+
+
+
+  void ContactProblem::probe(
+    const std::vector<SymmetricTensor<2, 3>> &vertex_stresses)
   {
-    if (newton_geometry) { friction_loop(); return;}
-    for (unsigned int k=0;k<parameters.solution.max_geometry_iterations;++k)
-    {
-      Vector<double> last(solution);
-      pair();
-      if (n_it==0) interface.initialize_status(solution, 1e-2);
-      friction_loop();
-      double d=0, s=0;
-      for (unsigned int i=0;i<discretization.dof_handler.n_dofs();++i)
-        { d=std::max(d,std::abs(solution[i]-last[i])); s=std::max(s,std::abs(last[i]-start[i]));}
-      std::cout << " geometry " << k << " " << d/s << std::endl;
-      if (k>0 && d < parameters.solution.geometry_tolerance*s) return;
-    }
-    throw NotConverged("geometry");
+    for (const auto &[name, probe] : parameters.probes.probes)
+      {
+        ProbeResult result;
+        result.name  = name;
+        result.unit  = probe[0].rfind("displacement", 0) == 0 ? "mm" : "MPa";
+        result.value = probe_value(probe[0],
+                                   mesh->point(probe[1], "Probes/Probes"),
+                                   *discretization,
+                                   vertex_stresses,
+                                   solution);
+        if (parameters.probes.references.count(name) > 0)
+          {
+            result.reference = parameters.probes.references.at(name);
+            result.tolerance = parameters.probes.tolerances.at(name);
+          }
+        summary.probes.push_back(result);
+      }
   }
-  void ContactProblem::run()
+
+
+
+  // @sect4{ContactProblem::finish}
+  void ContactProblem::finish()
   {
-    std::cout << discretization.dof_handler.n_dofs() << " " << interface.n_multipliers() << std::endl;
-    StressRecovery recovery(discretization);
-    const unsigned int B = mesh.point("B","x");
-    for (unsigned int k=1;k<=parameters.solution.n_increments;++k)
-    {
-      load_factor = double(k)/parameters.solution.n_increments;
-      start = solution;
-      discretization.constrain_update(solution, load_factor);
-      if (newton_geometry && k==1) { pair(); interface.initialize_status(solution,1e-2);}
-      geometry_loop();
-      std::cout << std::setprecision(12) << "DY " << solution[discretization.vertex_dofs[B][1]]
-       << " SIYY " << recovery.vertex_stresses(*elasticity, solution)[B][1][1] << std::setprecision(6) << std::endl;
-    }
+    for (const auto &[phase, time] :
+         timer.get_summary_data(TimerOutput::total_cpu_time))
+      summary.time[phase].cpu = time;
+    for (const auto &[phase, time] :
+         timer.get_summary_data(TimerOutput::total_wall_time))
+      summary.time[phase].wall = time;
+    summary.peak_memory_mb = peak_memory_mb();
+    write_summary(summary, files->directory / "summary.json");
+    write_file(files->directory / "parameters.prm", [this](std::ostream &out) {
+      prm.print_parameters(out, ParameterHandler::ShortText);
+    });
+
+    screen << "Time in seconds (CPU / wall):" << std::fixed
+           << std::setprecision(3);
+    for (const auto &[phase, time] : summary.time)
+      screen << "  " << phase << " " << time.cpu << " / " << time.wall;
+    screen << std::defaultfloat << std::setprecision(6) << std::endl;
   }
-}
+
+
+
+  bool ContactProblem::has_friction() const
+  {
+    return interface && !interface->law.is_frictionless();
+  }
+
+
+
+  /// The largest change of a displacement [mm].
+  double ContactProblem::largest_change(const Vector<double> &from) const
+  {
+    double change = 0;
+    for (unsigned int i = 0; i < discretization->dof_handler.n_dofs(); ++i)
+      change = std::max(change, std::abs(solution[i] - from[i]));
+    return change;
+  }
+
+
+
+  /// The Hertz contact of the two bodies of the contact zone.
+  std::optional<HertzLineContact> ContactProblem::hertz() const
+  {
+    if (!interface || parameters.probes.hertz.empty())
+      return {};
+    const auto &solids = parameters.solids;
+    const auto  slave  = mesh->body_name(interface->slave.edges[0].body);
+    const auto  master = mesh->body_name(interface->master.edges[0].body);
+    return HertzLineContact{
+      parameters.probes.hertz[0], parameters.probes.hertz[1],
+      solids.young.at(slave),     solids.poisson.at(slave),
+      solids.young.at(master),    solids.poisson.at(master)
+    };
+  }
+
+
+
+  /// Where points changed their mind since @p decisions, and to what.
+  std::string ContactProblem::chattering_points(
+    const std::vector<signed char> &decisions) const
+  {
+    if (!interface)
+      return "";
+    const std::array<std::string, 3> names{ { "open", "stick", "slip" } };
+    std::ostringstream               text;
+    for (unsigned int q = 0; q < decisions.size(); ++q)
+      {
+        const ContactPoint &point = interface->points[q];
+        if (point.decision.code() != decisions[q])
+          text << "\n  point " << q << " at X = (" << point.X[0]
+               << ") mm still changes, now "
+               << names[static_cast<int>(point.decision.status)] << ", gap "
+               << interface->state(point, solution, start).gap << " mm";
+      }
+    return text.str();
+  }
+} // namespace Contact
+
+
+
+// @sect3{The main function}
+//
+// Exit status: 0 all values within their tolerances, 1 one outside, 2 the input
+// is wrong, 3 a case did not converge.
+namespace
+{
+  struct CommandLine
+  {
+    std::vector<std::string> files;
+    std::vector<std::string> overrides;
+    bool                     quiet = false;
+  };
+
+
+
+  void print_help(std::ostream &out)
+  {
+    out << "Frictional contact of two deformable bodies (plane strain).\n"
+           "\n"
+           "usage: contact FILE.prm [MORE.prm ...] [options]\n"
+           "\n"
+           "  --set \"Section/Entry=value\"  change an entry of all files\n"
+           "  --quiet                       print the table only\n"
+           "  --parameters                  list all entries and their "
+           "meaning\n"
+           "  --help                        print this\n"
+           "\n"
+           "Results are written to output/<name of the file>/.\n"
+           "Exit status: 0 all values within their tolerances, 1 one outside,\n"
+           "2 the input is wrong, 3 a case did not converge.\n";
+  }
+
+
+
+  CommandLine parse(const int argc, char **argv)
+  {
+    CommandLine line;
+    for (int i = 1; i < argc; ++i)
+      {
+        const std::string word = argv[i];
+        if (word == "--set")
+          {
+            if (++i == argc)
+              throw Contact::InputError("--set needs an assignment",
+                                        "command line",
+                                        "--set \"Section/Entry=value\"");
+            line.overrides.push_back(argv[i]);
+          }
+        else if (word == "--quiet")
+          line.quiet = true;
+        else if (word.rfind("--", 0) == 0)
+          throw Contact::InputError("unknown option " + word,
+                                    "command line",
+                                    "see contact --help");
+        else
+          line.files.push_back(word);
+      }
+    if (line.files.empty())
+      throw Contact::InputError("no parameter file is given",
+                                "command line",
+                                "contact FILE.prm; see contact --help");
+    return line;
+  }
+
+
+
+  // All files are read before the first one is computed: a wrong entry in the
+  // last one should not cost the time of the others.
+  int run(const CommandLine &line)
+  {
+    using namespace Contact;
+
+    std::vector<Parameters::All>          cases(line.files.size());
+    std::vector<dealii::ParameterHandler> handlers(line.files.size());
+    for (unsigned int i = 0; i < cases.size(); ++i)
+      read_parameters(line.files[i], line.overrides, handlers[i], cases[i]);
+
+    std::vector<RunSummary> summaries;
+    for (unsigned int i = 0; i < cases.size(); ++i)
+      summaries.push_back(
+        ContactProblem(cases[i], handlers[i], !line.quiet).run());
+
+    if (cases.front().output.screen != "none")
+      print_table(std::cout, summaries);
+
+    int status = 0;
+    for (const RunSummary &summary : summaries)
+      if (!summary.converged)
+        status = 3;
+      else if (!summary.passed() && status == 0)
+        status = 1;
+    return status;
+  }
+} // namespace
+
+
+
 int main(int argc, char **argv)
 {
-  using namespace Contact;
-  dealii::ParameterHandler prm; Parameters::All p;
-  try {
-  read_parameters(argv[1], std::vector<std::string>(argv+2,argv+argc), prm, p);
-  ContactProblem(p).run();
-  } catch (std::exception &e) { std::cerr << e.what() << std::endl; return 2;}
+  try
+    {
+      const std::string first = argc > 1 ? argv[1] : "";
+      if (first == "--help")
+        print_help(std::cout);
+      else if (first == "--parameters")
+        Contact::print_parameters(std::cout);
+      else
+        return run(parse(argc, argv));
+      return 0;
+    }
+  catch (const Contact::InputError &error)
+    {
+      std::cerr << error.what() << std::endl;
+      return 2;
+    }
+  catch (const std::exception &error)
+    {
+      std::cerr << "The program failed; this is an error of its own:\n"
+                << error.what() << std::endl;
+      return 4;
+    }
 }

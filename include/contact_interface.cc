@@ -14,15 +14,12 @@ namespace Contact
   namespace
   {
     /**
-     * The complementarity parameter of a point. The active set of the nodal
-     * rule does not depend on it; with a status per Gauss point it enters the
-     * discrete problem, and its scale is a thousandth of the stiffness of the
-     * slave edge.
+     * The complementarity parameter of a point, relative to the stiffness E/h
+     * of its slave edge. The active set of the nodal rule does not depend on
+     * it; with a status per Gauss point it enters the discrete problem, whose
+     * results do not change any more from about this value down.
      */
-    double complementarity(const double young, const double edge_length)
-    {
-      return 1e-3 * young / edge_length;
-    }
+    const double complementarity_per_stiffness = 1e-3;
   } // namespace
 
 
@@ -39,6 +36,18 @@ namespace Contact
              parameters.master)
     , discretization(discretization)
   {
+    for (const Surface::Node &a : slave.nodes)
+      for (const Surface::Node &b : master.nodes)
+        if (a.dofs == b.dofs)
+          throw InputError("slave '" + parameters.slave + "' and master '" +
+                             parameters.master +
+                             "' overlap: both have the "
+                             "node at (" +
+                             std::to_string(a.X[0]) + ", " +
+                             std::to_string(a.X[1]) + ")",
+                           "Contact/Slave, Contact/Master",
+                           "name two surfaces without a common node");
+
     std::set<unsigned int> excluded;
     for (const std::string &name : parameters.excluded_points)
       {
@@ -57,12 +66,12 @@ namespace Contact
 
     for (ContactPoint &point : points)
       {
-        const auto &edge = slave.edges[point.slave_edge];
-        point.complementarity =
-          complementarity(std::min(elasticity.young(edge.body),
-                                   elasticity.young(master.edges[0].body)),
-                          slave.nodes[edge.nodes[0]].X.distance(
-                            slave.nodes[edge.nodes[1]].X));
+        const auto  &edge  = slave.edges[point.slave_edge];
+        const double young = std::min(elasticity.young(edge.body),
+                                      elasticity.young(master.edges[0].body));
+        const double length =
+          slave.nodes[edge.nodes[0]].X.distance(slave.nodes[edge.nodes[1]].X);
+        point.complementarity = complementarity_per_stiffness * young / length;
       }
   }
 
@@ -107,8 +116,7 @@ namespace Contact
 
 
 
-  void ContactInterface::initialize_status(const Vector<double> &u,
-                                           const double          tolerance)
+  void ContactInterface::initialize_status(const Vector<double> &u)
   {
     for (ContactPoint &point : points)
       {
@@ -116,7 +124,7 @@ namespace Contact
         const double length =
           slave.nodes[edge[0]].X.distance(slave.nodes[edge[1]].X);
         const double gap = state(point, u, u).gap;
-        if (point.facing && gap <= tolerance * length)
+        if (point.facing && gap <= 0.01 * length)
           point.decision.status =
             can_stick(point) ? Status::stick : Status::slip;
       }
@@ -249,6 +257,16 @@ namespace Contact
 
 
 
+  std::vector<signed char> ContactInterface::signature() const
+  {
+    std::vector<signed char> signature;
+    for (const ContactPoint &point : points)
+      signature.push_back(point.decision.code());
+    return signature;
+  }
+
+
+
   StatusCount ContactInterface::count() const
   {
     StatusCount count;
@@ -258,6 +276,27 @@ namespace Contact
         count.stick += point.decision.status == Status::stick;
       }
     return count;
+  }
+
+
+
+  double ContactInterface::constraint_norm(const Vector<double> &rhs) const
+  {
+    // Every multiplier has a point of its own surroundings: the last one wins.
+    std::vector<double> stiffness(multipliers.n_multipliers, 0.);
+    for (const ContactPoint &point : points)
+      for (unsigned int k = 0; k < point.n_multipliers; ++k)
+        stiffness[point.multipliers[k]] =
+          point.complementarity / complementarity_per_stiffness;
+
+    double square = 0;
+    for (unsigned int k = 0; k < multipliers.n_multipliers; ++k)
+      {
+        square += std::pow(stiffness[k] * rhs[normal_index(k)], 2);
+        if (!law.is_frictionless())
+          square += std::pow(stiffness[k] * rhs[tangential_index(k)], 2);
+      }
+    return std::sqrt(square);
   }
 
 
@@ -464,7 +503,7 @@ namespace Contact
                                   const Vector<double> &u_start,
                                   const Linearization  &linearization,
                                   SparseMatrix<double> &matrix,
-                                  Vector<double>       &residual) const
+                                  Vector<double>       &rhs) const
   {
     Rows               rows;
     FullMatrix<double> local_matrix;
@@ -478,11 +517,12 @@ namespace Contact
                        rows,
                        local_matrix,
                        local_residual);
+        local_residual *= -1;
         discretization.constraints.distribute_local_to_global(local_matrix,
                                                               local_residual,
                                                               rows.unknowns,
                                                               matrix,
-                                                              residual);
+                                                              rhs);
       }
   }
 } // namespace Contact

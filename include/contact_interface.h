@@ -94,9 +94,10 @@ namespace Contact
 
     /**
      * The first guess of the active set: points that touch, penetrate, or are
-     * closer than @p tolerance times the length of their slave edge.
+     * closer than a hundredth of the length of their slave edge. What it misses
+     * costs time only: the search of the active set finds the rest.
      */
-    void initialize_status(const Vector<double> &u, const double tolerance);
+    void initialize_status(const Vector<double> &u);
 
     /// Set the bounds of the next Tresca problem from the present pressures;
     /// return the largest change, relative to the largest bound.
@@ -109,6 +110,16 @@ namespace Contact
                                const bool            moving_bound);
 
     StatusCount count() const;
+
+    /**
+     * The norm of the constraint part of @p rhs as a force [N per mm of
+     * thickness], to be compared with that of the forces: a gap times the
+     * stiffness 1000 c of the bodies at the point, times its weight.
+     */
+    double constraint_norm(const Vector<double> &rhs) const;
+
+    /// The decisions of all points.
+    std::vector<signed char> signature() const;
 
     /// Add the couplings of the points.
     void add_couplings(DynamicSparsityPattern &pattern) const;
@@ -123,12 +134,12 @@ namespace Contact
       bool moving_bound;
     };
 
-    /// Add the tangent and the residual, constraints eliminated.
+    /// Add the tangent and minus the residual, constraints eliminated.
     void assemble(const Vector<double> &solution,
                   const Vector<double> &u_start,
                   const Linearization  &linearization,
                   SparseMatrix<double> &matrix,
-                  Vector<double>       &residual) const;
+                  Vector<double>       &rhs) const;
 
     /**
      * The rows of a point over its unknowns: derivatives of the trial values

@@ -32,9 +32,15 @@ namespace Contact
     Status status         = Status::open;
     int    slip_direction = 0;
 
+    /// A number of its own for each decision.
+    signed char code() const
+    {
+      return 4 * static_cast<int>(status) + slip_direction;
+    }
+
     bool operator==(const Decision &other) const
     {
-      return status == other.status && slip_direction == other.slip_direction;
+      return code() == other.code();
     }
   };
 

@@ -68,6 +68,16 @@ namespace Contact
 
 
 
+  bool Discretization::is_tied(const types::global_dof_index dof) const
+  {
+    for (const auto &[tied, partner] : ties)
+      if (dof == tied || dof == partner)
+        return true;
+    return false;
+  }
+
+
+
   void Discretization::collect_vertex_dofs()
   {
     vertex_dofs.assign(mesh.triangulation.n_vertices(),

@@ -67,6 +67,9 @@ namespace Contact
     /// Whether a support fixes this unknown.
     bool is_fixed(const types::global_dof_index dof) const;
 
+    /// Whether this unknown is tied to another one, or another one to it.
+    bool is_tied(const types::global_dof_index dof) const;
+
   private:
     void collect_vertex_dofs();
     void collect_supports(const Parameters::Boundary &boundary);

@@ -23,12 +23,13 @@ namespace Contact
       Solid(const Discretization     &discretization,
             const Parameters::Solids &parameters)
         : Elasticity(discretization, parameters)
-      {}
+      {
+      }
 
       void assemble(const Vector<double> &u,
                     const double          load_factor,
                     SparseMatrix<double> &matrix,
-                    Vector<double>       &residual) const override;
+                    Vector<double>       &rhs) const override;
 
       Vector<double> forces(const Vector<double> &u,
                             const double          load_factor) const override;
@@ -153,7 +154,7 @@ namespace Contact
     void Solid<Kinematics>::assemble(const Vector<double> &u,
                                      const double          load_factor,
                                      SparseMatrix<double> &matrix,
-                                     Vector<double>       &residual) const
+                                     Vector<double>       &rhs) const
     {
       FullMatrix<double> cell_matrix;
       Vector<double>     cell_residual;
@@ -162,19 +163,20 @@ namespace Contact
           cell_matrix.reinit(cell.dofs.size(), cell.dofs.size());
           cell_residual.reinit(cell.dofs.size());
           assemble_cell<true>(cell, u, cell_matrix, cell_residual);
+          cell_residual *= -1;
           discretization.constraints.distribute_local_to_global(cell_matrix,
                                                                 cell_residual,
                                                                 cell.dofs,
                                                                 matrix,
-                                                                residual);
+                                                                rhs);
         }
 
       for (unsigned int i = 0; i < discretization.dead_load.size(); ++i)
         if (discretization.dead_load[i] != 0)
           discretization.constraints.distribute_local_to_global(
             i,
-            -load_factor * discretization.dead_load[i],
-            residual);
+            load_factor * discretization.dead_load[i],
+            rhs);
     }
 
 

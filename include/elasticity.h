@@ -43,13 +43,13 @@ namespace Contact
     void add_couplings(DynamicSparsityPattern &pattern) const;
 
     /**
-     * Add the tangent to @p matrix and the residual (internal minus
-     * @p load_factor times dead forces) to @p residual, constraints eliminated.
+     * Add the tangent to @p matrix and minus the residual (@p load_factor times
+     * dead forces minus internal forces) to @p rhs, constraints eliminated.
      */
     virtual void assemble(const Vector<double> &u,
                           const double          load_factor,
                           SparseMatrix<double> &matrix,
-                          Vector<double>       &residual) const = 0;
+                          Vector<double>       &rhs) const = 0;
 
     /**
      * The forces on all nodes, unconstrained: internal minus load. Where a

@@ -91,6 +91,12 @@ namespace Contact
   void DirectSolver::solve(Vector<double> &b) const
   {
     const Vector<double> rhs(b);
+    // Newton's method corrects what round-off leaves better than iterative
+    // refinement would.
+    std::array<double, UMFPACK_CONTROL> control;
+    umfpack_di_defaults(control.data());
+    control[UMFPACK_IRSTEP] = 0;
+
     // Compressed rows are the compressed columns of the transpose.
     umfpack_di_solve(UMFPACK_At,
                      row_starts.data(),
@@ -99,7 +105,7 @@ namespace Contact
                      b.begin(),
                      rhs.begin(),
                      numeric.get(),
-                     nullptr,
+                     control.data(),
                      nullptr);
   }
 } // namespace Contact

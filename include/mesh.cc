@@ -5,14 +5,12 @@
 
 #include "mesh.h"
 
-#include <deal.II/base/geometry_info.h>
-
+#include <deal.II/base/patterns.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 
 #include "errors.h"
@@ -20,73 +18,12 @@
 
 namespace Contact
 {
-  bool Arc::on_circle(const Point<2> &p) const
-  {
-    return std::abs(p.distance(center) - radius) < tolerance * radius;
-  }
-
-
-
-  bool Arc::over_one_chord(const Point<2> &p, const Point<2> &q) const
-  {
-    // Of the points of the circle, those beyond the chord as seen from the
-    // centre are the piece over it. The ends are on the chord up to round-off.
-    const auto beyond = [this](const Point<2> &a, const auto &chord) {
-      const Tensor<1, 2> middle = 0.5 * (chord[0] + chord[1] - 2. * center);
-      return (a - center - middle) * middle > -1e-10 * radius * radius;
-    };
-
-    return on_circle(p) && on_circle(q) &&
-           std::any_of(chords.begin(), chords.end(), [&](const auto &chord) {
-             return beyond(p, chord) && beyond(q, chord);
-           });
-  }
-
-
-
-  ArcManifold::ArcManifold(const std::vector<Arc> &arcs)
-    : arcs(arcs)
-  {}
-
-
-
-  std::unique_ptr<Manifold<2>> ArcManifold::clone() const
-  {
-    return std::make_unique<ArcManifold>(arcs);
-  }
-
-
-
-  Point<2> ArcManifold::get_new_point(
-    const ArrayView<const Point<2>> &surrounding_points,
-    const ArrayView<const double>   &weights) const
-  {
-    // The corners of a triangle are all handed over, with the weight zero for
-    // the one opposite to a mid-side.
-    Point<2>              mean;
-    std::vector<Point<2>> contributing;
-    for (unsigned int i = 0; i < weights.size(); ++i)
-      if (std::abs(weights[i]) > 1e-12)
-        {
-          mean += weights[i] * surrounding_points[i];
-          contributing.push_back(surrounding_points[i]);
-        }
-
-    if (contributing.size() == 2)
-      for (const Arc &arc : arcs)
-        if (arc.over_one_chord(contributing[0], contributing[1]))
-          {
-            const Tensor<1, 2> ray = mean - arc.center;
-            return arc.center + arc.radius / ray.norm() * ray;
-          }
-    return mean;
-  }
-
-
-
   namespace
   {
-    /// A line by its vertices, the smaller one first.
+    /// Number of a node in the file -> our number of the vertex.
+    using Vertices = std::map<long, unsigned int>;
+
+    /// An edge by its vertices, the smaller one first.
     using Edge = std::pair<unsigned int, unsigned int>;
 
     Edge edge(const unsigned int a, const unsigned int b)
@@ -96,99 +33,42 @@ namespace Contact
 
 
 
-    /// A cell in our vertex numbers, anticlockwise.
-    struct Cell
-    {
-      std::vector<unsigned int> corners;
-      types::material_id        body;
-    };
-
-
-
     std::string to_string(const Point<2> &p)
     {
-      std::ostringstream out;
-      out << "(" << p << ")";
-      std::string text = out.str();
-      std::replace(text.begin(), text.end(), ' ', ',');
-      return text;
+      return "(" + Patterns::Tools::to_string(p) + ")";
     }
 
 
 
-    /// Where something is wrong in the file, beyond its syntax.
-    std::string where(const MshFile &msh, const MshFile::Element &element)
-    {
-      return msh.name + ", element " + std::to_string(element.number);
-    }
-
-
-
-    /// 'a', 'b' and what else the keys of a map are; for messages.
-    template <typename T>
-    std::string list(const std::map<std::string, T> &groups)
-    {
-      std::string names;
-      for (const auto &group : groups)
-        names += (names.empty() ? "'" : ", '") + group.first + "'";
-      return names.empty() ? "none" : names;
-    }
-
-
-
-    template <typename T>
+    /// The group of this name, or an InputError with the names there are.
+    template<typename T>
     const T &find(const std::map<std::string, T> &groups,
                   const std::string              &kind,
                   const std::string              &name,
                   const std::string              &entry)
     {
-      const auto group = groups.find(name);
-      if (group == groups.end())
-        throw InputError("the mesh has no " + kind + " '" + name + "'",
-                         "entry '" + entry + "'",
-                         "of this kind the mesh has: " + list(groups));
-      return group->second;
-    }
+      if (groups.count(name) > 0)
+        return groups.at(name);
 
-
-
-    /// A group that is named but empty is a slip in the geometry's file.
-    void check_groups(const MshFile &msh)
-    {
-      for (unsigned int dimension = 0; dimension < msh.names.size(); ++dimension)
-        {
-          std::set<int> used;
-          if (dimension < msh.elements.size())
-            for (const auto &element : msh.elements[dimension])
-              used.insert(element.groups.begin(), element.groups.end());
-
-          for (const auto &[tag, name] : msh.names[dimension])
-            if (used.count(tag) == 0)
-              throw InputError("the physical group '" + name +
-                                 "' of dimension " +
-                                 std::to_string(dimension) + " is empty",
-                               msh.name,
-                               "give it elements or delete it");
-        }
+      std::string names;
+      for (const auto &group : groups)
+        names += (names.empty() ? "'" : ", '") + group.first + "'";
+      throw InputError("the mesh has no " + kind + " '" + name + "'",
+                       "entry '" + entry + "'",
+                       "of this kind it has: " +
+                         (names.empty() ? "none" : names));
     }
 
 
 
     /// Number the nodes that are corners of cells, in the order of the file's
     /// numbers. The others (mid-sides, centres of circles) are no vertices.
-    std::map<long, unsigned int> number_vertices(const MshFile &msh)
+    Vertices number_vertices(const MshFile &msh)
     {
-      std::map<long, unsigned int> vertices;
+      Vertices vertices;
       for (const auto &cell : msh.elements[2])
         for (const long node : cell.nodes)
-          {
-            if (msh.nodes.count(node) == 0)
-              throw InputError("node " + std::to_string(node) +
-                                 " does not exist",
-                               where(msh, cell),
-                               "write the mesh file again");
-            vertices.emplace(node, 0);
-          }
+          vertices[node];
 
       unsigned int n = 0;
       for (auto &vertex : vertices)
@@ -198,135 +78,323 @@ namespace Contact
 
 
 
-    /// The vertices' coordinates in the plane, which may have any height.
-    std::vector<Point<2>>
-    vertex_points(const MshFile                      &msh,
-                  const std::map<long, unsigned int> &vertices)
+    /// The vertices' places in the plane, which may be at any height.
+    std::vector<Point<2>> vertex_points(const MshFile  &msh,
+                                        const Vertices &vertices)
     {
       std::vector<Point<2>> points;
-      double                extent = 0, lowest = 0, highest = 0;
-      for (const auto &vertex : vertices)
+      for (const auto &[node, vertex] : vertices)
         {
-          const Point<3> &p = msh.nodes.at(vertex.first);
+          const Point<3> &p      = msh.nodes.at(node);
+          const Point<3> &first  = msh.nodes.at(vertices.begin()->first);
+          const double    height = p[2] - first[2];
+          if (std::abs(height) > 1e-9 * p.distance(first))
+            throw InputError("the mesh is not plane: node " +
+                               std::to_string(node) + " is " +
+                               std::to_string(height) + " above node " +
+                               std::to_string(vertices.begin()->first),
+                             msh.name,
+                             "mesh surfaces in a plane of constant z");
           points.emplace_back(p[0], p[1]);
-          extent  = std::max(extent, points.front().distance(points.back()));
-          lowest  = points.size() == 1 ? p[2] : std::min(lowest, p[2]);
-          highest = points.size() == 1 ? p[2] : std::max(highest, p[2]);
         }
-
-      if (highest - lowest > 1e-9 * extent)
-        throw InputError("the mesh is not plane: z goes from " +
-                           std::to_string(lowest) + " to " +
-                           std::to_string(highest),
-                         msh.name,
-                         "mesh surfaces in a plane of constant z");
       return points;
     }
 
 
 
-    /// Physical surface tag -> material id: 0, 1, ... in the order of tags.
-    std::map<int, types::material_id> number_bodies(const MshFile &msh)
+    /// Material ids: 0, 1, ... in the order of gmsh's tags.
+    std::map<std::string, types::material_id> number_bodies(const MshFile &msh)
     {
-      std::map<int, types::material_id> bodies;
-      for (const auto &body : msh.names[2])
-        bodies.emplace(body.first, bodies.size());
-      if (bodies.empty())
+      if (msh.names[2].empty())
         throw InputError("the mesh has no physical surface with a name",
                          msh.name,
-                         "name the bodies: Physical Surface(\"...\") = {...}; "
-                         "in the .geo file");
+                         "name the bodies in the .geo file: "
+                         "Physical Surface(\"...\") = {...};");
+
+      std::map<std::string, types::material_id> bodies;
+      for (const auto &body : msh.names[2])
+        bodies.emplace(body.second, bodies.size());
       return bodies;
     }
 
 
 
-    types::material_id
-    body_of(const MshFile::Element                  &cell,
-            const std::map<int, types::material_id> &bodies,
-            const MshFile                           &msh)
-    {
-      if (cell.groups.empty() || bodies.count(cell.groups[0]) == 0)
-        throw InputError("a cell belongs to no physical surface with a name",
-                         where(msh, cell),
-                         "every cell needs a body: Physical Surface(\"...\") "
-                         "= {...}; in the .geo file");
-      for (const int tag : cell.groups)
-        if (tag != cell.groups[0])
-          throw InputError("a cell belongs to two physical surfaces",
-                           where(msh, cell),
-                           "every cell belongs to precisely one body");
-      return bodies.at(cell.groups[0]);
-    }
-
-
-
     /**
-     * Turn a cell round if it is clockwise. At each corner the two edges that
-     * meet there span the same orientation, or the cell is tangled: then its
-     * Jacobian vanishes somewhere inside.
+     * Turn a cell round if it is clockwise. The two edges that meet at a
+     * corner span an area, and that of all corners has the same sign, or the
+     * cell is tangled: its Jacobian determinant changes sign inside.
      */
     void make_anticlockwise(const std::vector<Point<2>> &points,
-                            std::vector<unsigned int>   &corners,
                             const MshFile::Element      &element,
-                            const MshFile               &msh)
+                            const MshFile               &msh,
+                            std::vector<unsigned int>   &corners)
     {
       const unsigned int  n = corners.size();
-      std::vector<double> determinants;
-      double              size = 0;
-      std::string         list;
+      std::vector<double> areas;
+      double              scale = 0;
+      std::string         places;
       for (unsigned int i = 0; i < n; ++i)
         {
           const Point<2>    &corner = points[corners[i]];
           const Tensor<1, 2> next   = points[corners[(i + 1) % n]] - corner;
           const Tensor<1, 2> last   = points[corners[(i + n - 1) % n]] - corner;
-          determinants.push_back(cross_product_2d(last) * next);
-          size = std::max(size, next.norm_square());
-          list += " " + to_string(corner);
+          areas.push_back(next[0] * last[1] - next[1] * last[0]);
+          scale = std::max(scale, next.norm_square());
+          places += " " + to_string(corner);
         }
 
-      const auto [low, high] =
-        std::minmax_element(determinants.begin(), determinants.end());
-      if (*high < -1e-12 * size)
+      const auto [low, high] = std::minmax_element(areas.begin(), areas.end());
+      if (*high < -1e-12 * scale)
         std::reverse(corners.begin(), corners.end());
-      else if (*low < 1e-12 * size)
-        throw InputError("a cell is tangled or has no area, its corners are" +
-                           list,
-                         where(msh, element),
-                         "quadrangles have to be convex, with four corners");
+      else if (*low < 1e-12 * scale)
+        throw InputError("element " + std::to_string(element.number) +
+                           " is tangled or flat, its corners are" + places,
+                         msh.where(element),
+                         "quadrangles have to be convex with four corners, "
+                         "triangles need an area");
     }
 
 
 
-    std::vector<Cell>
-    make_cells(const MshFile                           &msh,
-               const std::map<long, unsigned int>      &vertices,
-               const std::vector<Point<2>>             &points,
-               const std::map<int, types::material_id> &bodies)
+    /// The cells with corners in cyclic order, anticlockwise.
+    std::vector<CellData<2>>
+    make_cells(const MshFile                                   &msh,
+               const Vertices                                  &vertices,
+               const std::vector<Point<2>>                     &points,
+               const std::map<std::string, types::material_id> &bodies)
     {
-      std::vector<Cell> cells;
-
-      // A cell of two groups stands twice in a file of format 2.2.
-      std::map<std::set<unsigned int>, types::material_id> known;
+      std::vector<CellData<2>> cells;
       for (const auto &element : msh.elements[2])
         {
-          Cell cell;
-          cell.body = body_of(element, bodies, msh);
-          for (const long node : element.nodes)
-            cell.corners.push_back(vertices.at(node));
-          make_anticlockwise(points, cell.corners, element, msh);
+          const auto &groups = element.groups;
+          if (groups.size() != 1)
+            throw InputError(
+              groups.empty()
+                ? "a cell belongs to no physical surface with a name"
+                : "a cell belongs to two bodies, '" + *groups.begin() +
+                    "' and '" + *groups.rbegin() + "'",
+              msh.where(element),
+              "every cell needs one body: Physical Surface(\"...\") = {...}; "
+              "in the .geo file");
 
-          const auto [entry, is_new] =
-            known.insert({ { cell.corners.begin(), cell.corners.end() },
-                           cell.body });
-          if (is_new)
-            cells.push_back(cell);
-          else if (entry->second != cell.body)
-            throw InputError("a cell belongs to two physical surfaces",
-                             where(msh, element),
-                             "every cell belongs to precisely one body");
+          CellData<2> cell(element.nodes.size());
+          cell.material_id = bodies.at(*groups.begin());
+          std::transform(element.nodes.begin(),
+                         element.nodes.end(),
+                         cell.vertices.begin(),
+                         [&](const long node) { return vertices.at(node); });
+          make_anticlockwise(points, element, msh, cell.vertices);
+          cells.push_back(cell);
         }
       return cells;
     }
+
+
+
+    /// The edges of all cells, and how many cells each has.
+    std::map<Edge, unsigned int>
+    count_edges(const std::vector<CellData<2>> &cells,
+                const std::vector<Point<2>>    &points,
+                const MshFile                  &msh)
+    {
+      std::map<Edge, unsigned int> edges;
+      for (const auto &cell : cells)
+        for (unsigned int i = 0; i < cell.vertices.size(); ++i)
+          {
+            const auto a = cell.vertices[i];
+            const auto b = cell.vertices[(i + 1) % cell.vertices.size()];
+            if (++edges[edge(a, b)] > 2)
+              throw InputError("three cells share the edge from " +
+                                 to_string(points[a]) + " to " +
+                                 to_string(points[b]),
+                               msh.name,
+                               "surfaces must not overlap");
+          }
+      return edges;
+    }
+
+
+
+    /// Number the combinations of groups, and tell each group its numbers.
+    SubCellData number_boundaries(
+      const MshFile                                       &msh,
+      const Vertices                                      &vertices,
+      const std::map<Edge, unsigned int>                  &edges,
+      std::map<std::string, std::set<types::boundary_id>> &boundaries)
+    {
+      SubCellData                                         subcelldata;
+      std::map<std::set<std::string>, types::boundary_id> ids;
+      for (const auto &line : msh.elements[1])
+        if (!line.groups.empty())
+          {
+            const auto a = vertices.find(line.nodes[0]);
+            const auto b = vertices.find(line.nodes[1]);
+            const auto e = a == vertices.end() || b == vertices.end()
+                             ? edges.end()
+                             : edges.find(edge(a->second, b->second));
+            if (e == edges.end())
+              throw InputError("a line of the physical group '" +
+                                 *line.groups.begin() +
+                                 "' is no edge of a cell",
+                               msh.where(line),
+                               "mesh the line and the surface together, or "
+                               "take the line out of the group");
+
+            // A group of lines inside of a body is known, but empty.
+            for (const std::string &group : line.groups)
+              boundaries[group];
+            if (e->second == 2)
+              continue;
+
+            CellData<1> data;
+            data.vertices = { a->second, b->second };
+            data.boundary_id =
+              ids.emplace(line.groups, ids.size() + 1).first->second;
+            subcelldata.boundary_lines.push_back(data);
+            for (const std::string &group : line.groups)
+              boundaries[group].insert(data.boundary_id);
+          }
+      return subcelldata;
+    }
+
+
+
+    std::map<std::string, unsigned int> find_points(const MshFile  &msh,
+                                                    const Vertices &vertices)
+    {
+      std::map<std::string, unsigned int> points;
+      for (const auto &element : msh.elements[0])
+        if (const auto vertex = vertices.find(element.nodes[0]);
+            vertex != vertices.end())
+          for (const std::string &group : element.groups)
+            if (!points.emplace(group, vertex->second).second)
+              points[group] = numbers::invalid_unsigned_int;
+      return points;
+    }
+
+
+
+    /**
+     * Put the cells as deal.II wants them. Its quadrangles have to agree on
+     * the direction of the edges they share, which triangles need not: they
+     * come last. Otherwise refinement would invert cells.
+     */
+    void order_cells(std::vector<CellData<2>> &cells)
+    {
+      const auto triangles =
+        std::stable_partition(cells.begin(), cells.end(), [](const auto &cell) {
+          return cell.vertices.size() == 4;
+        });
+      std::vector<CellData<2>> quadrangles(cells.begin(), triangles);
+      for (auto &cell : quadrangles)
+        std::swap(cell.vertices[2], cell.vertices[3]);
+      if (!quadrangles.empty())
+        GridTools::consistently_order_cells(quadrangles);
+      std::copy(quadrangles.begin(), quadrangles.end(), cells.begin());
+    }
   } // namespace
+
+
+
+  Mesh::Mesh(const Parameters::Mesh &parameters)
+  {
+    const MshFile msh = read_msh(parameters.file);
+    bodies            = number_bodies(msh);
+
+    const auto vertices    = number_vertices(msh);
+    const auto coordinates = vertex_points(msh, vertices);
+    auto       cells       = make_cells(msh, vertices, coordinates, bodies);
+    const auto edges       = count_edges(cells, coordinates, msh);
+    const auto lines = number_boundaries(msh, vertices, edges, boundaries);
+    points           = find_points(msh, vertices);
+
+    order_cells(cells);
+    triangulation.create_triangulation(coordinates, cells, lines);
+    set_arcs(parameters);
+    triangulation.refine_global(parameters.refinements);
+  }
+
+
+
+  void Mesh::set_arcs(const Parameters::Mesh &parameters)
+  {
+    const types::manifold_id arc_id = 1;
+    std::vector<Arc>         arcs;
+    for (const auto &[name, circle] : parameters.arcs)
+      {
+        const auto &ids = boundary(name, "Mesh/Arcs");
+        Arc         arc{ Point<2>(circle[0], circle[1]), circle[2], {} };
+        for (const auto &face : triangulation.active_face_iterators())
+          if (face->at_boundary() && ids.count(face->boundary_id()) > 0)
+            {
+              for (const unsigned int v : face->vertex_indices())
+                if (!arc.on_circle(face->vertex(v)))
+                  throw InputError(
+                    "the point " + to_string(face->vertex(v)) +
+                      " of the arc '" + name + "' is " +
+                      std::to_string(arc.center.distance(face->vertex(v)) -
+                                     arc.radius) +
+                      " away from its circle",
+                    "entry 'Mesh/Arcs'",
+                    "correct the circle, or the boundary's group in the mesh");
+              arc.chords.push_back({ { face->vertex(0), face->vertex(1) } });
+              face->set_manifold_id(arc_id);
+            }
+        arcs.push_back(arc);
+      }
+    if (arcs.empty())
+      return;
+
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->reference_cell() == ReferenceCells::Triangle)
+        cell->set_all_manifold_ids(arc_id);
+    triangulation.set_manifold(arc_id, ArcManifold(arcs));
+  }
+
+
+
+  types::material_id Mesh::body(const std::string &name,
+                                const std::string &entry) const
+  {
+    return find(bodies, "body", name, entry);
+  }
+
+
+
+  const std::set<types::boundary_id> &
+  Mesh::boundary(const std::string &name, const std::string &entry) const
+  {
+    const auto &ids = find(boundaries, "boundary", name, entry);
+    if (ids.empty())
+      throw InputError("the boundary '" + name +
+                         "' has only lines inside bodies",
+                       "entry '" + entry + "'",
+                       "name a group of lines that bound a body");
+    return ids;
+  }
+
+
+
+  unsigned int Mesh::point(const std::string &name,
+                           const std::string &entry) const
+  {
+    const unsigned int vertex = find(points, "point", name, entry);
+    if (vertex == numbers::invalid_unsigned_int)
+      throw InputError("the point group '" + name + "' has more than one point",
+                       "entry '" + entry + "'",
+                       "name a group of one point");
+    return vertex;
+  }
+
+
+
+  std::string Mesh::body_name(const types::material_id id) const
+  {
+    const auto body =
+      std::find_if(bodies.begin(), bodies.end(), [id](const auto &b) {
+        return b.second == id;
+      });
+    Assert(body != bodies.end(), ExcMessage("There is no such body."));
+    return body->first;
+  }
 } // namespace Contact

@@ -9,7 +9,9 @@
 #include <deal.II/grid/manifold.h>
 #include <deal.II/grid/tria.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <set>
@@ -62,7 +64,7 @@ namespace Contact
   class ArcManifold : public Manifold<2>
   {
   public:
-    ArcManifold(const std::vector<Arc> &arcs);
+    explicit ArcManifold(const std::vector<Arc> &arcs);
 
     std::unique_ptr<Manifold<2>> clone() const override;
 
@@ -120,6 +122,77 @@ namespace Contact
     /// Make the boundaries of @p parameters round, whose lines are straight.
     void set_arcs(const Parameters::Mesh &parameters);
   };
+
+
+  // ------------------------------------------------------------------
+  // Arc and ArcManifold, inline
+
+  inline bool Arc::on_circle(const Point<2> &p) const
+  {
+    return std::abs(p.distance(center) - radius) < tolerance * radius;
+  }
+
+
+
+  inline bool Arc::over_one_chord(const Point<2> &p, const Point<2> &q) const
+  {
+    // Of the points of the circle, those beyond the chord as seen from the
+    // centre are the piece over it. The ends are on the chord up to round-off.
+    const auto beyond = [this](const Point<2> &a, const auto &chord) {
+      const Tensor<1, 2> ray = 0.5 * (chord[0] - center + (chord[1] - center));
+      return (a - center - ray) * ray > -1e-10 * radius * radius;
+    };
+
+    return on_circle(p) && on_circle(q) &&
+           std::any_of(chords.begin(), chords.end(), [&](const auto &chord) {
+             return beyond(p, chord) && beyond(q, chord);
+           });
+  }
+
+
+
+  inline ArcManifold::ArcManifold(const std::vector<Arc> &arcs)
+    : arcs(arcs)
+  {
+  }
+
+
+
+  inline std::unique_ptr<Manifold<2>> ArcManifold::clone() const
+  {
+    return std::make_unique<ArcManifold>(arcs);
+  }
+
+
+
+  inline Point<2> ArcManifold::get_new_point(
+    const ArrayView<const Point<2>> &surrounding_points,
+    const ArrayView<const double>   &weights) const
+  {
+    // The corners of a triangle are all handed over, with the weight zero for
+    // the one opposite to a mid-side.
+    Point<2>                    mean;
+    std::array<unsigned int, 2> ends           = {};
+    unsigned int                n_contributing = 0;
+    for (unsigned int i = 0; i < weights.size(); ++i)
+      if (std::abs(weights[i]) > 1e-12)
+        {
+          mean += weights[i] * surrounding_points[i];
+          if (n_contributing < 2)
+            ends[n_contributing] = i;
+          ++n_contributing;
+        }
+
+    if (n_contributing == 2)
+      for (const Arc &arc : arcs)
+        if (arc.over_one_chord(surrounding_points[ends[0]],
+                               surrounding_points[ends[1]]))
+          {
+            const Tensor<1, 2> ray = mean - arc.center;
+            return arc.center + arc.radius / ray.norm() * ray;
+          }
+    return mean;
+  }
 } // namespace Contact
 
 #endif

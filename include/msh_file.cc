@@ -5,165 +5,84 @@
 
 #include "msh_file.h"
 
-#include <cstdlib>
-#include <fstream>
-#include <iomanip>
-#include <sstream>
+#include <algorithm>
 #include <utility>
 
-#include "errors.h"
 
 namespace Contact
 {
   namespace
   {
-    /**
-     * The lines of a file, one after the other, and the numbers of a line.
-     * Knows where it is, so that every complaint can say so. Blank lines are
-     * passed over.
-     */
-    class LineReader
-    {
-    public:
-      explicit LineReader(const std::string &file)
-        : file(file)
-        , input(file)
-      {
-        if (!input)
-          throw InputError("the mesh file can not be opened",
-                           file,
-                           "check the name and the permissions of the file; a "
-                           "relative name is relative to the parameter file");
-      }
-
-      /// Go to the next line; false at the end of the file.
-      bool next()
-      {
-        std::string line;
-        while (std::getline(input, line))
-          {
-            ++number;
-            words.clear();
-            words.str(line);
-            if (!(words >> std::ws).eof())
-              return true;
-          }
-        return false;
-      }
-
-      /// Go to the next line, which has to exist: we are inside a section.
-      void next_in(const std::string &section)
-      {
-        if (!next())
-          fail("the mesh file ends inside " + section,
-               "the file is incomplete: write it again");
-      }
-
-      /// The next value of the line.
-      template<typename T>
-      T read(const std::string &meaning)
-      {
-        T value;
-        if (!(words >> value))
-          fail("expected " + meaning + " in '" + words.str() + "'",
-               "the file is damaged or incomplete: write it again");
-        return value;
-      }
-
-      /// The name of a physical group, which stands in quotes.
-      std::string read_quoted()
-      {
-        std::string name;
-        words >> std::quoted(name);
-        return name;
-      }
-
-      /// The sign of a tag is an orientation, which we do not need.
-      int read_tag()
-      {
-        return std::abs(read<int>("the tag of a group"));
-      }
-
-      /// The last line of a section.
-      void end(const std::string &section)
-      {
-        const std::string keyword = "$End" + section.substr(1);
-        next_in(section);
-        if (const auto found = read<std::string>(keyword); found != keyword)
-          fail("expected " + keyword + ", found '" + found + "'",
-               "the section announces another number of entries than it has: "
-               "write the file again");
-      }
-
-      /// Pass over the lines of a section which is not needed.
-      void skip(const std::string &section)
-      {
-        do
-          next_in(section);
-        while (words.str().find("$End" + section.substr(1)) != 0);
-      }
-
-      [[noreturn]] void fail(const std::string &what,
-                             const std::string &remedy) const
-      {
-        throw InputError(what, file + ":" + std::to_string(number), remedy);
-      }
-
-    private:
-      const std::string  file;
-      std::ifstream      input;
-      std::istringstream words;
-      unsigned int       number = 0;
-    };
-
-
-
-    /// Dimension and tag of a gmsh entity -> tags of its physical groups.
-    using Entities = std::map<std::pair<int, int>, std::vector<int>>;
-
-
-
     /// What there is to know about an element type of gmsh.
     struct ElementType
     {
       unsigned int dimension, n_nodes, n_corners;
     };
 
+    const std::map<int, ElementType> element_types = {
+      { 15, { 0, 1, 1 } }, { 1, { 1, 2, 2 } }, { 8, { 1, 3, 2 } },
+      { 2, { 2, 3, 3 } },  { 9, { 2, 6, 3 } }, { 3, { 2, 4, 4 } },
+      { 16, { 2, 8, 4 } }, { 10, { 2, 9, 4 } }
+    };
 
 
-    ElementType element_type(const int type, const LineReader &lines)
+
+    /// Fills an MshFile, section by section.
+    class MshReader
     {
-      static const std::map<int, ElementType> types = {
-        { 15, { 0, 1, 1 } }, { 1, { 1, 2, 2 } }, { 8, { 1, 3, 2 } },
-        { 2, { 2, 3, 3 } },  { 9, { 2, 6, 3 } }, { 3, { 2, 4, 4 } },
-        { 16, { 2, 8, 4 } }, { 10, { 2, 9, 4 } }
-      };
-      const auto found = types.find(type);
-      if (found == types.end())
-        lines.fail("gmsh elements of type " + std::to_string(type) +
+    public:
+      explicit MshReader(const std::string &file)
+        : lines(file)
+      {
+        msh.name = file;
+      }
+
+      MshFile read();
+
+    private:
+      std::string read_format();
+      void        read_names();
+      void        read_entities();
+      void        read_nodes_22();
+      void        read_nodes_41();
+      void        read_elements_22();
+      void        read_elements_41();
+
+      ElementType read_type();
+      Point<3>    read_point();
+      void        read_node(const long number);
+      void        read_element(const ElementType      &type,
+                               const long              number,
+                               const std::vector<int> &tags);
+      void        check() const;
+
+      LineReader lines;
+      MshFile    msh;
+
+      /// Dimension and tag of a gmsh entity -> tags of its physical groups.
+      std::map<std::pair<int, int>, std::vector<int>> entities;
+
+      /// By dimension: sorted nodes of an element -> where it stands.
+      std::array<std::map<std::vector<long>, std::size_t>, 3> known;
+    };
+
+
+
+    ElementType MshReader::read_type()
+    {
+      const int  number = lines.read<int>("the type of an element");
+      const auto type   = element_types.find(number);
+      if (type == element_types.end())
+        lines.fail("gmsh elements of type " + std::to_string(number) +
                      " are not supported",
                    "mesh a surface (gmsh -2) with lines, triangles and "
                    "quadrangles of first or second order");
-      return found->second;
+      return type->second;
     }
 
 
 
-    /// The rest of a line of $Elements: the nodes.
-    std::vector<long> read_corners(const ElementType &type, LineReader &lines)
-    {
-      std::vector<long> nodes(type.n_nodes);
-      for (long &node : nodes)
-        node = lines.read<long>("the number of a node");
-
-      // gmsh lists the corners first.
-      nodes.resize(type.n_corners);
-      return nodes;
-    }
-
-
-
-    Point<3> read_point(LineReader &lines)
+    Point<3> MshReader::read_point()
     {
       Point<3> p;
       for (unsigned int d = 0; d < 3; ++d)
@@ -173,18 +92,46 @@ namespace Contact
 
 
 
-    /// Parametric coordinates may follow on the line: not needed.
-    void read_node(const long number, LineReader &lines, MshFile &msh)
+    /// The coordinates of a node; parametric ones may follow: not needed.
+    void MshReader::read_node(const long number)
     {
-      if (!msh.nodes.emplace(number, read_point(lines)).second)
+      if (!msh.nodes.emplace(number, read_point()).second)
         lines.fail("node " + std::to_string(number) + " is defined twice",
                    "write the file again");
     }
 
 
 
+    /// The nodes of an element, which close its line.
+    void MshReader::read_element(const ElementType      &type,
+                                 const long              number,
+                                 const std::vector<int> &tags)
+    {
+      std::vector<long> nodes(type.n_nodes);
+      for (long &node : nodes)
+        node = lines.read<long>("the number of a node");
+
+      // gmsh lists the corners first.
+      nodes.resize(type.n_corners);
+      auto sorted = nodes;
+      std::sort(sorted.begin(), sorted.end());
+
+      auto &elements = msh.elements[type.dimension];
+      const auto [position, is_new] =
+        known[type.dimension].emplace(sorted, elements.size());
+      if (is_new)
+        elements.push_back({ number, nodes, {} });
+
+      const auto &names = msh.names[type.dimension];
+      for (const int tag : tags)
+        if (names.count(tag) > 0)
+          elements[position->second].groups.insert(names.at(tag));
+    }
+
+
+
     /// Returns the version, which decides how the other sections are read.
-    std::string read_format(LineReader &lines)
+    std::string MshReader::read_format()
     {
       const std::string remedy =
         "convert it: gmsh <file> -save -format msh41 -o <new file> (or msh22)";
@@ -203,17 +150,15 @@ namespace Contact
       if (lines.read<int>("0 (ASCII) or 1 (binary)") != 0)
         lines.fail("the mesh file is binary, only ASCII is supported",
                    remedy + ", without the option -bin");
-
       lines.end("$MeshFormat");
       return version;
     }
 
 
 
-    void read_names(LineReader &lines, MshFile &msh)
+    void MshReader::read_names()
     {
-      lines.next_in("$PhysicalNames");
-      const auto n_names = lines.read<long>("the number of names");
+      const long n_names = lines.count("$PhysicalNames");
       for (long i = 0; i < n_names; ++i)
         {
           lines.next_in("$PhysicalNames");
@@ -221,10 +166,10 @@ namespace Contact
           const int  tag       = lines.read_tag();
           const auto name      = lines.read_quoted();
           if (dimension >= msh.names.size() || name.empty())
-            lines.fail("expected: dimension tag \"name\"",
-                       "write the file again");
-          for (const auto &[other_tag, other_name] : msh.names[dimension])
-            if (other_tag == tag || other_name == name)
+            lines.fail("expected the dimension 0, 1 or 2, a tag and a name",
+                       "a plane mesh has physical points, curves and surfaces");
+          for (const auto &group : msh.names[dimension])
+            if (group.first == tag || group.second == name)
               lines.fail("two physical groups of dimension " +
                            std::to_string(dimension) + " share the name '" +
                            name + "' or the tag " + std::to_string(tag),
@@ -235,23 +180,44 @@ namespace Contact
 
 
 
-    void read_nodes_22(LineReader &lines, MshFile &msh)
+    void MshReader::read_entities()
     {
-      lines.next_in("$Nodes");
-      const auto n_nodes = lines.read<long>("the number of nodes");
+      lines.next_in("$Entities");
+      std::array<long, 4> n_entities;
+      for (long &n : n_entities)
+        n = lines.read<long>("the number of entities");
+
+      for (int dimension = 0; dimension < 4; ++dimension)
+        for (long i = 0; i < n_entities[dimension]; ++i)
+          {
+            lines.next_in("$Entities");
+            const auto tag = lines.read<int>("the tag of an entity");
+            // The point itself, or the two corners of a bounding box.
+            for (unsigned int p = 0; p < (dimension == 0 ? 1 : 2); ++p)
+              read_point();
+            const auto n_groups = lines.read<long>("the number of groups");
+            for (long g = 0; g < n_groups; ++g)
+              entities[{ dimension, tag }].push_back(lines.read_tag());
+          }
+    }
+
+
+
+    void MshReader::read_nodes_22()
+    {
+      const long n_nodes = lines.count("$Nodes");
       for (long i = 0; i < n_nodes; ++i)
         {
           lines.next_in("$Nodes");
-          read_node(lines.read<long>("the number of a node"), lines, msh);
+          read_node(lines.read<long>("the number of a node"));
         }
     }
 
 
 
-    void read_nodes_41(LineReader &lines, MshFile &msh)
+    void MshReader::read_nodes_41()
     {
-      lines.next_in("$Nodes");
-      const auto n_blocks = lines.read<long>("the number of entity blocks");
+      const long n_blocks = lines.count("$Nodes");
       for (long block = 0; block < n_blocks; ++block)
         {
           lines.next_in("$Nodes");
@@ -270,92 +236,109 @@ namespace Contact
           for (const long number : numbers)
             {
               lines.next_in("$Nodes");
-              read_node(number, lines, msh);
+              read_node(number);
             }
         }
     }
 
 
 
-    Entities read_entities(LineReader &lines)
+    void MshReader::read_elements_22()
     {
-      lines.next_in("$Entities");
-      std::array<long, 4> n_entities;
-      for (long &n : n_entities)
-        n = lines.read<long>("the number of entities");
-
-      Entities entities;
-      for (int dimension = 0; dimension < 4; ++dimension)
-        for (long i = 0; i < n_entities[dimension]; ++i)
-          {
-            lines.next_in("$Entities");
-            const auto tag = lines.read<int>("the tag of an entity");
-            // The point itself, or the two corners of a bounding box.
-            for (unsigned int p = 0; p < (dimension == 0 ? 1 : 2); ++p)
-              read_point(lines);
-
-            const auto n_groups = lines.read<long>("the number of groups");
-            auto      &groups   = entities[{ dimension, tag }];
-            for (long g = 0; g < n_groups; ++g)
-              groups.push_back(lines.read_tag());
-          }
-      return entities;
-    }
-
-
-
-    void read_elements_22(LineReader &lines, MshFile &msh)
-    {
-      lines.next_in("$Elements");
-      const auto n_elements = lines.read<long>("the number of elements");
+      const long n_elements = lines.count("$Elements");
       for (long i = 0; i < n_elements; ++i)
         {
           lines.next_in("$Elements");
-          MshFile::Element element;
-          element.number = lines.read<long>("the number of an element");
-          const auto type =
-            element_type(lines.read<int>("the type of an element"), lines);
+          const auto number = lines.read<long>("the number of an element");
+          const auto type   = read_type();
 
           // The first tag is the physical group, 0 for none; what follows are
           // the entity and partitions.
-          const auto n_tags = lines.read<long>("the number of tags");
+          const auto       n_tags = lines.read<long>("the number of tags");
+          std::vector<int> tags;
           for (long t = 0; t < n_tags; ++t)
-            if (const int tag = lines.read_tag(); t == 0 && tag != 0)
-              element.groups.push_back(tag);
-
-          element.nodes = read_corners(type, lines);
-          msh.elements[type.dimension].push_back(std::move(element));
+            tags.push_back(lines.read_tag());
+          tags.resize(std::min<std::size_t>(tags.size(), 1));
+          read_element(type, number, tags);
         }
     }
 
 
 
-    void
-    read_elements_41(const Entities &entities, LineReader &lines, MshFile &msh)
+    void MshReader::read_elements_41()
     {
-      lines.next_in("$Elements");
-      const auto n_blocks = lines.read<long>("the number of entity blocks");
+      const long n_blocks = lines.count("$Elements");
       for (long block = 0; block < n_blocks; ++block)
         {
           lines.next_in("$Elements");
-          const auto dimension = lines.read<int>("the dimension of an entity");
-          const auto tag       = lines.read<int>("the tag of an entity");
-          const auto type =
-            element_type(lines.read<int>("the type of an element"), lines);
+          const auto dimension  = lines.read<int>("the dimension of an entity");
+          const auto tag        = lines.read<int>("the tag of an entity");
+          const auto type       = read_type();
           const auto n_elements = lines.read<long>("the number of elements");
-
-          const auto entity = entities.find({ dimension, tag });
           for (long i = 0; i < n_elements; ++i)
             {
               lines.next_in("$Elements");
-              MshFile::Element element;
-              element.number = lines.read<long>("the number of an element");
-              element.nodes  = read_corners(type, lines);
-              if (entity != entities.end())
-                element.groups = entity->second;
-              msh.elements[type.dimension].push_back(std::move(element));
+              const auto number = lines.read<long>("the number of an element");
+              read_element(type, number, entities[{ dimension, tag }]);
             }
         }
+    }
+
+
+
+    /// Every node in use exists, and every named group is in use: an empty one
+    /// is a slip in the description of the geometry.
+    void MshReader::check() const
+    {
+      for (unsigned int dimension = 0; dimension < 3; ++dimension)
+        {
+          std::set<std::string> unused;
+          for (const auto &group : msh.names[dimension])
+            unused.insert(group.second);
+          for (const auto &element : msh.elements[dimension])
+            {
+              for (const std::string &group : element.groups)
+                unused.erase(group);
+              for (const long node : element.nodes)
+                if (msh.nodes.count(node) == 0)
+                  throw InputError("node " + std::to_string(node) +
+                                     " does not exist",
+                                   msh.where(element),
+                                   "write the file again");
+            }
+          if (!unused.empty())
+            throw InputError("the physical group '" + *unused.begin() +
+                               "' is empty",
+                             msh.name,
+                             "give it elements or delete it");
+        }
+    }
+
+
+
+    MshFile MshReader::read()
+    {
+      const std::string version = read_format();
+      while (lines.next())
+        {
+          const auto section = lines.read<std::string>("a section");
+          if (section == "$PhysicalNames")
+            read_names();
+          else if (section == "$Entities" && version == "4.1")
+            read_entities();
+          else if (section == "$Nodes")
+            version == "2.2" ? read_nodes_22() : read_nodes_41();
+          else if (section == "$Elements")
+            version == "2.2" ? read_elements_22() : read_elements_41();
+          else
+            {
+              lines.skip(section);
+              continue;
+            }
+          lines.end(section);
+        }
+      check();
+      return msh;
     }
   } // namespace
 
@@ -363,35 +346,6 @@ namespace Contact
 
   MshFile read_msh(const std::string &file)
   {
-    MshFile msh;
-    msh.name = file;
-
-    LineReader        lines(file);
-    const std::string version = read_format(lines);
-    Entities          entities;
-    while (lines.next())
-      {
-        const auto section = lines.read<std::string>("a section");
-        if (section[0] != '$')
-          lines.fail("expected a section, found '" + section + "'",
-                     "write the file again");
-        if (section == "$PhysicalNames")
-          read_names(lines, msh);
-        else if (section == "$Entities" && version == "4.1")
-          entities = read_entities(lines);
-        else if (section == "$Nodes")
-          version == "2.2" ? read_nodes_22(lines, msh)
-                           : read_nodes_41(lines, msh);
-        else if (section == "$Elements")
-          version == "2.2" ? read_elements_22(lines, msh)
-                           : read_elements_41(entities, lines, msh);
-        else
-          {
-            lines.skip(section);
-            continue;
-          }
-        lines.end(section);
-      }
-    return msh;
+    return MshReader(file).read();
   }
 } // namespace Contact

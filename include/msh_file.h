@@ -9,17 +9,132 @@
 #include <deal.II/base/point.h>
 
 #include <array>
+#include <cstdlib>
+#include <fstream>
+#include <iomanip>
 #include <map>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
+
+#include "errors.h"
 
 namespace Contact
 {
   using namespace dealii;
 
   /**
+   * The lines of a file, one after the other, and the numbers of a line.
+   * Knows where it is, so that every complaint can say so. Blank lines are
+   * passed over.
+   */
+  class LineReader
+  {
+  public:
+    explicit LineReader(const std::string &file)
+      : file(file)
+      , input(file)
+    {
+      if (!input)
+        throw InputError("the mesh file can not be opened",
+                         file,
+                         "check the name and the permissions of the file; a "
+                         "relative name is relative to the parameter file");
+    }
+
+    /// Go to the next line; false at the end of the file.
+    bool next()
+    {
+      std::string line;
+      while (std::getline(input, line))
+        {
+          ++number;
+          words.clear();
+          words.str(line);
+          if (!(words >> std::ws).eof())
+            return true;
+        }
+      return false;
+    }
+
+    /// Go to the next line, which has to exist: we are inside a section.
+    void next_in(const std::string &section)
+    {
+      if (!next())
+        fail("the mesh file ends inside " + section,
+             "the file is incomplete: write it again");
+    }
+
+    /// The next value of the line.
+    template<typename T>
+    T read(const std::string &meaning)
+    {
+      T value;
+      if (!(words >> value))
+        fail("expected " + meaning + " in '" + words.str() + "'",
+             "the file is damaged or incomplete: write it again");
+      return value;
+    }
+
+    /// The name of a physical group, which stands in quotes.
+    std::string read_quoted()
+    {
+      std::string name;
+      words >> std::quoted(name);
+      return name;
+    }
+
+    /// The sign of a tag is an orientation, which we do not need.
+    int read_tag()
+    {
+      return std::abs(read<int>("the tag of a group"));
+    }
+
+    /// The first line of a section: how many entries follow.
+    long count(const std::string &section)
+    {
+      next_in(section);
+      return read<long>("the number of entries");
+    }
+
+    /// The last line of a section.
+    void end(const std::string &section)
+    {
+      const std::string keyword = "$End" + section.substr(1);
+      next_in(section);
+      if (const auto found = read<std::string>(keyword); found != keyword)
+        fail("expected " + keyword + ", found '" + found + "'",
+             "the section announces another number of entries than it has: "
+             "write the file again");
+    }
+
+    /// Pass over the lines of a section which is not needed.
+    void skip(const std::string &section)
+    {
+      do
+        next_in(section);
+      while (words.str().find("$End" + section.substr(1)) != 0);
+    }
+
+    [[noreturn]] void fail(const std::string &what,
+                           const std::string &remedy) const
+    {
+      throw InputError(what, file + ":" + std::to_string(number), remedy);
+    }
+
+  private:
+    const std::string  file;
+    std::ifstream      input;
+    std::istringstream words;
+    unsigned int       number = 0;
+  };
+
+
+
+  /**
    * What a gmsh file says, in gmsh's own numbers and before anything is
-   * concluded from it: nodes, elements and the names of physical groups.
+   * concluded from it: nodes, elements and physical groups.
    */
   struct MshFile
   {
@@ -33,8 +148,8 @@ namespace Contact
       /// centre nodes of elements of second order are left out.
       std::vector<long> nodes;
 
-      /// Tags of the physical groups the element belongs to; may be empty.
-      std::vector<int> groups;
+      /// The named physical groups the element belongs to.
+      std::set<std::string> groups;
     };
 
     /// The file's own name, for messages.
@@ -43,12 +158,19 @@ namespace Contact
     /// Node number -> coordinates.
     std::map<long, Point<3>> nodes;
 
-    /// By dimension: points, lines, cells. In the format 2.2 an element that
-    /// belongs to two groups stands here twice.
+    /// By dimension: points, lines, cells. All nodes exist. An element which
+    /// the file repeats, as format 2.2 does for each of its groups, stands
+    /// here once.
     std::array<std::vector<Element>, 3> elements;
 
-    /// By dimension: tag of a physical group -> its name.
-    std::array<std::map<int, std::string>, 4> names;
+    /// By dimension: tag of a physical group -> its name. None is empty.
+    std::array<std::map<int, std::string>, 3> names;
+
+    /// The place of an element, for messages.
+    std::string where(const Element &element) const
+    {
+      return name + ", element " + std::to_string(element.number);
+    }
   };
 
 
@@ -57,7 +179,8 @@ namespace Contact
    * Read a gmsh file in MSH format 2.2 or 4.1, ASCII. Sections which are not
    * needed are skipped. Throws InputError with file and line if the file can
    * not be read, is of another format, is incomplete, or has elements other
-   * than points, lines, triangles and quadrangles of first or second order.
+   * than points, lines, triangles and quadrangles of first or second order,
+   * nodes which do not exist, or groups without elements.
    */
   MshFile read_msh(const std::string &file);
 } // namespace Contact

@@ -1,0 +1,241 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "active_set.h"
+
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <algorithm>
+#include <set>
+
+namespace Contact
+{
+  namespace
+  {
+    double dot(const std::vector<types::global_dof_index> &unknowns,
+               const Vector<double>                       &row,
+               const Vector<double>                       &vector)
+    {
+      double sum = 0;
+      for (unsigned int i = 0; i < unknowns.size(); ++i)
+        sum += row[i] * vector[unknowns[i]];
+      return sum;
+    }
+  } // namespace
+
+
+
+  ActiveSetSearch::ActiveSetSearch(
+    const Discretization                  &discretization,
+    const ContactInterface                &interface,
+    const DirectSolver                    &solver,
+    const ContactInterface::Linearization &linearization)
+    : discretization(discretization)
+    , interface(interface)
+    , solver(solver)
+    , linearization(linearization)
+  {
+  }
+
+
+
+  unsigned int ActiveSetSearch::correct(const Vector<double> &solution,
+                                        const Vector<double> &u_start,
+                                        Vector<double>       &update)
+  {
+    collect(solution, u_start);
+
+    // All points decide at once, which is fast. Decisions that were there
+    // before are a cycle: then one point at a time, the first that wants to,
+    // which ends for every uniquely solvable frictionless contact problem
+    // (Murty's least-index rule for linear complementarity problems).
+    Vector<double>                     corrected = update;
+    std::set<std::vector<signed char>> seen{ signature() };
+    bool                               one_by_one = false;
+    unsigned int                       n_rounds   = 0;
+    const unsigned int                 max_rounds = 20 + 10 * points.size();
+    while (n_rounds < max_rounds && decide(corrected, one_by_one))
+      {
+        one_by_one = one_by_one || !seen.insert(signature()).second;
+        add_responses();
+        corrected = solve_changes(update);
+        ++n_rounds;
+      }
+    update = corrected;
+    return n_rounds;
+  }
+
+
+
+  void ActiveSetSearch::collect(const Vector<double> &solution,
+                                const Vector<double> &u_start)
+  {
+    responses.clear();
+    points.resize(interface.points.size());
+    for (unsigned int q = 0; q < points.size(); ++q)
+      {
+        const ContactPoint &point = interface.points[q];
+        const ContactState  now   = interface.state(point, solution, u_start);
+        interface.rows(point, solution, u_start, linearization, points[q].rows);
+        points[q].p            = now.p_trial;
+        points[q].q            = now.q_trial;
+        points[q].old_decision = point.decision;
+        points[q].decision     = point.decision;
+      }
+  }
+
+
+
+  bool ActiveSetSearch::decide(const Vector<double> &update,
+                               const bool            one_by_one)
+  {
+    bool changed = false;
+    for (unsigned int q = 0; q < points.size() && !(changed && one_by_one); ++q)
+      {
+        LinearPoint &point    = points[q];
+        const auto  &unknowns = point.rows.unknowns;
+        const auto   decision =
+          interface.decide(interface.points[q],
+                           point.p + dot(unknowns, point.rows.p_trial, update),
+                           point.q + dot(unknowns, point.rows.q_trial, update),
+                           linearization.moving_bound);
+        changed        = changed || !(decision == point.decision);
+        point.decision = decision;
+      }
+    return changed;
+  }
+
+
+
+  std::vector<signed char> ActiveSetSearch::signature() const
+  {
+    std::vector<signed char> signature;
+    for (const LinearPoint &point : points)
+      signature.push_back(point.decision.code());
+    return signature;
+  }
+
+
+
+  void ActiveSetSearch::add_responses()
+  {
+    const auto is_known = [this](const unsigned int q, const bool tangential) {
+      return std::any_of(responses.begin(),
+                         responses.end(),
+                         [&](const Response &response) {
+                           return response.point == q &&
+                                  response.tangential == tangential;
+                         });
+    };
+
+    // What a prescribed displacement adds to every distributed vector.
+    const unsigned int n_unknowns =
+      discretization.dof_handler.n_dofs() + interface.n_multipliers();
+    Vector<double> inhomogeneity(n_unknowns);
+    discretization.constraints.distribute(inhomogeneity);
+
+    for (unsigned int q = 0; q < points.size(); ++q)
+      for (const bool tangential : { false, true })
+        {
+          if (points[q].decision == points[q].old_decision ||
+              is_known(q, tangential) ||
+              (tangential && interface.law.is_frictionless()))
+            continue;
+
+          const auto    &rows = points[q].rows;
+          Vector<double> W(n_unknowns);
+          discretization.constraints.distribute_local_to_global(tangential
+                                                                  ? rows.load_q
+                                                                  : rows.load_p,
+                                                                rows.unknowns,
+                                                                W);
+          solver.solve(W);
+          discretization.constraints.distribute(W);
+          W -= inhomogeneity;
+          responses.push_back({ q, tangential, std::move(W) });
+        }
+  }
+
+
+
+  const Vector<double> &ActiveSetSearch::trial_row(const unsigned int q,
+                                                   const bool tangential) const
+  {
+    return tangential ? points[q].rows.q_trial : points[q].rows.p_trial;
+  }
+
+
+
+  /// The traction of the new decision minus that of the old one.
+  ActiveSetSearch::AffineTraction
+  ActiveSetSearch::excess(const unsigned int q, const bool tangential) const
+  {
+    // A point that opens or closes is linearised from the side of contact.
+    const double p = std::max(points[q].p, 0.);
+
+    const auto affine = [&](const Decision &decision) -> AffineTraction {
+      const Traction t = interface.traction(interface.points[q],
+                                            decision,
+                                            p,
+                                            points[q].q,
+                                            linearization.moving_bound);
+      if (tangential)
+        return { t.q - t.dq_dp * p - t.dq_dq * points[q].q, t.dq_dp, t.dq_dq };
+      return { t.p - t.dp_dp * p, t.dp_dp, 0. };
+    };
+
+    const AffineTraction now = affine(points[q].decision);
+    const AffineTraction old = affine(points[q].old_decision);
+    return { now.constant - old.constant,
+             now.by_p - old.by_p,
+             now.by_q - old.by_q };
+  }
+
+
+
+  // With the trial values z of the points that respond, eta = eta_0 + D z:
+  //   (I + G D) z = z_0 - G eta_0,  G_qr = d_q . W_r.
+  Vector<double>
+  ActiveSetSearch::solve_changes(const Vector<double> &update) const
+  {
+    const unsigned int n = responses.size();
+
+    FullMatrix<double> G(n, n), D(n, n), system(n, n);
+    Vector<double>     z(n), eta(n), G_eta(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const auto &[q, tangential, W] = responses[i];
+        const auto &row                = trial_row(q, tangential);
+        const auto &unknowns           = points[q].rows.unknowns;
+        z[i] =
+          (tangential ? points[q].q : points[q].p) + dot(unknowns, row, update);
+        for (unsigned int j = 0; j < n; ++j)
+          G(i, j) = dot(unknowns, row, responses[j].W);
+
+        const AffineTraction traction = excess(q, tangential);
+        eta[i]                        = traction.constant;
+        for (unsigned int j = 0; j < n; ++j)
+          if (responses[j].point == q)
+            D(i, j) = responses[j].tangential ? traction.by_q : traction.by_p;
+      }
+
+    G.mmult(system, D);
+    for (unsigned int i = 0; i < n; ++i)
+      system(i, i) += 1;
+    G.vmult(G_eta, eta);
+    z -= G_eta;
+
+    LAPACKFullMatrix<double> lu(n, n);
+    lu = system;
+    lu.compute_lu_factorization();
+    lu.solve(z);
+    D.vmult_add(eta, z);
+
+    Vector<double> corrected = update;
+    for (unsigned int i = 0; i < n; ++i)
+      corrected.add(-eta[i], responses[i].W);
+    return corrected;
+  }
+} // namespace Contact

@@ -1,0 +1,101 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_active_set_h
+#define contact_active_set_h
+
+#include "contact_interface.h"
+#include "linear_solver.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The active set of the linearised problem, found without a second
+   * factorization.
+   *
+   * A semismooth Newton step solves A(S) delta_0 = -R(S) with the decisions S
+   * the points made before. The plain primal-dual active set method would now
+   * let the points decide anew, factorize A(S'), and so on: one factorization
+   * for every small change of the set. But a point acts on everything else
+   * through its tractions only. With the rows d_r of the trial values, the
+   * loads v_r, and eta_r the traction that point r exerts beyond what S says,
+   *   delta     = delta_0 - sum_r W_r eta_r,           W_r = A(S)^-1 v_r,
+   *   d_q.delta = d_q.delta_0 - sum_r (d_q.W_r) eta_r,
+   * where eta_r is an affine function of the trial values of point r. So the
+   * active set iteration runs on the points alone, and a point that changes
+   * costs one back substitution, once. (Woodbury's formula for the change of
+   * the tangent, in the space of the contact points.)
+   *
+   * The step that results is one of sequential quadratic programming: the
+   * number of Newton steps does not grow with the number of points by which
+   * the guess of the contact area was wrong.
+   */
+  class ActiveSetSearch
+  {
+  public:
+    ActiveSetSearch(const Discretization                  &discretization,
+                    const ContactInterface                &interface,
+                    const DirectSolver                    &solver,
+                    const ContactInterface::Linearization &linearization);
+
+    /**
+     * Given the Newton @p update under the present decisions at @p solution,
+     * constraints distributed, make it the update of the linearised problem.
+     * The decisions in the points stay: ContactInterface::update_status()
+     * makes the new ones after the step. Returns the number of rounds.
+     */
+    unsigned int correct(const Vector<double> &solution,
+                         const Vector<double> &u_start,
+                         Vector<double>       &update);
+
+  private:
+    /// A point in the linearised problem.
+    struct LinearPoint
+    {
+      ContactInterface::Rows rows;
+      double                 p, q; // trial values before the update
+      Decision               old_decision, decision;
+    };
+
+    /// The response of all unknowns to a unit of pressure or shear of a point.
+    struct Response
+    {
+      unsigned int   point;
+      bool           tangential;
+      Vector<double> W;
+    };
+
+    /// A traction as a function of trial values: constant and derivatives.
+    struct AffineTraction
+    {
+      double constant, by_p, by_q;
+    };
+
+    void collect(const Vector<double> &solution, const Vector<double> &u_start);
+    /// Let the points decide under the @p update, all or only the first that
+    /// changes its mind. Returns whether there was one.
+    bool decide(const Vector<double> &update, const bool one_by_one);
+    std::vector<signed char> signature() const;
+    void                     add_responses();
+
+    const Vector<double> &trial_row(const unsigned int q,
+                                    const bool         tangential) const;
+
+    AffineTraction excess(const unsigned int q, const bool tangential) const;
+    Vector<double> solve_changes(const Vector<double> &update) const;
+
+    const Discretization                 &discretization;
+    const ContactInterface               &interface;
+    const DirectSolver                   &solver;
+    const ContactInterface::Linearization linearization;
+
+    std::vector<LinearPoint> points;
+    std::vector<Response>    responses;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,371 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "postprocessing.h"
+
+#include <algorithm>
+#include <map>
+
+#include "errors.h"
+#include "stress_recovery.h"
+
+namespace Contact
+{
+  namespace
+  {
+    /// The recovered stress at the nodes of a surface.
+    std::vector<SymmetricTensor<2, 3>>
+    node_stresses(const Surface                            &surface,
+                  const Discretization                     &discretization,
+                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses)
+    {
+      std::map<types::global_dof_index, unsigned int> vertex_of_dof;
+      for (unsigned int v = 0; v < discretization.vertex_dofs.size(); ++v)
+        vertex_of_dof.emplace(discretization.vertex_dofs[v][0], v);
+
+      const auto at_end = [&](const unsigned int node) {
+        return vertex_stresses[vertex_of_dof.at(surface.nodes[node].dofs[0])];
+      };
+
+      // The recovered stress is linear along an edge.
+      std::vector<SymmetricTensor<2, 3>> stresses(surface.nodes.size());
+      for (const Surface::Edge &edge : surface.edges)
+        {
+          for (unsigned int a = 0; a < 2; ++a)
+            stresses[edge.nodes[a]] = at_end(edge.nodes[a]);
+          if (surface.degree == 2)
+            stresses[edge.nodes[2]] =
+              0.5 * (stresses[edge.nodes[0]] + stresses[edge.nodes[1]]);
+        }
+      return stresses;
+    }
+
+
+
+    /// The outward unit normals at the nodes of the deformed surface: the mean
+    /// of those of the edges that meet there.
+    std::vector<Tensor<1, 2>> node_normals(const Surface        &surface,
+                                           const Vector<double> &u)
+    {
+      const std::array<double, 3> coordinates{ { -1, 1, 0 } };
+      std::vector<Tensor<1, 2>>   normals(surface.nodes.size());
+      for (const Surface::Edge &edge : surface.edges)
+        for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
+          {
+            const EdgeShape shape(surface.degree, coordinates[a]);
+            Tensor<1, 2>    along;
+            for (unsigned int b = 0; b < surface.n_nodes_per_edge(); ++b)
+              along += shape.first[b] * surface.position(edge.nodes[b], u);
+
+            // The body lies to the left of the edge.
+            const Tensor<1, 2> outward({ along[1], -along[0] });
+            normals[edge.nodes[a]] += outward / outward.norm();
+          }
+      for (Tensor<1, 2> &normal : normals)
+        normal /= normal.norm();
+      return normals;
+    }
+
+
+
+    /// The rows of a surface with all that does not ask for the other one.
+    std::vector<ProfileRow>
+    make_rows(const Surface                            &surface,
+              const Discretization                     &discretization,
+              const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+              const Vector<double>                     &u)
+    {
+      const auto stresses =
+        node_stresses(surface, discretization, vertex_stresses);
+      const auto            normals = node_normals(surface, u);
+      std::vector<Point<2>> reference, deformed;
+      for (unsigned int i = 0; i < surface.nodes.size(); ++i)
+        {
+          reference.push_back(surface.nodes[i].X);
+          deformed.push_back(surface.position(i, u));
+        }
+      const auto arc_length          = surface.arc_length(reference);
+      const auto deformed_arc_length = surface.arc_length(deformed);
+
+      std::vector<ProfileRow> rows(surface.nodes.size());
+      for (unsigned int n = 0; n < rows.size(); ++n)
+        {
+          rows[n].arc_length          = arc_length[n];
+          rows[n].deformed_arc_length = deformed_arc_length[n];
+          rows[n].X                   = reference[n];
+          rows[n].u                   = deformed[n] - reference[n];
+          for (unsigned int i = 0; i < 2; ++i)
+            for (unsigned int j = 0; j < 2; ++j)
+              rows[n].extrapolated_pressure -=
+                normals[n][i] * stresses[n][i][j] * normals[n][j];
+        }
+      return rows;
+    }
+
+
+
+    /// The horizontal position of the slave node with the smallest initial gap.
+    double contact_axis(const ContactInterface &interface,
+                        const Discretization   &discretization)
+    {
+      const Vector<double> no_displacement(discretization.dof_handler.n_dofs());
+      const SurfaceSearch  search(interface.master, no_displacement);
+
+      double axis = 0, smallest = std::numeric_limits<double>::max();
+      for (const Surface::Node &node : interface.slave.nodes)
+        {
+          const double distance =
+            search.distance_square(node.X, search.closest_point(node.X));
+          if (distance < smallest)
+            {
+              smallest = distance;
+              axis     = node.X[0];
+            }
+        }
+      return axis;
+    }
+
+
+
+    void add_hertz_pressure(const ContactInterface &interface,
+                            const Discretization   &discretization,
+                            const std::optional<HertzLineContact> &hertz,
+                            std::vector<ProfileRow>               &rows)
+    {
+      if (!hertz)
+        return;
+      const double axis = contact_axis(interface, discretization);
+      for (ProfileRow &row : rows)
+        row.hertz_pressure = hertz->pressure(row.X[0] - axis);
+    }
+
+
+
+    /// The force w p of a point [N per mm of thickness].
+    double normal_force(const ContactInterface &interface,
+                        const ContactPoint     &point,
+                        const Vector<double>   &solution)
+    {
+      const ContactState now = interface.state(point, solution, solution);
+      return point.weight * interface
+                              .traction(point,
+                                        point.decision,
+                                        now.p_trial,
+                                        now.q_trial,
+                                        /*moving_bound=*/false)
+                              .p;
+    }
+
+
+
+    /// The status of a point as the profile counts it.
+    int rank(const ContactPoint &point)
+    {
+      if (!point.facing)
+        return -1;
+      switch (point.decision.status)
+        {
+          case Status::stick:
+            return 2;
+          case Status::slip:
+            return 1;
+          default:
+            return 0;
+        }
+    }
+
+
+
+    /// Gap and slip of the slave nodes, each paired on its own.
+    void add_gap_and_slip(const ContactInterface  &interface,
+                          const Discretization    &discretization,
+                          const Vector<double>    &solution,
+                          const Vector<double>    &u_start,
+                          std::vector<ProfileRow> &rows)
+    {
+      MultiplierSpace     numbering;
+      const SurfaceSearch search(interface.master, solution);
+      auto points = make_nodal_points(interface.slave, {}, numbering);
+      for (unsigned int n = 0; n < rows.size(); ++n)
+        {
+          // These points only look: they carry no multiplier.
+          ContactPoint &point   = points[numbering.of_node[n]];
+          point.n_multipliers   = 0;
+          point.complementarity = 0;
+          pair_with_master(point,
+                           interface.master,
+                           search,
+                           discretization,
+                           solution);
+
+          const ContactState state = interface.state(point, solution, u_start);
+          rows[n].gap              = state.gap;
+          rows[n].slip             = state.slip;
+        }
+    }
+
+
+
+    /// Pressure, shear, nodal force and status, which come with multipliers.
+    void add_contact_values(const ContactInterface  &interface,
+                            const Vector<double>    &solution,
+                            const Vector<double>    &u_start,
+                            std::vector<ProfileRow> &rows)
+    {
+      std::vector<unsigned int> node_of(interface.multipliers.n_multipliers);
+      for (unsigned int n = 0; n < rows.size(); ++n)
+        {
+          const unsigned int k = interface.multipliers.of_node[n];
+          if (k == numbers::invalid_unsigned_int)
+            continue;
+          node_of[k]       = n;
+          rows[n].pressure = solution[interface.normal_index(k)];
+          if (!interface.law.is_frictionless())
+            rows[n].shear = solution[interface.tangential_index(k)];
+        }
+
+      for (const ContactPoint &point : interface.points)
+        {
+          const double force = normal_force(interface, point, solution);
+          for (unsigned int k = 0; k < point.n_multipliers; ++k)
+            {
+              ProfileRow &row = rows[node_of[point.multipliers[k]]];
+              row.nodal_force += point.psi[k] * force;
+              row.status = std::max(row.status, rank(point));
+            }
+
+          // A point at a node has been paired already, and with the geometry
+          // as a fixed point it is this pairing that the result satisfies.
+          if (point.n_multipliers == 1)
+            {
+              const ContactState state =
+                interface.state(point, solution, u_start);
+              rows[node_of[point.multipliers[0]]].gap  = state.gap;
+              rows[node_of[point.multipliers[0]]].slip = state.slip;
+            }
+        }
+    }
+
+
+
+    /// Give a row the contact values of a place on the slave.
+    void interpolate(const Surface                 &slave,
+                     const std::vector<ProfileRow> &slave_rows,
+                     const Projection              &place,
+                     ProfileRow                    &row)
+    {
+      // Values are not extrapolated to the overhang beyond the end.
+      const EdgeShape shape(slave.degree,
+                            std::max(-1., std::min(1., place.xi)));
+      unsigned int    nearest = 0;
+      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+        {
+          const auto &from = slave_rows[slave.edges[place.edge].nodes[a]];
+          row.pressure += shape.value[a] * from.pressure;
+          row.shear += shape.value[a] * from.shear;
+          row.gap += shape.value[a] * from.gap;
+          row.slip += shape.value[a] * from.slip;
+          if (shape.value[a] > shape.value[nearest])
+            nearest = a;
+        }
+      row.status = slave_rows[slave.edges[place.edge].nodes[nearest]].status;
+    }
+
+
+
+    /// Let the rows begin at their other end.
+    void reverse(std::vector<ProfileRow> &rows)
+    {
+      std::reverse(rows.begin(), rows.end());
+      const double length          = rows.front().arc_length;
+      const double deformed_length = rows.front().deformed_arc_length;
+      for (ProfileRow &row : rows)
+        {
+          row.arc_length          = length - row.arc_length;
+          row.deformed_arc_length = deformed_length - row.deformed_arc_length;
+        }
+    }
+  } // namespace
+
+
+
+  std::vector<ProfileRow>
+  slave_profile(const ContactInterface                   &interface,
+                const Discretization                     &discretization,
+                const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+                const Vector<double>                     &solution,
+                const Vector<double>                     &u_start,
+                const std::optional<HertzLineContact>    &hertz)
+  {
+    auto rows =
+      make_rows(interface.slave, discretization, vertex_stresses, solution);
+    add_gap_and_slip(interface, discretization, solution, u_start, rows);
+    add_contact_values(interface, solution, u_start, rows);
+    add_hertz_pressure(interface, discretization, hertz, rows);
+    return rows;
+  }
+
+
+
+  std::vector<ProfileRow>
+  master_profile(const ContactInterface                   &interface,
+                 const Discretization                     &discretization,
+                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+                 const Vector<double>                     &solution,
+                 const std::vector<ProfileRow>            &slave,
+                 const std::optional<HertzLineContact>    &hertz)
+  {
+    const Surface &master = interface.master;
+    auto rows = make_rows(master, discretization, vertex_stresses, solution);
+
+    const SurfaceSearch search(interface.slave, solution);
+    for (unsigned int n = 0; n < rows.size(); ++n)
+      {
+        const Projection place =
+          search.closest_point(master.position(n, solution));
+        if (!place.off_the_end)
+          interpolate(interface.slave, slave, place, rows[n]);
+      }
+
+    for (const ContactPoint &point : interface.points)
+      for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
+        {
+          const auto &edge = master.edges[point.master_edge];
+          rows[edge.nodes[a - point.n_slave_nodes]].nodal_force -=
+            point.C[a] * normal_force(interface, point, solution);
+        }
+
+    add_hertz_pressure(interface, discretization, hertz, rows);
+    const Point<2> &start = interface.slave.nodes.front().X;
+    if (start.distance(rows.back().X) < start.distance(rows.front().X))
+      reverse(rows);
+    return rows;
+  }
+
+
+
+  double probe_value(const std::string                        &quantity,
+                     const unsigned int                        vertex,
+                     const Discretization                     &discretization,
+                     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+                     const Vector<double>                     &u)
+  {
+    const NodeDoFs              &dofs   = discretization.vertex_dofs[vertex];
+    const SymmetricTensor<2, 3> &stress = vertex_stresses[vertex];
+    const std::map<std::string, double> values{
+      { "displacement x", u[dofs[0]] },  { "displacement y", u[dofs[1]] },
+      { "stress xx", stress[0][0] },     { "stress yy", stress[1][1] },
+      { "stress zz", stress[2][2] },     { "stress xy", stress[0][1] },
+      { "von Mises", von_mises(stress) }
+    };
+
+    const auto value = values.find(quantity);
+    if (value == values.end())
+      throw InputError("there is no quantity '" + quantity + "' to probe",
+                       "entry 'Probes/Probes'",
+                       "see --parameters for the quantities");
+    return value->second;
+  }
+} // namespace Contact

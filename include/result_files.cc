@@ -1,0 +1,305 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "result_files.h"
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
+
+#include <fstream>
+
+#include "errors.h"
+#include "stress_recovery.h"
+
+namespace Contact
+{
+  namespace
+  {
+    using DataComponentInterpretation::component_is_part_of_vector;
+
+    /// How all VTU files are written: no date, so that equal runs give equal
+    /// files, and cells of the degree of the displacement.
+    DataOutBase::VtkFlags vtk_flags(const unsigned int k,
+                                    const double       load_factor,
+                                    const unsigned int degree)
+    {
+      DataOutBase::VtkFlags flags(load_factor, k);
+      flags.print_date_and_time      = false;
+      flags.write_higher_order_cells = degree > 1;
+      flags.physical_units = { { "displacement", "mm" }, { "stress_xx", "MPa" },
+                               { "stress_yy", "MPa" },   { "stress_zz", "MPa" },
+                               { "stress_xy", "MPa" },   { "von_mises", "MPa" },
+                               { "pressure", "MPa" },    { "shear", "MPa" },
+                               { "gap", "mm" },          { "slip", "mm" } };
+      return flags;
+    }
+
+
+
+    /// The fields of the contact file, in the order of a row of its patches.
+    const std::vector<std::string> contact_fields = {
+      "displacement", "displacement", "pressure", "shear",
+      "gap",          "slip",         "status"
+    };
+
+
+
+    /// An edge of the slave surface with the fields above, then its position.
+    DataOutBase::Patch<1, 2> make_patch(const Surface                 &slave,
+                                        const std::vector<ProfileRow> &rows,
+                                        const unsigned int             e)
+    {
+      const auto &nodes = slave.edges[e].nodes;
+
+      // A patch wants its points along the edge.
+      std::vector<unsigned int> along{ nodes[0], nodes[1] };
+      if (slave.degree == 2)
+        along = { nodes[0], nodes[2], nodes[1] };
+
+      DataOutBase::Patch<1, 2> patch;
+      patch.vertices             = { { rows[nodes[0]].X, rows[nodes[1]].X } };
+      patch.patch_index          = e;
+      patch.n_subdivisions       = slave.degree;
+      patch.points_are_available = true;
+      patch.data.reinit(contact_fields.size() + 2, along.size());
+      for (unsigned int i = 0; i < along.size(); ++i)
+        {
+          const ProfileRow &row = rows[along[i]];
+          unsigned int      c   = 0;
+          for (const double value : { row.u[0],
+                                      row.u[1],
+                                      row.pressure,
+                                      row.shear,
+                                      row.gap,
+                                      row.slip,
+                                      double(row.status),
+                                      row.X[0],
+                                      row.X[1] })
+            patch.data(c++, i) = value;
+        }
+      return patch;
+    }
+
+
+
+    void write_rows(std::ostream                  &out,
+                    const std::string             &surface,
+                    const std::vector<ProfileRow> &rows)
+    {
+      for (const ProfileRow &row : rows)
+        {
+          out << surface;
+          for (const double value : { row.arc_length,
+                                      row.deformed_arc_length,
+                                      row.X[0],
+                                      row.X[1],
+                                      row.u[0],
+                                      row.u[1],
+                                      row.pressure,
+                                      row.shear,
+                                      row.nodal_force,
+                                      row.gap,
+                                      row.slip })
+            out << ',' << value;
+          out << ',' << row.status << ',' << row.extrapolated_pressure << ',';
+          if (!std::isnan(row.hertz_pressure))
+            out << row.hertz_pressure;
+          out << '\n';
+        }
+    }
+  } // namespace
+
+
+
+  void create_output_directory(const std::filesystem::path &directory)
+  {
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+
+    const auto probe = directory / ".writable";
+    const bool writable =
+      !error && static_cast<bool>(std::ofstream(probe) << std::flush);
+    std::filesystem::remove(probe, error);
+    if (!writable)
+      throw InputError("the output directory can not be created or written to",
+                       directory.string(),
+                       "set Output/Directory to a place where you may write");
+  }
+
+
+
+  void write_file(const std::filesystem::path               &file,
+                  const std::function<void(std::ostream &)> &write)
+  {
+    std::filesystem::path part = file;
+    part += ".part";
+    std::ofstream out(part);
+    write(out);
+    out.close();
+
+    std::error_code error;
+    if (out)
+      std::filesystem::rename(part, file, error);
+    if (!out || error)
+      throw InputError("the file can not be written",
+                       file.string(),
+                       "make room on the disk, or set Output/Directory to a "
+                       "place where you may write");
+  }
+
+
+
+  VertexFields::VertexFields(const Discretization &discretization)
+    : fe(FE_Q<2>(1), FE_SimplexP<2>(1))
+    , dof_handler(discretization.mesh.triangulation)
+    , dof_of_vertex(discretization.mesh.triangulation.n_vertices(),
+                    numbers::invalid_dof_index)
+  {
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      cell->set_active_fe_index(cell->reference_cell().is_hyper_cube() ? 0 : 1);
+    dof_handler.distribute_dofs(fe);
+
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        dof_of_vertex[cell->vertex_index(v)] =
+          cell->vertex_dof_index(v, 0, cell->active_fe_index());
+
+    for (const char *name :
+         { "stress_xx", "stress_yy", "stress_zz", "stress_xy", "von_mises" })
+      fields.emplace_back(name, Vector<double>(dof_handler.n_dofs()));
+  }
+
+
+
+  void
+  VertexFields::set(const std::vector<SymmetricTensor<2, 3>> &vertex_stresses)
+  {
+    for (unsigned int v = 0; v < dof_of_vertex.size(); ++v)
+      if (dof_of_vertex[v] != numbers::invalid_dof_index)
+        {
+          const SymmetricTensor<2, 3> &stress = vertex_stresses[v];
+          unsigned int                 c      = 0;
+          for (const double value : { stress[0][0],
+                                      stress[1][1],
+                                      stress[2][2],
+                                      stress[0][1],
+                                      von_mises(stress) })
+            fields[c++].second[dof_of_vertex[v]] = value;
+        }
+  }
+
+
+
+  void VertexFields::attach(DataOut<2> &data_out) const
+  {
+    for (const auto &[name, values] : fields)
+      data_out.add_data_vector(dof_handler, values, name);
+  }
+
+
+
+  ResultFiles::ResultFiles(const std::filesystem::path &directory,
+                           const Discretization        &discretization)
+    : directory(directory)
+    , discretization(discretization)
+    , vertex_fields(discretization)
+  {
+    create_output_directory(directory);
+  }
+
+
+
+  void
+  ResultFiles::write_increment(const std::string &name,
+                               const unsigned int k,
+                               const double       load_factor,
+                               Series            &series,
+                               const std::function<void(std::ostream &)> &write)
+  {
+    const std::string file =
+      name + '_' + Utilities::int_to_string(k, 4) + ".vtu";
+    write_file(directory / file, write);
+
+    series.emplace_back(load_factor, file);
+    write_file(directory / (name + ".pvd"), [&](std::ostream &out) {
+      DataOutBase::write_pvd_record(out, series);
+    });
+  }
+
+
+
+  void ResultFiles::write_bodies(
+    const unsigned int                        k,
+    const double                              load_factor,
+    const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+    const Vector<double>                     &solution)
+  {
+    // The solution may go on with multipliers.
+    Vector<double> u(discretization.dof_handler.n_dofs());
+    std::copy_n(solution.begin(), u.size(), u.begin());
+
+    const auto    &triangulation = discretization.mesh.triangulation;
+    Vector<double> body(triangulation.n_active_cells());
+    for (const auto &cell : triangulation.active_cell_iterators())
+      body[cell->active_cell_index()] = cell->material_id();
+    vertex_fields.set(vertex_stresses);
+
+    DataOut<2> data_out;
+    data_out.attach_dof_handler(discretization.dof_handler);
+    data_out.set_flags(vtk_flags(k, load_factor, discretization.degree));
+    data_out.add_data_vector(discretization.dof_handler,
+                             u,
+                             std::vector<std::string>(2, "displacement"),
+                             { component_is_part_of_vector,
+                               component_is_part_of_vector });
+    vertex_fields.attach(data_out);
+    data_out.add_data_vector(body, "body", DataOut<2>::type_cell_data);
+    data_out.build_patches(discretization.mapping,
+                           discretization.degree,
+                           DataOut<2>::curved_inner_cells);
+
+    write_increment("bodies", k, load_factor, bodies, [&](std::ostream &out) {
+      data_out.write_vtu(out);
+    });
+  }
+
+
+
+  void ResultFiles::write_contact(const unsigned int             k,
+                                  const double                   load_factor,
+                                  const Surface                 &slave,
+                                  const std::vector<ProfileRow> &rows)
+  {
+    std::vector<DataOutBase::Patch<1, 2>> patches;
+    for (unsigned int e = 0; e < slave.edges.size(); ++e)
+      patches.push_back(make_patch(slave, rows, e));
+
+    write_increment("contact", k, load_factor, contact, [&](std::ostream &out) {
+      DataOutBase::write_vtu(
+        patches,
+        contact_fields,
+        { { 0, 1, "displacement", component_is_part_of_vector } },
+        vtk_flags(k, load_factor, slave.degree),
+        out);
+    });
+  }
+
+
+
+  void ResultFiles::write_profile(const std::vector<ProfileRow> &slave,
+                                  const std::vector<ProfileRow> &master) const
+  {
+    write_file(directory / "profile.csv", [&](std::ostream &out) {
+      out.precision(12);
+      out << "surface,arc_length_mm,deformed_arc_length_mm,X_mm,Y_mm,"
+             "displacement_x_mm,displacement_y_mm,pressure_MPa,shear_MPa,"
+             "nodal_force_N_per_mm,gap_mm,slip_mm,"
+             "status_0_open_1_slip_2_stick,extrapolated_pressure_MPa,"
+             "hertz_pressure_MPa\n";
+      write_rows(out, "slave", slave);
+      write_rows(out, "master", master);
+    });
+  }
+} // namespace Contact

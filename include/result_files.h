@@ -1,0 +1,125 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_result_files_h
+#define contact_result_files_h
+
+#include <deal.II/numerics/data_out.h>
+
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "postprocessing.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * Create a directory and its parents, unless they exist. Throws InputError
+   * if that fails, or if no file can be written there. No file in it is
+   * touched.
+   */
+  void create_output_directory(const std::filesystem::path &directory);
+
+  /**
+   * Write a file by @p write, under another name until it is complete: an
+   * interrupted run leaves the file of before or the new one, never half of
+   * it. Throws InputError if it can not be written.
+   */
+  void write_file(const std::filesystem::path               &file,
+                  const std::function<void(std::ostream &)> &write);
+
+
+
+  /**
+   * The recovered stress as finite element fields that are given by their
+   * values at the vertices: linear, whatever the degree of the displacement.
+   */
+  class VertexFields
+  {
+  public:
+    explicit VertexFields(const Discretization &discretization);
+
+    /// Take over the stress [MPa] by vertex of the triangulation.
+    void set(const std::vector<SymmetricTensor<2, 3>> &vertex_stresses);
+
+    /// Attach stress_xx, _yy, _zz, _xy and von_mises [MPa] to @p data_out,
+    /// which must not outlive this object.
+    void attach(DataOut<2> &data_out) const;
+
+  private:
+    const hp::FECollection<2>            fe;
+    DoFHandler<2>                        dof_handler;
+    std::vector<types::global_dof_index> dof_of_vertex;
+
+    /// Name and values by unknown of the fields.
+    std::vector<std::pair<std::string, Vector<double>>> fields;
+  };
+
+
+
+  /**
+   * The files of one run for ParaView and for curves: two series, of the
+   * bodies and of the slave surface, and the profile of both surfaces. Both
+   * series hold reference positions and the field "displacement", so that
+   * "warp by vector" moves both alike; their time is the load factor.
+   */
+  class ResultFiles
+  {
+  public:
+    /// Create the directory. Throws InputError if nothing can be written there.
+    ResultFiles(const std::filesystem::path &directory,
+                const Discretization        &discretization);
+
+    /**
+     * Write bodies_000k.vtu of increment @p k, and bodies.pvd anew: all cells
+     * at their degree with displacement [mm], Cauchy stress and von Mises
+     * stress [MPa] and body (material id).
+     */
+    void write_bodies(const unsigned int                        k,
+                      const double                              load_factor,
+                      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+                      const Vector<double>                     &solution);
+
+    /**
+     * Write contact_000k.vtu of increment @p k, and contact.pvd anew: the
+     * edges of the slave surface with displacement, pressure, shear, gap, slip
+     * and status of @p rows, the profile of the slave.
+     */
+    void write_contact(const unsigned int             k,
+                       const double                   load_factor,
+                       const Surface                 &slave,
+                       const std::vector<ProfileRow> &rows);
+
+    /// Write profile.csv: a line with names and units, then the rows of both
+    /// surfaces. Where there is no Hertz pressure its field is empty.
+    void write_profile(const std::vector<ProfileRow> &slave,
+                       const std::vector<ProfileRow> &master) const;
+
+    const std::filesystem::path directory;
+
+  private:
+    /// Load factor and file of each increment.
+    using Series = std::vector<std::pair<double, std::string>>;
+
+    /// Write one file of a series by @p write, then the series.
+    void write_increment(const std::string                         &name,
+                         const unsigned int                         k,
+                         const double                               load_factor,
+                         Series                                    &series,
+                         const std::function<void(std::ostream &)> &write);
+
+    const Discretization &discretization;
+    VertexFields          vertex_fields;
+    Series                bodies, contact;
+  };
+} // namespace Contact
+
+#endif

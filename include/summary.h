@@ -1,0 +1,106 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_summary_h
+#define contact_summary_h
+
+#include <filesystem>
+#include <iosfwd>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Contact
+{
+  /// A probed value and what it is compared with.
+  struct ProbeResult
+  {
+    std::string name;
+    std::string unit; // "mm" or "MPa"
+    double      value = 0;
+
+    // Both or none; the tolerance is relative to the reference, which is
+    // not zero.
+    std::optional<double> reference;
+    std::optional<double> tolerance;
+
+    /// value/reference - 1, if there is a reference.
+    std::optional<double> relative_deviation() const;
+
+    /// Whether the deviation is within the tolerance; true without reference.
+    bool within() const;
+  };
+
+
+
+  /// What one load increment took, and where it ended.
+  struct IncrementRecord
+  {
+    double       load_factor         = 0;
+    unsigned int newton_iterations   = 0; // in all loops together
+    unsigned int friction_iterations = 0;
+    unsigned int geometry_iterations = 0;
+    unsigned int active              = 0; // contact points, stick and slip
+    unsigned int stick               = 0;
+    unsigned int slip                = 0;
+    bool         converged           = false;
+  };
+
+
+
+  /// What a phase of the program took [s].
+  struct PhaseTime
+  {
+    double cpu  = 0;
+    double wall = 0;
+  };
+
+
+
+  /// How the run of one case went.
+  struct RunSummary
+  {
+    std::string case_name;
+    std::string mesh_file;
+
+    /// Whether all increments converged, and if not what went wrong.
+    bool        converged = false;
+    std::string message;
+
+    std::vector<ProbeResult>     probes;
+    std::vector<IncrementRecord> increments;
+
+    std::size_t n_displacements = 0; // unknowns
+    std::size_t n_multipliers   = 0;
+
+    std::map<std::string, PhaseTime> time; // by phase
+    double                           peak_memory_mb = 0;
+
+    /// What the case switches on, for instance "friction" -> "Coulomb 0.1".
+    std::map<std::string, std::string> effects;
+
+    /// Converged, and all probes are within their tolerances.
+    bool passed() const;
+  };
+
+
+
+  /// The largest resident memory of this process so far [MB = 2^20 bytes].
+  double peak_memory_mb();
+
+  /// Write a summary as JSON. Throws InputError if the file can not be written.
+  void write_summary(const RunSummary            &summary,
+                     const std::filesystem::path &file);
+
+  /**
+   * Print the final table, one line per probe: case, mesh, computed value,
+   * reference, deviation, tolerance, and whether it is within. A case that did
+   * not converge says so, and its message follows the table.
+   */
+  void print_table(std::ostream &out, const std::vector<RunSummary> &summaries);
+} // namespace Contact
+
+#endif

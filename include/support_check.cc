@@ -1,0 +1,149 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "support_check.h"
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include "errors.h"
+
+namespace Contact
+{
+  namespace
+  {
+    /// What holds one body, in terms of its rigid motions: displacement in x,
+    /// in y, and rotation about the centre times the size.
+    struct RigidMotions
+    {
+      Point<2>              centre;
+      double                size = 0;
+      SymmetricTensor<2, 3> held;
+
+      /// The motion along @p direction is resisted at @p x.
+      void hold(const Point<2> &x, const Tensor<1, 2> &direction)
+      {
+        const Tensor<1, 2> arm = (x - centre) / size;
+        const Tensor<1, 3> row(
+          { direction[0],
+            direction[1],
+            direction[1] * arm[0] - direction[0] * arm[1] });
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j <= i; ++j)
+            held[i][j] += row[i] * row[j];
+      }
+    };
+
+
+
+    std::map<types::material_id, RigidMotions>
+    make_motions(const Triangulation<2> &triangulation)
+    {
+      std::map<types::material_id, BoundingBox<2>> boxes;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            const BoundingBox<2> vertex({ cell->vertex(v), cell->vertex(v) });
+            const auto box = boxes.emplace(cell->material_id(), vertex);
+            if (!box.second)
+              box.first->second.merge_with(vertex);
+          }
+
+      std::map<types::material_id, RigidMotions> motions;
+      for (const auto &[body, box] : boxes)
+        {
+          motions[body].centre = box.center();
+          motions[body].size   = 0.5 * box.get_boundary_points().first.distance(
+                                       box.get_boundary_points().second);
+        }
+      return motions;
+    }
+
+
+
+    /// Supports and ties, vertex by vertex.
+    void hold_by_supports(const Discretization &discretization,
+                          std::map<types::material_id, RigidMotions> &motions)
+    {
+      for (const auto &cell :
+           discretization.mesh.triangulation.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          for (unsigned int c = 0; c < 2; ++c)
+            {
+              const auto dof =
+                discretization.vertex_dofs[cell->vertex_index(v)][c];
+              if (discretization.is_fixed(dof) || discretization.is_tied(dof))
+                {
+                  Tensor<1, 2> direction;
+                  direction[c] = 1;
+                  motions.at(cell->material_id())
+                    .hold(cell->vertex(v), direction);
+                }
+            }
+    }
+
+
+
+    void hold_by_contact(const ContactInterface                     &interface,
+                         std::map<types::material_id, RigidMotions> &motions)
+    {
+      for (const ContactPoint &point : interface.points)
+        {
+          if (point.decision.status == Status::open)
+            continue;
+          Point<2> x;
+          for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
+            x += point.C[a] * point.X[a];
+
+          for (const auto body :
+               { interface.slave.edges[point.slave_edge].body,
+                 interface.master.edges[point.master_edge].body })
+            {
+              motions.at(body).hold(x, point.normal);
+              if (point.decision.status == Status::stick)
+                motions.at(body).hold(x, point.tangent);
+            }
+        }
+    }
+
+
+
+    std::string name_of_motion(const Tensor<1, 3> &mode)
+    {
+      const std::array<std::string, 3> names{
+        { "displacement in x", "displacement in y", "rotation" }
+      };
+      std::string name;
+      for (unsigned int i = 0; i < 3; ++i)
+        if (std::abs(mode[i]) > 0.1)
+          name += (name.empty() ? "" : " with ") + names[i];
+      return name;
+    }
+  } // namespace
+
+
+
+  void check_supports(const Discretization   &discretization,
+                      const ContactInterface *interface)
+  {
+    auto motions = make_motions(discretization.mesh.triangulation);
+    hold_by_supports(discretization, motions);
+    if (interface != nullptr)
+      hold_by_contact(*interface, motions);
+
+    for (const auto &[body, rigid] : motions)
+      {
+        const auto   modes   = eigenvectors(rigid.held);
+        const double largest = modes.front().first;
+        // Round-off of the sums, against one point that holds.
+        if (modes.back().first <= 1e-10 * largest || largest == 0)
+          throw InputError(
+            "nothing holds the body '" + discretization.mesh.body_name(body) +
+              "' against: " + name_of_motion(modes.back().second),
+            "Boundary conditions, Contact",
+            "support it in that motion, let it touch another body at the "
+            "start, or tie a point of it");
+      }
+  }
+} // namespace Contact

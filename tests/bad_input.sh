@@ -1,0 +1,121 @@
+#!/bin/sh
+# Every kind of wrong input ends with exit status 2 and one message that says
+# what is wrong, where, and what to do; results of an earlier run stay as they
+# are.
+#   bad_input.sh CONTACT PARAMETERS MESHES
+# SPDX-License-Identifier: LGPL-2.1-or-later
+set -eu
+
+contact=$1
+parameters=$2
+meshes=$3
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+good=$parameters/ssnp154_e.prm
+failures=0
+
+# expect TEXT ARGUMENT...: the message contains TEXT
+expect() {
+  text=$1
+  shift
+  status=0
+  "$contact" "$@" --quiet >out 2>err || status=$?
+  if [ "$status" -ne 2 ]; then
+    echo "FAILED: exit status $status instead of 2 for: $*"
+  elif ! grep -qiF -- "$text" err; then
+    echo "FAILED: no '$text' in the message for: $*"
+    cat err
+  elif ! grep -q '^where: ' err || ! grep -q '^remedy: ' err; then
+    echo "FAILED: the message lacks place or remedy for: $*"
+    cat err
+  else
+    echo "ok: $text"
+    return 0
+  fi
+  failures=$((failures + 1))
+}
+
+# expect_entry TEXT ASSIGNMENT: one wrong entry in a good case
+expect_entry() {
+  expect "$1" "$good" --set "$2"
+}
+
+# Results of a good run, which no bad one may touch.
+"$contact" "$good" --quiet >/dev/null
+find output -type f -exec cksum {} + | sort >before
+
+# Entries
+printf 'include %s\nsubsection Contact\n  set Slaev = a\nend\n' "$good" >a.prm
+expect "did you mean 'Slave'" a.prm
+printf 'include %s\nsubsection Contcat\n  set Slave = a\nend\n' "$good" >b.prm
+expect "did you mean 'Contact'" b.prm
+printf 'subsection Element\n set Degree = 1\n set Degree = 1\nend\n' >c.prm
+expect "twice" c.prm
+expect_entry "Young's modulus" "Solids/Young's modulus=Block: 0, Cylinder: 1"
+expect_entry "Poisson's ratio" "Solids/Poisson's ratio=Block: .5, Cylinder: .3"
+expect_entry "Friction coefficient" "Contact/Friction coefficient=-0.1"
+expect_entry "Degree" "Element/Degree=3"
+expect_entry "Increments" "Solution/Increments=0"
+expect_entry "Centre node" "Element/Centre node=free"
+expect "no such" "$scratch/missing.prm"
+expect "option" "$good" --sett
+
+# Meshes
+expect_entry "missing.msh" "Mesh/File=missing.msh"
+head -c 5000 "$meshes/ssnp154.msh" >truncated.msh
+expect_entry "truncated.msh" "Mesh/File=truncated.msh"
+printf '$MeshFormat\n4.1 1 8\n' >binary.msh
+expect_entry "binary" "Mesh/File=binary.msh"
+printf '$MeshFormat\n3 0 8\n$EndMeshFormat\n' >version.msh
+expect_entry "version" "Mesh/File=version.msh"
+cat >tangled.msh <<'MSH'
+$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+2 1 "Block"
+$EndPhysicalNames
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 0 1 0
+4 1 1 0
+$EndNodes
+$Elements
+1
+1 3 2 1 1 1 2 3 4
+$EndElements
+MSH
+expect_entry "element 1" "Mesh/File=tangled.msh"
+
+# Groups
+expect_entry "Top_B" "Contact/Slave=Botom_C"
+expect_entry "Encast" "Boundary conditions/Displacement y=Base: 0"
+expect_entry "Cylinder" "Solids/Young's modulus=Block: 70000, Cylinder: 1, X: 1"
+expect_entry "same" "Contact/Master=Bottom_C"
+expect_entry "Middle" "Probes/Probes=DY(B): displacement y, Middle; SIYY(B): stress yy, B"
+
+# Bodies that nothing holds
+expect "body 'Cylinder' against: displacement in y" "$good" \
+  --set "Contact/Slave=" --set "Contact/Master=" --set "Probes/Hertz=" \
+  --set "Contact/Excluded points=" --set "Boundary conditions/Tied y="
+expect "body 'Block' against: displacement in y" "$good" \
+  --set "Boundary conditions/Displacement y=Force: -1" \
+  --set "Boundary conditions/Force y=" \
+  --set "Contact/Slave=" --set "Contact/Master=" --set "Probes/Hertz=" \
+  --set "Contact/Excluded points=" --set "Boundary conditions/Tied y="
+
+# Output: a directory below a file can not be made, not even by root.
+touch file
+expect_entry "file" "Output/Directory=file/below"
+
+find output -type f -exec cksum {} + | sort >after
+cmp before after || {
+  echo "FAILED: results of an earlier run were touched"
+  failures=$((failures + 1))
+}
+[ "$failures" -eq 0 ]

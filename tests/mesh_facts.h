@@ -1,0 +1,102 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// What the tests of the mesh measure on a mesh, with the mappings of degree 2
+// that the program uses on quadrangles and triangles.
+
+#ifndef contact_tests_mesh_facts_h
+#define contact_tests_mesh_facts_h
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_fe.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/hp/mapping_collection.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "mesh.h"
+
+using namespace dealii;
+
+using CellIterator = Triangulation<2>::active_cell_iterator;
+
+inline bool is_triangle(const CellIterator &cell)
+{
+  return cell->reference_cell() == ReferenceCells::Triangle;
+}
+
+
+
+/// The mid-side point of a line of a cell, by the mapping of degree 2.
+inline Point<2> mid_side(const CellIterator &cell, const unsigned int line)
+{
+  static const hp::MappingCollection<2> mappings(MappingQ<2>(2),
+                                                 MappingFE<2>(
+                                                   FE_SimplexP<2>(2)));
+  const std::array<Point<2>, 4>         on_quadrangle = {
+            { Point<2>(0, .5), Point<2>(1, .5), Point<2>(.5, 0), Point<2>(.5, 1) }
+  };
+  const std::array<Point<2>, 3> on_triangle = {
+    { Point<2>(.5, 0), Point<2>(.5, .5), Point<2>(0, .5) }
+  };
+
+  return is_triangle(cell)
+           ? mappings[1].transform_unit_to_real_cell(cell, on_triangle[line])
+           : mappings[0].transform_unit_to_real_cell(cell, on_quadrangle[line]);
+}
+
+
+
+/// The area of a body, or of all; and the smallest Jacobian determinant at a
+/// quadrature point, as a fraction of the mean one of its cell.
+struct Area
+{
+  double total          = 0;
+  double least_fraction = std::numeric_limits<double>::max();
+};
+
+inline Area area(const Triangulation<2>  &triangulation,
+                 const types::material_id body = numbers::invalid_material_id)
+{
+  const MappingQ<2>    quadrangle_mapping(2);
+  const MappingFE<2>   triangle_mapping(FE_SimplexP<2>(2));
+  const FE_Q<2>        quadrangle_element(2);
+  const FE_SimplexP<2> triangle_element(2);
+  const UpdateFlags    flags = update_jacobians | update_JxW_values;
+
+  FEValues<2> on_quadrangle(quadrangle_mapping,
+                            quadrangle_element,
+                            QGauss<2>(3),
+                            flags);
+  FEValues<2> on_triangle(triangle_mapping,
+                          triangle_element,
+                          QGaussSimplex<2>(3),
+                          flags);
+
+  Area result;
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (body == numbers::invalid_material_id || cell->material_id() == body)
+      {
+        FEValues<2> &values = is_triangle(cell) ? on_triangle : on_quadrangle;
+        values.reinit(cell);
+
+        double size = 0;
+        for (const unsigned int q : values.quadrature_point_indices())
+          size += values.JxW(q);
+        const double mean = size / (is_triangle(cell) ? 0.5 : 1.);
+        for (const unsigned int q : values.quadrature_point_indices())
+          result.least_fraction =
+            std::min(result.least_fraction,
+                     values.jacobian(q).determinant() / mean);
+        result.total += size;
+      }
+  return result;
+}
+
+#endif

@@ -1,0 +1,377 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_tests_h
+#define contact_tests_h
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/sparsity_pattern.h>
+
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <random>
+
+#include "contact_interface.h"
+#include "discretization.h"
+#include "elasticity.h"
+#include "linear_solver.h"
+#include "mesh.h"
+#include "parameters.h"
+
+/**
+ * What the unit tests share: small meshes, models made by code, a plain Newton
+ * loop, and checks that print the same on every machine. What a check has
+ * measured goes to the file "measured" in the directory of the test.
+ */
+namespace Tests
+{
+  using namespace dealii;
+  using namespace Contact;
+
+  inline void check(const std::string &what, const bool holds)
+  {
+    std::cout << "  " << what << ": " << (holds ? "ok" : "FAILED") << std::endl;
+  }
+
+
+
+  /// A round-off, or an error, that has to stay below a bound.
+  inline void
+  check_small(const std::string &what, const double value, const double bound)
+  {
+    static std::ofstream measured("measured");
+    measured << what << ": " << value << " < " << bound << std::endl;
+
+    std::cout << "  " << what << " < " << bound << ": ";
+    if (value < bound)
+      std::cout << "ok" << std::endl;
+    else
+      std::cout << "FAILED, it is " << value << std::endl;
+  }
+
+
+
+  inline void headline(const std::string &text)
+  {
+    std::cout << text << std::endl;
+  }
+
+
+
+  /// Reproducible numbers, evenly distributed.
+  class Random
+  {
+  public:
+    double operator()(const double low, const double high)
+    {
+      return low + (high - low) * (engine() / 4294967296.);
+    }
+
+  private:
+    std::mt19937 engine{ 5489 };
+  };
+
+
+
+  inline Tensor<2, 2> rotation(const double angle)
+  {
+    Tensor<2, 2> R;
+    R[0][0] = R[1][1] = std::cos(angle);
+    R[1][0]           = std::sin(angle);
+    R[0][1]           = -R[1][0];
+    return R;
+  }
+
+
+
+  /// A place in the plane for every place in the unit square.
+  using Chart = std::function<Point<2>(const double s, const double t)>;
+
+  inline Chart rectangle(const Point<2> &low, const Point<2> &high)
+  {
+    return [=](const double s, const double t) {
+      return Point<2>(low[0] + s * (high[0] - low[0]),
+                      low[1] + t * (high[1] - low[1]));
+    };
+  }
+
+
+
+  /// A mesh made of blocks, written as a gmsh file.
+  class MeshText
+  {
+  public:
+    using Choice = std::function<bool(unsigned int i, unsigned int j)>;
+
+    /**
+     * The body @p name of @p nx times @p ny quadrangles; the ones that @p split
+     * chooses are cut into two triangles. Its sides are the groups "NAME
+     * bottom", "right", "top" and "left", its corners the groups "NAME bottom
+     * left" and so on.
+     */
+    void block(const std::string &name,
+               const unsigned int nx,
+               const unsigned int ny,
+               const Chart       &chart,
+               const Choice      &split = {})
+    {
+      const unsigned int first = nodes.size() + 1;
+      for (unsigned int j = 0; j <= ny; ++j)
+        for (unsigned int i = 0; i <= nx; ++i)
+          nodes.push_back(chart(1. * i / nx, 1. * j / ny));
+      const auto node = [=](const unsigned int i, const unsigned int j) {
+        return first + j * (nx + 1) + i;
+      };
+
+      for (unsigned int j = 0; j < ny; ++j)
+        for (unsigned int i = 0; i < nx; ++i)
+          {
+            const unsigned int a = node(i, j), b = node(i + 1, j);
+            const unsigned int c = node(i + 1, j + 1), d = node(i, j + 1);
+            if (split && split(i, j))
+              {
+                add(2, name, { a, b, c });
+                add(2, name, { a, c, d });
+              }
+            else
+              add(2, name, { a, b, c, d });
+          }
+      for (unsigned int i = 0; i < nx; ++i)
+        {
+          add(1, name + " bottom", { node(i, 0), node(i + 1, 0) });
+          add(1, name + " top", { node(i, ny), node(i + 1, ny) });
+        }
+      for (unsigned int j = 0; j < ny; ++j)
+        {
+          add(1, name + " left", { node(0, j), node(0, j + 1) });
+          add(1, name + " right", { node(nx, j), node(nx, j + 1) });
+        }
+      add(0, name + " bottom left", { node(0, 0) });
+      add(0, name + " bottom right", { node(nx, 0) });
+      add(0, name + " top left", { node(0, ny) });
+      add(0, name + " top right", { node(nx, ny) });
+    }
+
+    void write(const std::string &file) const
+    {
+      std::ofstream out(file);
+      out.precision(17);
+      out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n"
+          << groups.size() << '\n';
+      for (const auto &[group, tag] : groups)
+        out << group.first << ' ' << tag << " \"" << group.second << "\"\n";
+      out << "$EndPhysicalNames\n$Nodes\n" << nodes.size() << '\n';
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        out << i + 1 << ' ' << nodes[i] << " 0\n";
+      out << "$EndNodes\n$Elements\n" << elements.size() << '\n';
+      for (unsigned int i = 0; i < elements.size(); ++i)
+        out << i + 1 << ' ' << elements[i] << '\n';
+      out << "$EndElements\n";
+    }
+
+  private:
+    void add(const unsigned int               dimension,
+             const std::string               &group,
+             const std::vector<unsigned int> &corners)
+    {
+      // gmsh's numbers of a point, a line, a triangle and a quadrangle.
+      const std::array<unsigned int, 5> types{ { 0, 15, 1, 2, 3 } };
+
+      const auto tag =
+        groups.emplace(std::make_pair(dimension, group), groups.size() + 1)
+          .first->second;
+      std::string text = std::to_string(types[corners.size()]) + " 2 " +
+                         std::to_string(tag) + " 1";
+      for (const unsigned int corner : corners)
+        text += ' ' + std::to_string(corner);
+      elements.push_back(text);
+    }
+
+    std::vector<Point<2>>                                     nodes;
+    std::map<std::pair<unsigned int, std::string>, unsigned int> groups;
+    std::vector<std::string>                                  elements;
+  };
+
+
+
+  /// Parameters of a mesh with the bodies @p names, all of the same material.
+  inline Parameters::All
+  make_parameters(const MeshText                 &mesh,
+                  const std::vector<std::string> &names,
+                  const unsigned int              degree,
+                  const std::string              &kinematics,
+                  const double                    young   = 1000,
+                  const double                    poisson = 0.3)
+  {
+    mesh.write("test.msh");
+
+    Parameters::All parameters;
+    parameters.mesh.file         = "test.msh";
+    parameters.element.degree    = degree;
+    parameters.solids.kinematics = kinematics;
+    for (const std::string &name : names)
+      {
+        parameters.solids.young[name]   = young;
+        parameters.solids.poisson[name] = poisson;
+      }
+    return parameters;
+  }
+
+
+
+  /// The bodies of a case.
+  struct Bodies
+  {
+    explicit Bodies(const Parameters::All &parameters)
+      : mesh(parameters.mesh)
+      , discretization(mesh, parameters)
+      , elasticity(Elasticity::create(discretization, parameters.solids))
+    {
+    }
+
+    unsigned int n_dofs() const
+    {
+      return discretization.dof_handler.n_dofs();
+    }
+
+    Surface surface(const std::string &name) const
+    {
+      return Surface(discretization, mesh.boundary(name, "test"), name);
+    }
+
+    /// The reference position of every unknown.
+    std::vector<Point<2>> support_points() const
+    {
+      std::vector<Point<2>> points(n_dofs());
+      DoFTools::map_dofs_to_support_points(discretization.mapping,
+                                           discretization.dof_handler,
+                                           points);
+      return points;
+    }
+
+    /// The component of the displacement that every unknown is.
+    std::vector<unsigned int> components() const
+    {
+      std::vector<unsigned int> components(n_dofs());
+      for (unsigned int c = 0; c < 2; ++c)
+        {
+          ComponentMask mask(2, false);
+          mask.set(c, true);
+          for (const auto dof :
+               DoFTools::extract_dofs(discretization.dof_handler, mask))
+            components[dof] = c;
+        }
+      return components;
+    }
+
+    /// The displacement that takes every node from X to @p position(X).
+    Vector<double> displacement(
+      const std::function<Point<2>(const Point<2> &)> &position) const
+    {
+      const auto     X = support_points();
+      const auto     c = components();
+      Vector<double> u(n_dofs());
+      for (unsigned int i = 0; i < n_dofs(); ++i)
+        u[i] = position(X[i])[c[i]] - X[i][c[i]];
+      return u;
+    }
+
+    const Mesh                  mesh;
+    Discretization              discretization;
+    std::unique_ptr<Elasticity> elasticity;
+  };
+
+
+
+  /// Two bodies in contact.
+  struct ContactModel : public Bodies
+  {
+    explicit ContactModel(const Parameters::All &parameters)
+      : Bodies(parameters)
+      , interface(discretization, *elasticity, parameters.contact)
+      , solution(n_dofs() + interface.n_multipliers())
+      , start(solution)
+    {
+    }
+
+    /**
+     * Pair, and make the matrix.
+     */
+    void pair()
+    {
+      if (!interface.pair(solution))
+        return;
+      const unsigned int     n = solution.size();
+      DynamicSparsityPattern couplings(n, n);
+      elasticity->add_couplings(couplings);
+      interface.add_couplings(couplings);
+      for (unsigned int i = 0; i < n; ++i)
+        couplings.add(i, i);
+      pattern.copy_from(couplings);
+      matrix.reinit(pattern);
+      solver.initialize(pattern);
+    }
+
+    /**
+     * One increment by Newton's method with the bound of the friction moving;
+     * with the geometry moving, too, or the pairing of the start kept. Returns
+     * the number of iterations, or 0 if there is no convergence.
+     */
+    unsigned int solve(const double load_factor, const bool moving_geometry)
+    {
+      start = solution;
+      discretization.constrain_update(solution, load_factor);
+      pair();
+      interface.initialize_status(solution, 1e-2);
+
+      Vector<double> rhs(solution.size());
+      for (unsigned int iteration = 0; iteration < 60; ++iteration)
+        {
+          if (moving_geometry)
+            pair();
+          const unsigned int n_changes =
+            iteration == 0 ? 1 :
+                             interface.update_status(solution, start, true);
+          matrix = 0;
+          rhs    = 0;
+          elasticity->assemble(solution, load_factor, matrix, rhs);
+          interface.assemble(
+            solution, start, { moving_geometry, true }, matrix, rhs);
+          for (unsigned int i = 0; i < n_dofs(); ++i)
+            if (discretization.constraints.is_constrained(i))
+              {
+                matrix.diag_element(i) = 1;
+                rhs[i]                 = 0;
+              }
+
+          const double scale =
+            elasticity->forces(solution, load_factor).linfty_norm();
+          if (n_changes == 0 && rhs.linfty_norm() < 1e-12 * scale)
+            return iteration;
+
+          solver.factorize(matrix);
+          solver.solve(rhs);
+          discretization.constraints.distribute(rhs);
+          solution += rhs;
+          discretization.constrain_update(solution, load_factor);
+        }
+      return 0;
+    }
+
+    ContactInterface interface;
+    Vector<double>   solution, start;
+
+    SparsityPattern      pattern;
+    SparseMatrix<double> matrix;
+    DirectSolver         solver;
+  };
+} // namespace Tests
+
+#endif
