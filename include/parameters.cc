@@ -411,8 +411,9 @@ namespace Contact
       prm.add_parameter(
         "Geometry tolerance",
         geometry_tolerance,
-        "Change of the displacements in one turn of the "
-        "geometry loop, relative to the displacements [-]; > 0.");
+        "Largest change of a displacement in one turn of the geometry loop, "
+        "relative to the largest displacement of the increment before that "
+        "turn [-]; > 0. The first turn is never accepted.");
       prm.add_parameter("Max geometry iterations",
                         max_geometry_iterations,
                         "Turns of the geometry loop before giving up [-].",
@@ -426,16 +427,16 @@ namespace Contact
       prm.add_parameter(
         "Friction tolerance",
         friction_tolerance,
-        "Change of the displacements in one turn of the "
-        "friction loop, relative to the displacements [-]; > 0.");
+        "Largest change of a bound of the shear traction in one turn of the "
+        "friction loop, relative to the largest bound [-]; > 0.");
       prm.add_parameter("Max friction iterations",
                         max_friction_iterations,
                         "Turns of the friction loop before giving up [-].",
                         at_least_one);
       prm.add_parameter("Newton tolerance",
                         newton_tolerance,
-                        "Residual of equilibrium, relative to the forces "
-                        "[-]; > 0.");
+                        "Residual of equilibrium and of the contact "
+                        "constraints, relative to the load [-]; > 0.");
       prm.add_parameter("Max Newton iterations",
                         max_newton_iterations,
                         "Newton iterations before giving up [-].",

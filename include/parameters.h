@@ -160,7 +160,7 @@ namespace Contact
       double       friction_tolerance      = 1e-10;
       unsigned int max_friction_iterations = 60;
 
-      double       newton_tolerance      = 1e-10;
+      double       newton_tolerance      = 1e-8;
       unsigned int max_newton_iterations = 40;
 
       void add_parameters(ParameterHandler &prm);

@@ -59,7 +59,8 @@ namespace Contact
         along = { nodes[0], nodes[2], nodes[1] };
 
       DataOutBase::Patch<1, 2> patch;
-      patch.vertices             = { { rows[nodes[0]].X, rows[nodes[1]].X } };
+      patch.vertices[0]          = rows[nodes[0]].X;
+      patch.vertices[1]          = rows[nodes[1]].X;
       patch.patch_index          = e;
       patch.n_subdivisions       = slave.degree;
       patch.points_are_available = true;
