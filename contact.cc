@@ -100,10 +100,17 @@ namespace Contact
     void   solve_increment(const unsigned int k);
     void   solve_with_geometry_loop();
     void   solve_with_friction_loop();
-    void   solve_newton(const bool keep_factorization);
+    void   solve_newton();
+    void   print_step(const unsigned int step,
+                      const double       residual,
+                      const unsigned int n_changes);
     void   pair_bodies();
-    double assemble_system();
-    void   solve_linear_system(const bool keep_factorization);
+    double assemble_residual();
+    double residual_norm() const;
+    void   assemble_and_factorize();
+    bool   factorization_serves(const double residual,
+                                const double last_residual) const;
+    void   update_solution();
     void   output_increment(const unsigned int k);
     void   probe(const std::vector<SymmetricTensor<2, 3>> &vertex_stresses);
     void   finish();
@@ -135,15 +142,14 @@ namespace Contact
     Vector<double>       system_rhs;
     DirectSolver         solver;
 
-    // Whether the factorization belongs to the present pairing and decisions.
-    bool factorization_is_current = false;
+    // The decisions of the points under which the matrix was factorized.
+    std::vector<signed char> factorized_decisions;
 
     // The state now, and at the start of the increment.
     Vector<double> solution;
     Vector<double> start;
     double         load_factor     = 0;
     double         reference_force = 0;
-    bool           is_first_step   = true;
 
     ContactInterface::Linearization linearization{};
   };
@@ -355,8 +361,7 @@ namespace Contact
   //
   // Coulomb's friction as a fixed point over Tresca's: solve with frozen bounds
   // of the shear traction, update the bounds from the pressures, until they
-  // stay. Between two such problems little changes, so the factorization is
-  // kept as long as it serves.
+  // stay.
   void ContactProblem::solve_with_friction_loop()
   {
     if (!has_friction() || linearization.moving_bound ||
@@ -364,7 +369,7 @@ namespace Contact
       {
         if (has_friction())
           interface->update_bounds(solution, start);
-        solve_newton(/*keep_factorization=*/false);
+        solve_newton();
         return;
       }
 
@@ -374,7 +379,7 @@ namespace Contact
          ++turn)
       {
         ++summary.increments.back().friction_iterations;
-        solve_newton(/*keep_factorization=*/turn > 1);
+        solve_newton();
         change = interface->update_bounds(solution, start);
         screen << "    friction, turn " << turn << ": change of the bound "
                << change << std::endl;
@@ -394,61 +399,73 @@ namespace Contact
   // Newton's method on displacements, multipliers and decisions together. It
   // has converged when no point changes its mind and the residual, forces and
   // constraints, is small against the forces.
-  void ContactProblem::solve_newton(const bool keep_factorization)
+  //
+  // In the loops around it, from turn to turn little changes, and a
+  // factorization may serve for several steps. It is kept while it reduces the
+  // residual well, and as long as the decisions are those it was made under.
+  void ContactProblem::solve_newton()
   {
-    IncrementRecord &record = summary.increments.back();
+    const Parameters::Solution &limits = parameters.solution;
 
     std::vector<signed char> last_decisions;
     double                   last_residual = std::numeric_limits<double>::max();
-    for (unsigned int step = 0;
-         step <= parameters.solution.max_newton_iterations;
-         ++step)
+    for (unsigned int step = 0;; ++step)
       {
         if (interface && linearization.moving_geometry)
           pair_bodies();
 
-        // Before the very first step there are no multipliers to judge by: the
-        // decisions are those from the initial gaps.
+        // After a step the points decide anew. Before the first one they only
+        // would: what has changed outside, load, pairing or bounds, is not in
+        // their tractions yet, and the search of the active set comes first.
         unsigned int n_changes = 0;
         if (interface)
-          last_decisions = interface->signature();
-        if (interface && !is_first_step)
-          n_changes = interface->update_status(solution,
-                                               start,
-                                               linearization.moving_bound);
-        if (n_changes > 0)
-          factorization_is_current = false;
-
-        const double residual = assemble_system();
-        screen << "    Newton " << std::setw(2) << step << "  residual "
-               << std::scientific << std::setprecision(3) << residual
-               << std::defaultfloat << std::setprecision(6);
-        if (interface)
           {
-            const StatusCount count = interface->count();
-            screen << "  active " << count.active << "  stick " << count.stick
-                   << "  changes " << n_changes;
+            last_decisions = interface->signature();
+            n_changes      = interface->decide_all(solution,
+                                              start,
+                                              linearization.moving_bound,
+                                              /*keep=*/step > 0);
           }
-        screen << std::endl;
 
+        const double residual = assemble_residual();
+        print_step(step, residual, n_changes);
         if (!std::isfinite(residual))
           throw NotConverged("the residual is not a number in Newton step " +
                              std::to_string(step));
-        if (!is_first_step && n_changes == 0 &&
-            residual <= parameters.solution.newton_tolerance)
+        if (n_changes == 0 && !discretization->update_is_prescribed() &&
+            residual <= limits.newton_tolerance)
           return;
-        if (step == parameters.solution.max_newton_iterations)
+        if (step == limits.max_newton_iterations)
           throw NotConverged("Newton's method ends with the residual " +
                              std::to_string(residual) + " after " +
                              std::to_string(step) + " steps" +
                              chattering_points(last_decisions));
 
-        solve_linear_system(keep_factorization &&
-                            residual < 0.1 * last_residual);
+        if (!factorization_serves(residual, last_residual))
+          assemble_and_factorize();
+        update_solution();
+
         last_residual = residual;
-        is_first_step = false;
-        ++record.newton_iterations;
+        ++summary.increments.back().newton_iterations;
       }
+  }
+
+
+
+  void ContactProblem::print_step(const unsigned int step,
+                                  const double       residual,
+                                  const unsigned int n_changes)
+  {
+    screen << "    Newton " << std::setw(2) << step << "  residual "
+           << std::scientific << std::setprecision(3) << residual
+           << std::defaultfloat << std::setprecision(6);
+    if (interface)
+      {
+        const StatusCount count = interface->count();
+        screen << "  active " << count.active << "  stick " << count.stick
+               << "  changes " << n_changes;
+      }
+    screen << std::endl;
   }
 
 
@@ -461,9 +478,8 @@ namespace Contact
   {
     TimerOutput::Scope scope(timer, "search");
 
-    factorization_is_current = false;
-    const bool is_new        = sparsity_pattern.empty();
-    const bool changed       = interface && interface->pair(solution);
+    const bool is_new  = sparsity_pattern.empty();
+    const bool changed = interface && interface->pair(solution);
     if (!is_new && !changed)
       return;
 
@@ -481,53 +497,90 @@ namespace Contact
 
 
 
-  // @sect4{ContactProblem::assemble_system}
+  // @sect4{ContactProblem::assemble_residual}
   //
-  // Returns the residual relative to the forces: to the load, or where
-  // displacements are prescribed, to the forces that they ask for.
-  double ContactProblem::assemble_system()
+  // Returns the norm of the residual relative to the load, or where there is
+  // none, to the forces that the first prescribed displacements ask for.
+  double ContactProblem::assemble_residual()
   {
-    TimerOutput::Scope scope(timer, "assembly");
+    TimerOutput::Scope scope(timer, "residual");
 
-    system_matrix = 0;
-    system_rhs    = 0;
-    elasticity->assemble(solution, load_factor, system_matrix, system_rhs);
+    system_rhs = 0;
+    elasticity->assemble(solution, load_factor, system_rhs, nullptr);
     if (interface)
-      interface->assemble(solution,
-                          start,
-                          linearization,
-                          system_matrix,
-                          system_rhs);
+      interface->assemble(solution, start, linearization, system_rhs, nullptr);
 
-    // Unknowns that are not free keep a row of their own, and their update
-    // comes from the constraints afterwards.
-    for (unsigned int i = 0; i < discretization->dof_handler.n_dofs(); ++i)
-      if (discretization->constraints.is_constrained(i))
-        {
-          system_matrix.diag_element(i) = 1;
-          system_rhs[i]                 = 0;
-        }
-
-    double square =
-      interface ? std::pow(interface->constraint_norm(system_rhs), 2) : 0.;
-    for (unsigned int i = 0; i < discretization->dof_handler.n_dofs(); ++i)
-      square += system_rhs[i] * system_rhs[i];
-    if (reference_force == 0)
-      reference_force = std::sqrt(square);
-    return reference_force > 0 ? std::sqrt(square) / reference_force : 0.;
+    const double norm = residual_norm();
+    return reference_force > 0 ? norm / reference_force : norm;
   }
 
 
 
-  // @sect4{ContactProblem::solve_linear_system}
-  void ContactProblem::solve_linear_system(const bool keep_factorization)
+  double ContactProblem::residual_norm() const
   {
-    if (!(keep_factorization && factorization_is_current))
-      {
-        TimerOutput::Scope scope(timer, "factorization");
-        solver.factorize(system_matrix);
-        factorization_is_current = true;
-      }
+    double square =
+      interface ? std::pow(interface->constraint_norm(system_rhs), 2) : 0.;
+    for (unsigned int i = 0; i < discretization->dof_handler.n_dofs(); ++i)
+      square += system_rhs[i] * system_rhs[i];
+    return std::sqrt(square);
+  }
+
+
+
+  // @sect4{ContactProblem::assemble_and_factorize}
+  //
+  // The right-hand side is assembled anew with the matrix, because prescribed
+  // displacements enter it through the matrix.
+  void ContactProblem::assemble_and_factorize()
+  {
+    {
+      TimerOutput::Scope scope(timer, "assembly");
+      system_matrix = 0;
+      system_rhs    = 0;
+      elasticity->assemble(solution, load_factor, system_rhs, &system_matrix);
+      if (interface)
+        interface->assemble(solution,
+                            start,
+                            linearization,
+                            system_rhs,
+                            &system_matrix);
+
+      // Unknowns that are not free keep a row of their own, and get their
+      // update from the constraints afterwards.
+      for (unsigned int i = 0; i < discretization->dof_handler.n_dofs(); ++i)
+        if (discretization->constraints.is_constrained(i))
+          {
+            system_matrix.diag_element(i) = 1;
+            system_rhs[i]                 = 0;
+          }
+      if (reference_force == 0)
+        reference_force = residual_norm();
+    }
+
+    TimerOutput::Scope scope(timer, "factorization");
+    solver.factorize(system_matrix);
+    if (interface)
+      factorized_decisions = interface->signature();
+  }
+
+
+
+  // Newton's method with moving geometry is left as it is: it is there for its
+  // quadratic convergence.
+  bool ContactProblem::factorization_serves(const double residual,
+                                            const double last_residual) const
+  {
+    return interface && !linearization.moving_geometry &&
+           solver.is_factorized() && !discretization->update_is_prescribed() &&
+           factorized_decisions == interface->signature() &&
+           residual < 0.1 * last_residual;
+  }
+
+
+
+  // @sect4{ContactProblem::update_solution}
+  void ContactProblem::update_solution()
+  {
     {
       TimerOutput::Scope scope(timer, "solution");
       solver.solve(system_rhs);
@@ -660,11 +713,12 @@ namespace Contact
     const auto &solids = parameters.solids;
     const auto  slave  = mesh->body_name(interface->slave.edges[0].body);
     const auto  master = mesh->body_name(interface->master.edges[0].body);
-    return HertzLineContact{
-      parameters.probes.hertz[0], parameters.probes.hertz[1],
-      solids.young.at(slave),     solids.poisson.at(slave),
-      solids.young.at(master),    solids.poisson.at(master)
-    };
+    return HertzLineContact{parameters.probes.hertz[0],
+                            parameters.probes.hertz[1],
+                            solids.young.at(slave),
+                            solids.poisson.at(slave),
+                            solids.young.at(master),
+                            solids.poisson.at(master)};
   }
 
 
@@ -675,7 +729,7 @@ namespace Contact
   {
     if (!interface)
       return "";
-    const std::array<std::string, 3> names{ { "open", "stick", "slip" } };
+    const std::array<std::string, 3> names{{"open", "stick", "slip"}};
     std::ostringstream               text;
     for (unsigned int q = 0; q < decisions.size(); ++q)
       {

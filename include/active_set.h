@@ -45,7 +45,7 @@ namespace Contact
     /**
      * Given the Newton @p update under the present decisions at @p solution,
      * constraints distributed, make it the update of the linearised problem.
-     * The decisions in the points stay: ContactInterface::update_status()
+     * The decisions in the points stay: ContactInterface::decide_all()
      * makes the new ones after the step. Returns the number of rounds.
      */
     unsigned int correct(const Vector<double> &solution,

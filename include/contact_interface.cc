@@ -27,7 +27,7 @@ namespace Contact
   ContactInterface::ContactInterface(const Discretization      &discretization,
                                      const Elasticity          &elasticity,
                                      const Parameters::Contact &parameters)
-    : law{ parameters.tresca_limit, parameters.friction_coefficient }
+    : law{parameters.tresca_limit, parameters.friction_coefficient}
     , slave(discretization,
             discretization.mesh.boundary(parameters.slave, "Contact/Slave"),
             parameters.slave)
@@ -197,14 +197,14 @@ namespace Contact
                                     const bool          moving_bound) const
   {
     if (!point.facing || p_trial <= 0)
-      return { Status::open, 0 };
+      return {Status::open, 0};
     if (!can_stick(point))
-      return { Status::slip, 0 };
+      return {Status::slip, 0};
 
     const double bound = moving_bound ? law.bound(p_trial) : point.tresca_bound;
     if (std::abs(q_trial) <= bound)
-      return { Status::stick, 0 };
-    return { Status::slip, q_trial > 0 ? 1 : -1 };
+      return {Status::stick, 0};
+    return {Status::slip, q_trial > 0 ? 1 : -1};
   }
 
 
@@ -239,9 +239,10 @@ namespace Contact
 
 
 
-  unsigned int ContactInterface::update_status(const Vector<double> &solution,
-                                               const Vector<double> &u_start,
-                                               const bool moving_bound)
+  unsigned int ContactInterface::decide_all(const Vector<double> &solution,
+                                            const Vector<double> &u_start,
+                                            const bool            moving_bound,
+                                            const bool            keep)
   {
     unsigned int n_changes = 0;
     for (ContactPoint &point : points)
@@ -250,7 +251,8 @@ namespace Contact
         const Decision     decision =
           decide(point, now.p_trial, now.q_trial, moving_bound);
         n_changes += !(decision == point.decision);
-        point.decision = decision;
+        if (keep)
+          point.decision = decision;
       }
     return n_changes;
   }
@@ -401,8 +403,7 @@ namespace Contact
     collect_unknowns(point, rows.unknowns);
     const unsigned int n_u = 2 * point.n_nodes;
     const unsigned int n_m = point.n_multipliers;
-    for (auto *row :
-         { &rows.p_trial, &rows.q_trial, &rows.load_p, &rows.load_q })
+    for (auto *row : {&rows.p_trial, &rows.q_trial, &rows.load_p, &rows.load_q})
       row->reinit(rows.unknowns.size());
 
     const double c = point.complementarity;
@@ -502,12 +503,13 @@ namespace Contact
   void ContactInterface::assemble(const Vector<double> &solution,
                                   const Vector<double> &u_start,
                                   const Linearization  &linearization,
-                                  SparseMatrix<double> &matrix,
-                                  Vector<double>       &rhs) const
+                                  Vector<double>       &rhs,
+                                  SparseMatrix<double> *matrix) const
   {
+    const auto        &constraints = discretization.constraints;
     Rows               rows;
     FullMatrix<double> local_matrix;
-    Vector<double>     local_residual;
+    Vector<double>     local_rhs;
     for (const ContactPoint &point : points)
       {
         assemble_point(point,
@@ -516,13 +518,16 @@ namespace Contact
                        linearization,
                        rows,
                        local_matrix,
-                       local_residual);
-        local_residual *= -1;
-        discretization.constraints.distribute_local_to_global(local_matrix,
-                                                              local_residual,
-                                                              rows.unknowns,
-                                                              matrix,
-                                                              rhs);
+                       local_rhs);
+        local_rhs *= -1;
+        if (matrix == nullptr)
+          constraints.distribute_local_to_global(local_rhs, rows.unknowns, rhs);
+        else
+          constraints.distribute_local_to_global(local_matrix,
+                                                 local_rhs,
+                                                 rows.unknowns,
+                                                 *matrix,
+                                                 rhs);
       }
   }
 } // namespace Contact

@@ -104,10 +104,12 @@ namespace Contact
     double update_bounds(const Vector<double> &solution,
                          const Vector<double> &u_start);
 
-    /// Set the status of all points from the state; return how many changed.
-    unsigned int update_status(const Vector<double> &solution,
-                               const Vector<double> &u_start,
-                               const bool            moving_bound);
+    /// Let all points decide in the present state. Returns how many change
+    /// their mind; with @p keep their new decisions are theirs from now on.
+    unsigned int decide_all(const Vector<double> &solution,
+                            const Vector<double> &u_start,
+                            const bool            moving_bound,
+                            const bool            keep);
 
     StatusCount count() const;
 
@@ -134,12 +136,13 @@ namespace Contact
       bool moving_bound;
     };
 
-    /// Add the tangent and minus the residual, constraints eliminated.
+    /// Add minus the residual to @p rhs and, unless @p matrix is null, the
+    /// tangent to it; constraints eliminated.
     void assemble(const Vector<double> &solution,
                   const Vector<double> &u_start,
                   const Linearization  &linearization,
-                  SparseMatrix<double> &matrix,
-                  Vector<double>       &rhs) const;
+                  Vector<double>       &rhs,
+                  SparseMatrix<double> *matrix) const;
 
     /**
      * The rows of a point over its unknowns: derivatives of the trial values

@@ -64,6 +64,12 @@ namespace Contact
      */
     void constrain_update(const Vector<double> &u, const double load_factor);
 
+    /// Whether the next update moves a supported unknown.
+    bool update_is_prescribed() const
+    {
+      return !updates_vanish;
+    }
+
     /// Whether a support fixes this unknown.
     bool is_fixed(const types::global_dof_index dof) const;
 

@@ -28,8 +28,8 @@ namespace Contact
 
       void assemble(const Vector<double> &u,
                     const double          load_factor,
-                    SparseMatrix<double> &matrix,
-                    Vector<double>       &rhs) const override;
+                    Vector<double>       &rhs,
+                    SparseMatrix<double> *matrix) const override;
 
       Vector<double> forces(const Vector<double> &u,
                             const double          load_factor) const override;
@@ -105,9 +105,9 @@ namespace Contact
           for (unsigned int a = 0; a < n; ++a)
             for (unsigned int i = 0; i < 2; ++i)
               {
-                B[a][i] = { { F[i][0] * N[a][0],
-                              F[i][1] * N[a][1],
-                              F[i][0] * N[a][1] + F[i][1] * N[a][0] } };
+                B[a][i] = {{F[i][0] * N[a][0],
+                            F[i][1] * N[a][1],
+                            F[i][0] * N[a][1] + F[i][1] * N[a][0]}};
                 residual[2 * a + i] +=
                   JxW * (B[a][i][0] * S[0][0] + B[a][i][1] * S[1][1] +
                          B[a][i][2] * S[0][1]);
@@ -120,9 +120,9 @@ namespace Contact
                 for (unsigned int i = 0; i < 2; ++i)
                   {
                     const double tr = lambda * (B[a][i][0] + B[a][i][1]);
-                    DB[i]           = { { JxW * (tr + 2 * mu * B[a][i][0]),
-                                          JxW * (tr + 2 * mu * B[a][i][1]),
-                                          JxW * mu * B[a][i][2] } };
+                    DB[i]           = {{JxW * (tr + 2 * mu * B[a][i][0]),
+                                        JxW * (tr + 2 * mu * B[a][i][1]),
+                                        JxW * mu * B[a][i][2]}};
                   }
                 const Tensor<1, 2> SN = JxW * (S * N[a]);
                 for (unsigned int b = a; b < n; ++b)
@@ -153,22 +153,32 @@ namespace Contact
     template<class Kinematics>
     void Solid<Kinematics>::assemble(const Vector<double> &u,
                                      const double          load_factor,
-                                     SparseMatrix<double> &matrix,
-                                     Vector<double>       &rhs) const
+                                     Vector<double>       &rhs,
+                                     SparseMatrix<double> *matrix) const
     {
+      const auto        &constraints = discretization.constraints;
       FullMatrix<double> cell_matrix;
-      Vector<double>     cell_residual;
+      Vector<double>     cell_rhs;
       for (const Cell &cell : cells)
         {
-          cell_matrix.reinit(cell.dofs.size(), cell.dofs.size());
-          cell_residual.reinit(cell.dofs.size());
-          assemble_cell<true>(cell, u, cell_matrix, cell_residual);
-          cell_residual *= -1;
-          discretization.constraints.distribute_local_to_global(cell_matrix,
-                                                                cell_residual,
-                                                                cell.dofs,
-                                                                matrix,
-                                                                rhs);
+          cell_rhs.reinit(cell.dofs.size());
+          if (matrix == nullptr)
+            {
+              assemble_cell<false>(cell, u, cell_matrix, cell_rhs);
+              cell_rhs *= -1;
+              constraints.distribute_local_to_global(cell_rhs, cell.dofs, rhs);
+            }
+          else
+            {
+              cell_matrix.reinit(cell.dofs.size(), cell.dofs.size());
+              assemble_cell<true>(cell, u, cell_matrix, cell_rhs);
+              cell_rhs *= -1;
+              constraints.distribute_local_to_global(cell_matrix,
+                                                     cell_rhs,
+                                                     cell.dofs,
+                                                     *matrix,
+                                                     rhs);
+            }
         }
 
       for (unsigned int i = 0; i < discretization.dead_load.size(); ++i)

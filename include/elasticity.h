@@ -43,13 +43,14 @@ namespace Contact
     void add_couplings(DynamicSparsityPattern &pattern) const;
 
     /**
-     * Add the tangent to @p matrix and minus the residual (@p load_factor times
-     * dead forces minus internal forces) to @p rhs, constraints eliminated.
+     * Add minus the residual (@p load_factor times dead forces minus internal
+     * forces) to @p rhs and, unless @p matrix is null, the tangent to it;
+     * constraints eliminated.
      */
     virtual void assemble(const Vector<double> &u,
                           const double          load_factor,
-                          SparseMatrix<double> &matrix,
-                          Vector<double>       &rhs) const = 0;
+                          Vector<double>       &rhs,
+                          SparseMatrix<double> *matrix) const = 0;
 
     /**
      * The forces on all nodes, unconstrained: internal minus load. Where a

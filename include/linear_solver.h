@@ -30,6 +30,12 @@ namespace Contact
     /// Throws NotConverged if the matrix is singular.
     void factorize(const SparseMatrix<double> &matrix);
 
+    /// Whether there is a factorization, and of the announced pattern.
+    bool is_factorized() const
+    {
+      return numeric != nullptr;
+    }
+
     /// Replace the right-hand side @p b by the solution.
     void solve(Vector<double> &b) const;
 
@@ -42,8 +48,8 @@ namespace Contact
     std::vector<unsigned int> positions;
     std::vector<double>       values;
 
-    Handle symbolic{ nullptr, nullptr };
-    Handle numeric{ nullptr, nullptr };
+    Handle symbolic{nullptr, nullptr};
+    Handle numeric{nullptr, nullptr};
   };
 } // namespace Contact
 

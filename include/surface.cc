@@ -18,15 +18,15 @@ namespace Contact
   {
     if (degree == 1)
       {
-        value  = { { (1 - xi) / 2, (1 + xi) / 2, 0 } };
-        first  = { { -0.5, 0.5, 0 } };
-        second = { { 0, 0, 0 } };
+        value  = {{(1 - xi) / 2, (1 + xi) / 2, 0}};
+        first  = {{-0.5, 0.5, 0}};
+        second = {{0, 0, 0}};
       }
     else
       {
-        value  = { { xi * (xi - 1) / 2, xi * (xi + 1) / 2, 1 - xi * xi } };
-        first  = { { xi - 0.5, xi + 0.5, -2 * xi } };
-        second = { { 1, 1, -2 } };
+        value  = {{xi * (xi - 1) / 2, xi * (xi + 1) / 2, 1 - xi * xi}};
+        first  = {{xi - 0.5, xi + 0.5, -2 * xi}};
+        second = {{1, 1, -2}};
       }
   }
 
@@ -70,7 +70,7 @@ namespace Contact
           dofs.resize(fe.n_dofs_per_face(f));
           face->get_dof_indices(dofs, cell->active_fe_index());
 
-          Edge edge{ { { 0, 0, 0 } }, cell->material_id(), false, false };
+          Edge edge{{{0, 0, 0}}, cell->material_id(), false, false};
           for (unsigned int k = 0; k < dofs.size(); ++k)
             {
               const auto [c, a] = fe.face_system_to_component_index(k, f);
@@ -78,8 +78,7 @@ namespace Contact
                 {
                   const auto found = node_of_dof.emplace(dofs[k], nodes.size());
                   if (found.second)
-                    nodes.push_back(
-                      { { { dofs[k], 0 } }, support_points[dofs[k]] });
+                    nodes.push_back({{{dofs[k], 0}}, support_points[dofs[k]]});
                   edge.nodes[a] = found.first->second;
                 }
             }
@@ -145,9 +144,9 @@ namespace Contact
     for (Edge &edge : edges)
       {
         // Along the edge: first, (middle,) last.
-        std::vector<unsigned int> along{ 0, 1 };
+        std::vector<unsigned int> along{0, 1};
         if (degree == 2)
-          along = { 0, 2, 1 };
+          along = {0, 2, 1};
         for (const unsigned int a : along)
           {
             unsigned int &node = edge.nodes[a];
@@ -204,7 +203,7 @@ namespace Contact
     for (unsigned int e = 0; e < surface.edges.size(); ++e)
       {
         const auto            x = edge_positions(e);
-        std::vector<Point<2>> hull{ x[0], x[1] };
+        std::vector<Point<2>> hull{x[0], x[1]};
         // A parabola stays within the triangle of its ends and the point
         // where its end tangents meet.
         if (surface.degree == 2)
@@ -232,7 +231,7 @@ namespace Contact
   {
     namespace bgi = boost::geometry::index;
 
-    Projection best{};
+    Projection best{0, 0, false, false};
     double     best_distance = std::numeric_limits<double>::max();
     for (auto entry = tree.qbegin(bgi::nearest(x, surface.edges.size()));
          entry != tree.qend();
@@ -292,7 +291,10 @@ namespace Contact
     const double high  = flags.ends_surface ? 1 + overhang : 1;
     const bool   off =
       (flags.begins_surface && xi < low) || (flags.ends_surface && xi > high);
-    return { edge, std::max(low, std::min(high, xi)), off };
+    return {edge,
+            std::max(low, std::min(high, xi)),
+            off,
+            xi < low || xi > high};
   }
 
 

@@ -30,7 +30,7 @@ namespace
     // The slave's nodes and Gauss points lie within the edges of the master.
     MeshText mesh;
     mesh.block("lower", 3, 1, rectangle({ 0, -1 }, { 3, 0 }));
-    mesh.block("upper", 2, 1, rectangle({ 0.35, 0 }, { 2.55, 1 }));
+    mesh.block("upper", 2, 1, rectangle({ 0.4, 0 }, { 2.2, 1 }));
     Parameters::All parameters =
       make_parameters(mesh, { "lower", "upper" }, degree, "small strain");
     parameters.contact.slave                = "upper bottom";
@@ -62,7 +62,7 @@ namespace
     {
       matrix = 0;
       rhs    = 0;
-      interface.assemble(solution, start, linearization, matrix, rhs);
+      interface.assemble(solution, start, linearization, rhs, &matrix);
     }
 
     SparsityPattern      pattern;
@@ -72,36 +72,42 @@ namespace
 
 
 
-  // What the difference quotients say, and whether they were allowed to.
-  struct Result
+  /// The displacements of both surfaces and the multipliers: all others take
+  /// no part.
+  std::set<types::global_dof_index> unknowns_of(const ContactModel &model)
   {
-    double error = 0; // relative to the largest entry
-    bool   edges_kept = true, within_edges = true;
-    double asymmetry = 0;
-  };
+    std::set<types::global_dof_index> unknowns;
+    for (const Surface *surface :
+         { &model.interface.slave, &model.interface.master })
+      for (const auto &node : surface->nodes)
+        unknowns.insert(node.dofs.begin(), node.dofs.end());
+    for (unsigned int i = model.n_dofs(); i < model.solution.size(); ++i)
+      unknowns.insert(i);
+    return unknowns;
+  }
 
 
 
-  void randomize(ContactModel &model)
+  /// All turned by a finite angle and all nodes moved a little, the slave moved
+  /// against the master by @p gap; the start of the increment elsewhere.
+  void randomize(ContactModel &model, const double gap)
   {
-    // All turned by a finite angle and all nodes moved a little, the upper body
-    // pressed into the lower one; the start of the increment elsewhere.
-    Random              random;
-    const Tensor<2, 2>  R = rotation(0.6);
-    const auto          X = model.support_points();
-    const auto          c = model.components();
-    ContactInterface   &interface = model.interface;
-    std::set<types::global_dof_index> upper;
+    Random             random;
+    const Tensor<2, 2> R         = rotation(0.6);
+    const auto         X         = model.support_points();
+    const auto         c         = model.components();
+    ContactInterface  &interface = model.interface;
+
+    std::set<types::global_dof_index> slave;
     for (const auto &node : interface.slave.nodes)
-      upper.insert(node.dofs.begin(), node.dofs.end());
+      slave.insert(node.dofs.begin(), node.dofs.end());
     for (unsigned int i = 0; i < model.n_dofs(); ++i)
       {
-        Point<2> sunk = X[i];
-        if (upper.count(i) > 0)
-          sunk[1] -= 0.08;
-        model.solution[i] =
-          (R * sunk)[c[i]] - X[i][c[i]] + random(-0.03, 0.03);
-        model.start[i] = model.solution[i] + random(-0.1, 0.1);
+        Point<2> x = X[i];
+        if (slave.count(i) > 0)
+          x[1] += gap;
+        model.solution[i] = (R * x)[c[i]] - X[i][c[i]] + random(-0.03, 0.03);
+        model.start[i]    = model.solution[i] + random(-0.1, 0.1);
       }
     for (unsigned int i = model.n_dofs(); i < model.solution.size(); ++i)
       model.solution[i] = random(0.5, 1.5);
@@ -111,23 +117,30 @@ namespace
 
 
 
+  /// What the difference quotients say, and whether they were allowed to.
+  struct Result
+  {
+    double error      = 0; // both relative to the largest entry
+    double asymmetry  = 0;
+    bool   edges_kept = true;
+  };
+
+
+
   Result compare(ContactModel                          &model,
                  const ContactInterface::Linearization &linearization)
   {
     ContactInterface &interface = model.interface;
     interface.pair(model.solution);
 
-    Result result;
-    for (const ContactPoint &point : interface.points)
-      result.within_edges = result.within_edges && point.facing &&
-                            std::abs(point.master_xi) < 0.99;
-
     System here(model), beside(model);
     here.assemble(interface, model.solution, model.start, linearization);
 
-    double       largest = 0;
-    const double h       = 1e-6;
-    for (unsigned int j = 0; j < model.solution.size(); ++j)
+    Result       result;
+    double       largest  = 0;
+    const double h        = 1e-6;
+    const auto   unknowns = unknowns_of(model);
+    for (const auto j : unknowns)
       {
         Vector<double> column(model.solution.size());
         for (const int side : { 1, -1 })
@@ -139,10 +152,10 @@ namespace
             beside.assemble(interface, moved, model.start, linearization);
             column.add(-side / (2 * h), beside.rhs);
           }
-        for (unsigned int i = 0; i < column.size(); ++i)
+        for (const auto i : unknowns)
           {
             const double k = here.matrix.el(i, j);
-            result.error = std::max(result.error, std::abs(k - column[i]));
+            result.error   = std::max(result.error, std::abs(k - column[i]));
             result.asymmetry =
               std::max(result.asymmetry, std::abs(k - here.matrix.el(j, i)));
             largest = std::max(largest, std::abs(k));
@@ -155,52 +168,105 @@ namespace
 
 
 
+  /// The tangent with all points doing the same, whatever the state says.
+  void check_decision(ContactModel      &model,
+                      const std::string &name,
+                      const Decision    &decision)
+  {
+    for (ContactPoint &point : model.interface.points)
+      point.decision = decision;
+
+    const bool slips = decision.slip_direction != 0;
+    bool       kept  = true;
+    for (const bool moving_geometry : { false, true })
+      for (const bool moving_bound : { false, true })
+        if (slips || !moving_bound)
+          {
+            const Result result =
+              compare(model, { moving_geometry, moving_bound });
+            check_small(name + (moving_geometry ? ", moving geometry" : "") +
+                          (moving_bound ? ", moving bound" : ""),
+                        result.error,
+                        1e-8);
+            kept = kept && result.edges_kept;
+
+            // Contact without friction has a potential, sticking has one as
+            // long as the pairing stands still.
+            if (model.interface.law.is_frictionless() ||
+                (!slips && !moving_geometry))
+              check_small(name + ", asymmetry", result.asymmetry, 1e-14);
+          }
+    if (!kept)
+      check(name + ", edges are kept", false);
+  }
+
+
+
   void check_law(const unsigned int degree,
                  const std::string &rule,
                  const Law         &law)
   {
-    ContactModel model = make_model(degree, rule, law);
-    randomize(model);
-
-    std::vector<std::pair<std::string, Decision>> decisions{
-      { "open", { Status::open, 0 } }
-    };
-    if (model.interface.law.is_frictionless())
-      decisions.push_back({ "contact", { Status::slip, 0 } });
-    else
-      {
-        decisions.push_back({ "stick", { Status::stick, 0 } });
-        decisions.push_back({ "slip forward", { Status::slip, 1 } });
-        decisions.push_back({ "slip backward", { Status::slip, -1 } });
-      }
-
     headline("degree " + std::to_string(degree) + ", " + rule + " rule, " +
              law.name);
-    for (const auto &[name, decision] : decisions)
-      {
-        for (ContactPoint &point : model.interface.points)
-          point.decision = decision;
-        for (const bool moving_geometry : { false, true })
-          for (const bool moving_bound : { false, true })
-            if (decision.slip_direction != 0 || !moving_bound)
-              {
-                const Result result =
-                  compare(model, { moving_geometry, moving_bound });
-                check_small(name + (moving_geometry ? ", moving geometry" : "") +
-                              (moving_bound ? ", moving bound" : ""),
-                            result.error,
-                            1e-8);
-                if (!result.edges_kept || !result.within_edges)
-                  std::cout << "  a point changed its edge" << std::endl;
+    ContactModel model = make_model(degree, rule, law);
+    randomize(model, -0.08);
 
-                // Contact without friction has a potential; with it the
-                // pairing is the tangent's only part that has none.
-                if (decision.slip_direction == 0 &&
-                    (model.interface.law.is_frictionless() ||
-                     !moving_geometry))
-                  check_small("  asymmetry", result.asymmetry, 1e-14);
-              }
+    model.interface.pair(model.solution);
+    bool within = true, curved = false;
+    for (const ContactPoint &point : model.interface.points)
+      {
+        within = within && point.facing && std::abs(point.master_xi) < 0.98;
+        Tensor<1, 2> kappa;
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          for (unsigned int i = 0; i < 2; ++i)
+            kappa[i] -= point.C2[a] *
+                        (point.X[a][i] + model.solution[point.dofs[a][i]]);
+        curved = curved || std::abs(point.normal * kappa) > 1e-2;
       }
+    check("all points face the inside of an edge", within);
+    check("edges are curved at degree 2", curved == (degree == 2));
+
+    check_decision(model, "open", { Status::open, 0 });
+    if (model.interface.law.is_frictionless())
+      check_decision(model, "contact", { Status::slip, 0 });
+    else
+      {
+        check_decision(model, "stick", { Status::stick, 0 });
+        check_decision(model, "slip forward", { Status::slip, 1 });
+        check_decision(model, "slip backward", { Status::slip, -1 });
+      }
+  }
+
+
+
+  /// A slave node over a convex corner of the master, where there is no foot of
+  /// a normal and the corner is what it faces.
+  void check_corner(const unsigned int degree)
+  {
+    headline("degree " + std::to_string(degree) + ", over a corner");
+    MeshText mesh;
+    mesh.block("lower", 2, 1, [](const double s, const double t) {
+      return Point<2>(2 * s - 1, t - 1 - std::abs(2 * s - 1));
+    });
+    mesh.block("upper", 1, 1, rectangle({ -0.04, 0 }, { 0.06, 1 }));
+    Parameters::All parameters =
+      make_parameters(mesh, { "lower", "upper" }, degree, "small strain");
+    parameters.contact.slave                = "upper bottom";
+    parameters.contact.master               = "lower top";
+    parameters.contact.rule                 = "nodal";
+    parameters.contact.friction_coefficient = 0.4;
+    ContactModel model(parameters);
+    randomize(model, 0.3);
+
+    model.interface.pair(model.solution);
+    bool over_corner = true;
+    for (const ContactPoint &point : model.interface.points)
+      over_corner =
+        over_corner && point.facing && std::abs(point.master_xi) == 1;
+    check("all points face the corner", over_corner);
+
+    check_decision(model, "stick", { Status::stick, 0 });
+    check_decision(model, "slip forward", { Status::slip, 1 });
   }
 } // namespace
 
@@ -215,4 +281,6 @@ int main()
     for (const std::string rule : { "nodal", "Gauss" })
       for (const Law &law : laws)
         check_law(degree, rule, law);
+  for (const unsigned int degree : { 1, 2 })
+    check_corner(degree);
 }

@@ -30,7 +30,7 @@ namespace
     {
       matrix   = 0;
       residual = 0;
-      bodies.elasticity->assemble(u, 0.7, matrix, residual);
+      bodies.elasticity->assemble(u, 0.7, residual, &matrix);
       residual *= -1;
     }
 

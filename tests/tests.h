@@ -329,7 +329,7 @@ namespace Tests
       start = solution;
       discretization.constrain_update(solution, load_factor);
       pair();
-      interface.initialize_status(solution, 1e-2);
+      interface.initialize_status(solution);
 
       Vector<double> rhs(solution.size());
       for (unsigned int iteration = 0; iteration < 60; ++iteration)
@@ -341,9 +341,9 @@ namespace Tests
                              interface.update_status(solution, start, true);
           matrix = 0;
           rhs    = 0;
-          elasticity->assemble(solution, load_factor, matrix, rhs);
+          elasticity->assemble(solution, load_factor, rhs, &matrix);
           interface.assemble(
-            solution, start, { moving_geometry, true }, matrix, rhs);
+            solution, start, { moving_geometry, true }, rhs, &matrix);
           for (unsigned int i = 0; i < n_dofs(); ++i)
             if (discretization.constraints.is_constrained(i))
               {
