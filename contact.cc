@@ -239,6 +239,8 @@ namespace Contact
     if (interface)
       interface->initialize_status(solution);
     check_supports(*discretization, interface.get());
+    for (const auto &[name, probe] : parameters.probes.probes)
+      mesh->point(probe[1], "Probes/Probes");
 
     // From here on the results of an earlier run are replaced; until this one
     // ends, its summary says that it has not converged.
@@ -310,6 +312,10 @@ namespace Contact
         summary.increments.back().stick  = count.stick;
         summary.increments.back().slip   = count.active - count.stick;
       }
+    const IncrementRecord &record = summary.increments.back();
+    screen << "  converged: " << record.newton_iterations << " Newton steps, "
+           << record.friction_iterations << " friction turns, "
+           << record.geometry_iterations << " geometry turns" << std::endl;
   }
 
 

@@ -59,7 +59,7 @@ expect_entry "Friction coefficient" "Contact/Friction coefficient=-0.1"
 expect_entry "Degree" "Element/Degree=3"
 expect_entry "Increments" "Solution/Increments=0"
 expect_entry "Centre node" "Element/Centre node=free"
-expect "no such" "$scratch/missing.prm"
+expect "no parameter file" "$scratch/missing.prm"
 expect "option" "$good" --sett
 
 # Meshes
@@ -96,7 +96,7 @@ expect_entry "element 1" "Mesh/File=tangled.msh"
 expect_entry "Top_B" "Contact/Slave=Botom_C"
 expect_entry "Encast" "Boundary conditions/Displacement y=Base: 0"
 expect_entry "Cylinder" "Solids/Young's modulus=Block: 70000, Cylinder: 1, X: 1"
-expect_entry "same" "Contact/Master=Bottom_C"
+expect_entry "are both" "Contact/Master=Bottom_C"
 expect_entry "Middle" "Probes/Probes=DY(B): displacement y, Middle; SIYY(B): stress yy, B"
 
 # Bodies that nothing holds
