@@ -28,21 +28,29 @@ namespace Contact
       DataOutBase::VtkFlags flags(load_factor, k);
       flags.print_date_and_time      = false;
       flags.write_higher_order_cells = degree > 1;
-      flags.physical_units = { { "displacement", "mm" }, { "stress_xx", "MPa" },
-                               { "stress_yy", "MPa" },   { "stress_zz", "MPa" },
-                               { "stress_xy", "MPa" },   { "von_mises", "MPa" },
-                               { "pressure", "MPa" },    { "shear", "MPa" },
-                               { "gap", "mm" },          { "slip", "mm" } };
+      flags.physical_units           = {{"displacement", "mm"},
+                                        {"stress_xx", "MPa"},
+                                        {"stress_yy", "MPa"},
+                                        {"stress_zz", "MPa"},
+                                        {"stress_xy", "MPa"},
+                                        {"von_mises", "MPa"},
+                                        {"pressure", "MPa"},
+                                        {"shear", "MPa"},
+                                        {"gap", "mm"},
+                                        {"slip", "mm"}};
       return flags;
     }
 
 
 
     /// The fields of the contact file, in the order of a row of its patches.
-    const std::vector<std::string> contact_fields = {
-      "displacement", "displacement", "pressure", "shear",
-      "gap",          "slip",         "status"
-    };
+    const std::vector<std::string> contact_fields = {"displacement",
+                                                     "displacement",
+                                                     "pressure",
+                                                     "shear",
+                                                     "gap",
+                                                     "slip",
+                                                     "status"};
 
 
 
@@ -54,9 +62,9 @@ namespace Contact
       const auto &nodes = slave.edges[e].nodes;
 
       // A patch wants its points along the edge.
-      std::vector<unsigned int> along{ nodes[0], nodes[1] };
+      std::vector<unsigned int> along{nodes[0], nodes[1]};
       if (slave.degree == 2)
-        along = { nodes[0], nodes[2], nodes[1] };
+        along = {nodes[0], nodes[2], nodes[1]};
 
       DataOutBase::Patch<1, 2> patch;
       patch.vertices[0]          = rows[nodes[0]].X;
@@ -69,15 +77,15 @@ namespace Contact
         {
           const ProfileRow &row = rows[along[i]];
           unsigned int      c   = 0;
-          for (const double value : { row.u[0],
-                                      row.u[1],
-                                      row.pressure,
-                                      row.shear,
-                                      row.gap,
-                                      row.slip,
-                                      double(row.status),
-                                      row.X[0],
-                                      row.X[1] })
+          for (const double value : {row.u[0],
+                                     row.u[1],
+                                     row.pressure,
+                                     row.shear,
+                                     row.gap,
+                                     row.slip,
+                                     double(row.status),
+                                     row.X[0],
+                                     row.X[1]})
             patch.data(c++, i) = value;
         }
       return patch;
@@ -92,17 +100,17 @@ namespace Contact
       for (const ProfileRow &row : rows)
         {
           out << surface;
-          for (const double value : { row.arc_length,
-                                      row.deformed_arc_length,
-                                      row.X[0],
-                                      row.X[1],
-                                      row.u[0],
-                                      row.u[1],
-                                      row.pressure,
-                                      row.shear,
-                                      row.nodal_force,
-                                      row.gap,
-                                      row.slip })
+          for (const double value : {row.arc_length,
+                                     row.deformed_arc_length,
+                                     row.X[0],
+                                     row.X[1],
+                                     row.u[0],
+                                     row.u[1],
+                                     row.pressure,
+                                     row.shear,
+                                     row.nodal_force,
+                                     row.gap,
+                                     row.slip})
             out << ',' << value;
           out << ',' << row.status << ',' << row.extrapolated_pressure << ',';
           if (!std::isnan(row.hertz_pressure))
@@ -168,7 +176,7 @@ namespace Contact
           cell->vertex_dof_index(v, 0, cell->active_fe_index());
 
     for (const char *name :
-         { "stress_xx", "stress_yy", "stress_zz", "stress_xy", "von_mises" })
+         {"stress_xx", "stress_yy", "stress_zz", "stress_xy", "von_mises"})
       fields.emplace_back(name, Vector<double>(dof_handler.n_dofs()));
   }
 
@@ -182,11 +190,11 @@ namespace Contact
         {
           const SymmetricTensor<2, 3> &stress = vertex_stresses[v];
           unsigned int                 c      = 0;
-          for (const double value : { stress[0][0],
-                                      stress[1][1],
-                                      stress[2][2],
-                                      stress[0][1],
-                                      von_mises(stress) })
+          for (const double value : {stress[0][0],
+                                     stress[1][1],
+                                     stress[2][2],
+                                     stress[0][1],
+                                     von_mises(stress)})
             fields[c++].second[dof_of_vertex[v]] = value;
         }
   }
@@ -253,8 +261,8 @@ namespace Contact
     data_out.add_data_vector(discretization.dof_handler,
                              u,
                              std::vector<std::string>(2, "displacement"),
-                             { component_is_part_of_vector,
-                               component_is_part_of_vector });
+                             {component_is_part_of_vector,
+                              component_is_part_of_vector});
     vertex_fields.attach(data_out);
     data_out.add_data_vector(body, "body", DataOut<2>::type_cell_data);
     data_out.build_patches(discretization.mapping,
@@ -281,7 +289,7 @@ namespace Contact
       DataOutBase::write_vtu(
         patches,
         contact_fields,
-        { { 0, 1, "displacement", component_is_part_of_vector } },
+        {{0, 1, "displacement", component_is_part_of_vector}},
         vtk_flags(k, load_factor, slave.degree),
         out);
     });

@@ -1,0 +1,20 @@
+#!/bin/sh
+# Newton's method for geometry, friction and displacement together needs at
+# most 8 steps per increment from a cold start, in all modelings.
+#   newton_steps.sh CONTACT PARAMETERS
+# SPDX-License-Identifier: LGPL-2.1-or-later
+set -eu
+
+contact=$1
+parameters=$2
+for modeling in a b c d e f g h; do
+  "$contact" "$parameters/ssnp154_$modeling.prm" --quiet \
+    --set Solution/Geometry=Newton --set Solution/Friction=Newton \
+    --set Output/Screen=none --set Output/VTU=false || [ $? -eq 1 ]
+  awk -F'[:,]' -v modeling=$modeling '
+    /^  "converged": true/ { converged = 1 }
+    /"newton_iterations"/ { steps = steps " " $2; n++; bad = bad || $2 > 8 }
+    END { print modeling ": Newton steps" steps
+          exit !(converged && n == 2 && !bad) }' \
+    "output/ssnp154_$modeling/summary.json"
+done
