@@ -65,6 +65,7 @@
 #include <sstream>
 
 #include "active_set.h"
+#include "command_line.h"
 #include "contact_interface.h"
 #include "discretization.h"
 #include "elasticity.h"
@@ -758,69 +759,9 @@ namespace Contact
 // is wrong, 3 a case did not converge.
 namespace
 {
-  struct CommandLine
-  {
-    std::vector<std::string> files;
-    std::vector<std::string> overrides;
-    bool                     quiet = false;
-  };
-
-
-
-  void print_help(std::ostream &out)
-  {
-    out << "Frictional contact of two deformable bodies (plane strain).\n"
-           "\n"
-           "usage: contact FILE.prm [MORE.prm ...] [options]\n"
-           "\n"
-           "  --set \"Section/Entry=value\"  change an entry of all files\n"
-           "  --quiet                       print the table only\n"
-           "  --parameters                  list all entries and their "
-           "meaning\n"
-           "  --help                        print this\n"
-           "\n"
-           "Results are written to output/<name of the file>/.\n"
-           "Exit status: 0 all values within their tolerances, 1 one outside,\n"
-           "2 the input is wrong, 3 a case did not converge.\n";
-  }
-
-
-
-  CommandLine parse(const int argc, char **argv)
-  {
-    CommandLine line;
-    for (int i = 1; i < argc; ++i)
-      {
-        const std::string word = argv[i];
-        if (word == "--set")
-          {
-            if (++i == argc)
-              throw Contact::InputError("--set needs an assignment",
-                                        "command line",
-                                        "--set \"Section/Entry=value\"");
-            line.overrides.push_back(argv[i]);
-          }
-        else if (word == "--quiet")
-          line.quiet = true;
-        else if (word.rfind("--", 0) == 0)
-          throw Contact::InputError("unknown option " + word,
-                                    "command line",
-                                    "see contact --help");
-        else
-          line.files.push_back(word);
-      }
-    if (line.files.empty())
-      throw Contact::InputError("no parameter file is given",
-                                "command line",
-                                "contact FILE.prm; see contact --help");
-    return line;
-  }
-
-
-
   // All files are read before the first one is computed: a wrong entry in the
   // last one should not cost the time of the others.
-  int run(const CommandLine &line)
+  int run(const Contact::CommandLine &line)
   {
     using namespace Contact;
 
@@ -855,11 +796,11 @@ int main(int argc, char **argv)
     {
       const std::string first = argc > 1 ? argv[1] : "";
       if (first == "--help")
-        print_help(std::cout);
+        Contact::print_help(std::cout);
       else if (first == "--parameters")
         Contact::print_parameters(std::cout);
       else
-        return run(parse(argc, argv));
+        return run(Contact::parse_command_line(argc, argv));
       return 0;
     }
   catch (const Contact::InputError &error)

@@ -52,7 +52,7 @@ namespace Contact
     // which ends for every uniquely solvable frictionless contact problem
     // (Murty's least-index rule for linear complementarity problems).
     Vector<double>                     corrected = update;
-    std::set<std::vector<signed char>> seen{ signature() };
+    std::set<std::vector<signed char>> seen{signature()};
     bool                               one_by_one = false;
     unsigned int                       n_rounds   = 0;
     const unsigned int                 max_rounds = 20 + 10 * points.size();
@@ -137,7 +137,7 @@ namespace Contact
     discretization.constraints.distribute(inhomogeneity);
 
     for (unsigned int q = 0; q < points.size(); ++q)
-      for (const bool tangential : { false, true })
+      for (const bool tangential : {false, true})
         {
           if (points[q].decision == points[q].old_decision ||
               is_known(q, tangential) ||
@@ -154,7 +154,7 @@ namespace Contact
           solver.solve(W);
           discretization.constraints.distribute(W);
           W -= inhomogeneity;
-          responses.push_back({ q, tangential, std::move(W) });
+          responses.push_back({q, tangential, std::move(W)});
         }
   }
 
@@ -182,15 +182,15 @@ namespace Contact
                                             points[q].q,
                                             linearization.moving_bound);
       if (tangential)
-        return { t.q - t.dq_dp * p - t.dq_dq * points[q].q, t.dq_dp, t.dq_dq };
-      return { t.p - t.dp_dp * p, t.dp_dp, 0. };
+        return {t.q - t.dq_dp * p - t.dq_dq * points[q].q, t.dq_dp, t.dq_dq};
+      return {t.p - t.dp_dp * p, t.dp_dp, 0.};
     };
 
     const AffineTraction now = affine(points[q].decision);
     const AffineTraction old = affine(points[q].old_decision);
-    return { now.constant - old.constant,
-             now.by_p - old.by_p,
-             now.by_q - old.by_q };
+    return {now.constant - old.constant,
+            now.by_p - old.by_p,
+            now.by_q - old.by_q};
   }
 
 

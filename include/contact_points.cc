@@ -71,7 +71,7 @@ namespace Contact
     multipliers.n_multipliers = 0;
 
     std::vector<ContactPoint>   points;
-    const std::array<double, 3> ends{ { -1, 1, 0 } };
+    const std::array<double, 3> ends{{-1, 1, 0}};
     for (unsigned int e = 0; e < slave.edges.size(); ++e)
       for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
         {
@@ -171,7 +171,7 @@ namespace Contact
     // degrees, and along is n turned by +90.
     point.metric  = along.norm();
     point.tangent = along / point.metric;
-    point.normal  = Tensor<1, 2>({ point.tangent[1], -point.tangent[0] });
+    point.normal  = Tensor<1, 2>({point.tangent[1], -point.tangent[0]});
     point.tangential_row_is_void = is_void(point, discretization);
   }
 } // namespace Contact

@@ -81,8 +81,8 @@ namespace Contact
   void Discretization::collect_vertex_dofs()
   {
     vertex_dofs.assign(mesh.triangulation.n_vertices(),
-                       { { numbers::invalid_dof_index,
-                           numbers::invalid_dof_index } });
+                       {{numbers::invalid_dof_index,
+                         numbers::invalid_dof_index}});
     for (const auto &cell : dof_handler.active_cell_iterators())
       for (const unsigned int v : cell->vertex_indices())
         for (unsigned int c = 0; c < 2; ++c)

@@ -28,7 +28,7 @@ namespace Contact
 
     Edge edge(const unsigned int a, const unsigned int b)
     {
-      return std::minmax({ a, b });
+      return std::minmax({a, b});
     }
 
 
@@ -247,7 +247,7 @@ namespace Contact
               continue;
 
             CellData<1> data;
-            data.vertices = { a->second, b->second };
+            data.vertices = {a->second, b->second};
             data.boundary_id =
               ids.emplace(line.groups, ids.size() + 1).first->second;
             subcelldata.boundary_lines.push_back(data);
@@ -323,7 +323,7 @@ namespace Contact
     for (const auto &[name, circle] : parameters.arcs)
       {
         const auto &ids = boundary(name, "Mesh/Arcs");
-        Arc         arc{ Point<2>(circle[0], circle[1]), circle[2], {} };
+        Arc         arc{Point<2>(circle[0], circle[1]), circle[2], {}};
         for (const auto &face : triangulation.active_face_iterators())
           if (face->at_boundary() && ids.count(face->boundary_id()) > 0)
             {
@@ -337,7 +337,7 @@ namespace Contact
                       " away from its circle",
                     "entry 'Mesh/Arcs'",
                     "correct the circle, or the boundary's group in the mesh");
-              arc.chords.push_back({ { face->vertex(0), face->vertex(1) } });
+              arc.chords.push_back({{face->vertex(0), face->vertex(1)}});
               face->set_manifold_id(arc_id);
             }
         arcs.push_back(arc);

@@ -19,11 +19,14 @@ namespace Contact
       unsigned int dimension, n_nodes, n_corners;
     };
 
-    const std::map<int, ElementType> element_types = {
-      { 15, { 0, 1, 1 } }, { 1, { 1, 2, 2 } }, { 8, { 1, 3, 2 } },
-      { 2, { 2, 3, 3 } },  { 9, { 2, 6, 3 } }, { 3, { 2, 4, 4 } },
-      { 16, { 2, 8, 4 } }, { 10, { 2, 9, 4 } }
-    };
+    const std::map<int, ElementType> element_types = {{15, {0, 1, 1}},
+                                                      {1, {1, 2, 2}},
+                                                      {8, {1, 3, 2}},
+                                                      {2, {2, 3, 3}},
+                                                      {9, {2, 6, 3}},
+                                                      {3, {2, 4, 4}},
+                                                      {16, {2, 8, 4}},
+                                                      {10, {2, 9, 4}}};
 
 
 
@@ -120,7 +123,7 @@ namespace Contact
       const auto [position, is_new] =
         known[type.dimension].emplace(sorted, elements.size());
       if (is_new)
-        elements.push_back({ number, nodes, {} });
+        elements.push_back({number, nodes, {}});
 
       const auto &names = msh.names[type.dimension];
       for (const int tag : tags)
@@ -197,7 +200,7 @@ namespace Contact
               read_point();
             const auto n_groups = lines.read<long>("the number of groups");
             for (long g = 0; g < n_groups; ++g)
-              entities[{ dimension, tag }].push_back(lines.read_tag());
+              entities[{dimension, tag}].push_back(lines.read_tag());
           }
     }
 
@@ -279,7 +282,7 @@ namespace Contact
             {
               lines.next_in("$Elements");
               const auto number = lines.read<long>("the number of an element");
-              read_element(type, number, entities[{ dimension, tag }]);
+              read_element(type, number, entities[{dimension, tag}]);
             }
         }
     }

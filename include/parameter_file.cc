@@ -71,9 +71,9 @@ namespace Contact
                                                  const std::size_t  position)
     {
       if (position == std::string::npos)
-        return { Utilities::trim(text), "" };
-      return { Utilities::trim(text.substr(0, position)),
-               Utilities::trim(text.substr(position + 1)) };
+        return {Utilities::trim(text), ""};
+      return {Utilities::trim(text.substr(0, position)),
+              Utilities::trim(text.substr(position + 1))};
     }
 
 
@@ -89,7 +89,7 @@ namespace Contact
         {
           text = Utilities::trim(text);
           if (!joined)
-            statements.push_back({ line, "" });
+            statements.push_back({line, ""});
           joined = !text.empty() && text.back() == '\\';
           if (joined)
             text.pop_back();
@@ -116,7 +116,7 @@ namespace Contact
             {
               const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
               diagonal                   = row[j + 1];
-              row[j + 1] = std::min({ replaced, row[j] + 1, diagonal + 1 });
+              row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
             }
         }
       return row.back();
@@ -171,7 +171,7 @@ namespace Contact
 
     std::string text = Patterns::pattern_factory(pattern)->description(
       Patterns::PatternBase::Text);
-    for (const std::string no_bound : { " <= 2147483647", " <= MAX_DOUBLE" })
+    for (const std::string no_bound : {" <= 2147483647", " <= MAX_DOUBLE"})
       text = Utilities::replace_in_string(text, no_bound, "");
     return lower_case(text.substr(0, 1)) + text.substr(1);
   }
@@ -211,11 +211,11 @@ namespace Contact
       for (const auto &entry : section.value().items())
         {
           const auto &field = entry.value();
-          entries.push_back({ section.key(),
-                              entry.key(),
-                              field.at("default_value"),
-                              field.at("documentation"),
-                              field.at("pattern_description") });
+          entries.push_back({section.key(),
+                             entry.key(),
+                             field.at("default_value"),
+                             field.at("documentation"),
+                             field.at("pattern_description")});
         }
     return entries;
   }
@@ -248,11 +248,11 @@ namespace Contact
                          asked_by,
                          "remove this include");
 
-    open_files.push_back({ path, section, {} });
+    open_files.push_back({path, section, {}});
     for (const Statement &statement : read_statements(in))
       read_statement(statement.text,
-                     { file.string() + ":" + std::to_string(statement.line),
-                       file.parent_path() });
+                     {file.string() + ":" + std::to_string(statement.line),
+                      file.parent_path()});
     check_section_closed();
     open_files.pop_back();
   }
@@ -261,7 +261,7 @@ namespace Contact
 
   void ParameterReader::read_override(const std::string &assignment)
   {
-    const Place place = { "--set '" + assignment + "'", "" };
+    const Place place = {"--set '" + assignment + "'", ""};
     const auto  slash =
       assignment.substr(0, assignment.find('=')).find_last_of('/');
     if (slash == std::string::npos)
@@ -395,7 +395,7 @@ namespace Contact
     const DeclaredEntry &entry =
       find_entry(in_section, with_single_blanks(name), place);
 
-    const auto [earlier, is_new] = set_before.insert({ entry.path(), place });
+    const auto [earlier, is_new] = set_before.insert({entry.path(), place});
     if (!is_new)
       throw InputError(entry.path() + " is set twice.",
                        earlier->second.name + ", " + place.name,

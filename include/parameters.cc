@@ -20,10 +20,13 @@ namespace Contact
     using Names = std::vector<std::string>;
 
     /// What a probe can look at; the one list for checking and documenting.
-    const Names probe_quantities = { "displacement x", "displacement y",
-                                     "stress xx",      "stress yy",
-                                     "stress zz",      "stress xy",
-                                     "von Mises" };
+    const Names probe_quantities = {"displacement x",
+                                    "displacement y",
+                                    "stress xx",
+                                    "stress yy",
+                                    "stress zz",
+                                    "stress xy",
+                                    "von Mises"};
 
 
 
@@ -51,7 +54,7 @@ namespace Contact
       if (!(value > 0))
         throw EntryError(entry + " is " + Utilities::to_string(value) +
                            ", but has to be positive.",
-                         { entry },
+                         {entry},
                          "set a value greater than 0");
     }
 
@@ -68,7 +71,7 @@ namespace Contact
         if (other.count(key) == 0)
           throw EntryError(in_quotes(key) + " is in " + entry +
                              ", but not in " + other_entry + ".",
-                           { entry, other_entry },
+                           {entry, other_entry},
                            "add " + in_quotes(key) + " to " + other_entry +
                              " or remove it from " + entry);
     }
@@ -86,7 +89,7 @@ namespace Contact
         if (other.count(key) > 0)
           throw EntryError(in_quotes(key) + " is in " + entry + " and in " +
                              other_entry + ", which contradict each other.",
-                           { entry, other_entry },
+                           {entry, other_entry},
                            "remove " + in_quotes(key) + " from one of the two");
     }
 
@@ -97,7 +100,7 @@ namespace Contact
     void print_entry(const DeclaredEntry &entry, std::ostream &out)
     {
       for (const std::string &text :
-           { entry.documentation, "Allowed: " + entry.allowed_values() })
+           {entry.documentation, "Allowed: " + entry.allowed_values()})
         for (const std::string &line :
              Utilities::break_text_into_lines(text, 74))
           out << "  # " << line << '\n';
@@ -149,12 +152,12 @@ namespace Contact
       const std::string entry = "Mesh/Arcs";
       if (file.empty())
         throw EntryError("There is no mesh.",
-                         { "Mesh/File" },
+                         {"Mesh/File"},
                          "set 'File' in section 'Mesh' to a gmsh file");
       for (const auto &[group, arc] : arcs)
         if (arc.size() != 3 || !(arc[2] > 0))
           throw EntryError("The arc " + in_quotes(group) + " is not a circle.",
-                           { entry },
+                           {entry},
                            "write '" + group +
                              ": centre x, centre y, radius' with a positive "
                              "radius");
@@ -184,7 +187,7 @@ namespace Contact
     {
       if (degree == 1 && centre_node == "free")
         throw EntryError("An element of degree 1 has no centre node to free.",
-                         { "Element/Centre node", "Element/Degree" },
+                         {"Element/Centre node", "Element/Degree"},
                          "set 'Degree = 2' for the 9-node element, or "
                          "'Centre node = bound'");
     }
@@ -221,20 +224,20 @@ namespace Contact
       check_keys(poisson, nu, young, E);
       if (young.empty())
         throw EntryError("No body has a material.",
-                         { E, nu },
+                         {E, nu},
                          "set both, as in 'set Young's modulus = Block: "
                          "70000'");
       for (const auto &[body, value] : young)
         if (!(value > 0))
           throw EntryError("Young's modulus of " + in_quotes(body) +
                              " is not positive.",
-                           { E },
+                           {E},
                            "set a positive value in MPa");
       for (const auto &[body, value] : poisson)
         if (!(value > -1 && value < 0.5))
           throw EntryError("Poisson's ratio of " + in_quotes(body) +
                              " is not between -1 and 0.5.",
-                           { nu },
+                           {nu},
                            "set a value greater than -1 and less than 0.5");
     }
 
@@ -286,7 +289,7 @@ namespace Contact
         if (tied_y.count(leader) > 0)
           throw EntryError(in_quotes(follower) + " is tied to " +
                              in_quotes(leader) + ", which is tied itself.",
-                           { section + "Tied y" },
+                           {section + "Tied y"},
                            "tie points to one that is not tied");
     }
 
@@ -333,7 +336,7 @@ namespace Contact
 
     void Contact::check() const
     {
-      const Names surfaces = { "Contact/Slave", "Contact/Master" };
+      const Names surfaces = {"Contact/Slave", "Contact/Master"};
       if (slave.empty() != master.empty())
         throw EntryError("Contact takes two surfaces, but there is only one.",
                          surfaces,
@@ -355,13 +358,13 @@ namespace Contact
       const std::string tresca  = "Contact/Tresca limit";
       if (slave.empty() && frictional())
         throw EntryError("There is friction, but no contact.",
-                         { friction_coefficient > 0 ? coulomb : tresca,
-                           "Contact/Slave",
-                           "Contact/Master" },
+                         {friction_coefficient > 0 ? coulomb : tresca,
+                          "Contact/Slave",
+                          "Contact/Master"},
                          "set slave and master, or no friction");
       if (friction_coefficient > 0 && tresca_limit > 0)
         throw EntryError("There are two laws of friction.",
-                         { coulomb, tresca },
+                         {coulomb, tresca},
                          "set one of the two to 0");
     }
 
@@ -375,18 +378,18 @@ namespace Contact
       if (slave.empty())
         throw EntryError("Points are excluded from contact, but there is "
                          "none.",
-                         { entry, "Contact/Slave" },
+                         {entry, "Contact/Slave"},
                          "set slave and master, or leave the points empty");
       if (rule == "Gauss")
         throw EntryError("Gauss points are inside the faces: there is none to "
                          "exclude at a point group.",
-                         { entry, "Contact/Rule" },
+                         {entry, "Contact/Rule"},
                          "set 'Rule = nodal', or leave the points empty");
       if (std::set<std::string>(excluded_points.begin(), excluded_points.end())
               .size() < excluded_points.size() ||
           std::count(excluded_points.begin(), excluded_points.end(), "") > 0)
         throw EntryError("A point group is excluded twice or has no name.",
-                         { entry },
+                         {entry},
                          "write each group once, separated by ','");
     }
 
@@ -491,7 +494,7 @@ namespace Contact
         return;
       if (hertz.size() != 2 || !(hertz[0] > 0) || !(hertz[1] > 0))
         throw EntryError("A Hertz contact takes two positive values.",
-                         { "Probes/Hertz" },
+                         {"Probes/Hertz"},
                          "write 'radius, force per mm', or leave it empty");
     }
 
@@ -504,7 +507,7 @@ namespace Contact
           if (probe.size() != 2 || probe[1].empty())
             throw EntryError("The probe " + in_quotes(name) +
                                " is not a quantity and a point.",
-                             { "Probes/Probes" },
+                             {"Probes/Probes"},
                              "write '" + name + ": quantity, point'");
           if (std::count(probe_quantities.begin(),
                          probe_quantities.end(),
@@ -512,7 +515,7 @@ namespace Contact
             throw EntryError("The probe " + in_quotes(name) +
                                " looks at an unknown quantity, " +
                                in_quotes(probe[0]) + ".",
-                             { "Probes/Probes" },
+                             {"Probes/Probes"},
                              "choose one of: " + joined(probe_quantities));
         }
     }
@@ -530,13 +533,13 @@ namespace Contact
         if (value == 0)
           throw EntryError("The reference of " + in_quotes(name) +
                              " is 0: nothing can be compared relatively to it.",
-                           { reference },
+                           {reference},
                            "probe a value that is not 0");
       for (const auto &[name, value] : tolerances)
         if (!(value > 0))
           throw EntryError("The tolerance of " + in_quotes(name) +
                              " is not positive.",
-                           { tolerance },
+                           {tolerance},
                            "set a value greater than 0");
     }
 
@@ -593,7 +596,7 @@ namespace Contact
 
       if (!probes.hertz.empty() && contact.slave.empty())
         throw EntryError("There is no contact pressure to compare with Hertz.",
-                         { "Probes/Hertz", "Contact/Slave" },
+                         {"Probes/Hertz", "Contact/Slave"},
                          "set slave and master, or leave Hertz empty");
     }
   } // namespace Parameters

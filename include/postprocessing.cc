@@ -49,7 +49,7 @@ namespace Contact
     std::vector<Tensor<1, 2>> node_normals(const Surface        &surface,
                                            const Vector<double> &u)
     {
-      const std::array<double, 3> coordinates{ { -1, 1, 0 } };
+      const std::array<double, 3> coordinates{{-1, 1, 0}};
       std::vector<Tensor<1, 2>>   normals(surface.nodes.size());
       for (const Surface::Edge &edge : surface.edges)
         for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
@@ -60,7 +60,7 @@ namespace Contact
               along += shape.first[b] * surface.position(edge.nodes[b], u);
 
             // The body lies to the left of the edge.
-            const Tensor<1, 2> outward({ along[1], -along[0] });
+            const Tensor<1, 2> outward({along[1], -along[0]});
             normals[edge.nodes[a]] += outward / outward.norm();
           }
       for (Tensor<1, 2> &normal : normals)
@@ -354,12 +354,14 @@ namespace Contact
   {
     const NodeDoFs              &dofs   = discretization.vertex_dofs[vertex];
     const SymmetricTensor<2, 3> &stress = vertex_stresses[vertex];
-    const std::map<std::string, double> values{
-      { "displacement x", u[dofs[0]] },  { "displacement y", u[dofs[1]] },
-      { "stress xx", stress[0][0] },     { "stress yy", stress[1][1] },
-      { "stress zz", stress[2][2] },     { "stress xy", stress[0][1] },
-      { "von Mises", von_mises(stress) }
-    };
+    const std::map<std::string, double> values{{"displacement x", u[dofs[0]]},
+                                               {"displacement y", u[dofs[1]]},
+                                               {"stress xx", stress[0][0]},
+                                               {"stress yy", stress[1][1]},
+                                               {"stress zz", stress[2][2]},
+                                               {"stress xy", stress[0][1]},
+                                               {"von Mises",
+                                                von_mises(stress)}};
 
     const auto value = values.find(quantity);
     if (value == values.end())

@@ -69,46 +69,46 @@ namespace Contact
 
     Json to_json(const ProbeResult &probe)
     {
-      return { { "name", probe.name },
-               { "value", probe.value },
-               { "reference", to_json(probe.reference) },
-               { "relative_deviation", to_json(probe.relative_deviation()) },
-               { "tolerance", to_json(probe.tolerance) } };
+      return {{"name", probe.name},
+              {"value", probe.value},
+              {"reference", to_json(probe.reference)},
+              {"relative_deviation", to_json(probe.relative_deviation())},
+              {"tolerance", to_json(probe.tolerance)}};
     }
 
 
 
     Json to_json(const IncrementRecord &increment)
     {
-      return { { "load_factor", increment.load_factor },
-               { "newton_iterations", increment.newton_iterations },
-               { "friction_iterations", increment.friction_iterations },
-               { "geometry_iterations", increment.geometry_iterations },
-               { "active", increment.active },
-               { "stick", increment.stick },
-               { "slip", increment.slip },
-               { "converged", increment.converged } };
+      return {{"load_factor", increment.load_factor},
+              {"newton_iterations", increment.newton_iterations},
+              {"friction_iterations", increment.friction_iterations},
+              {"geometry_iterations", increment.geometry_iterations},
+              {"active", increment.active},
+              {"stick", increment.stick},
+              {"slip", increment.slip},
+              {"converged", increment.converged}};
     }
 
 
 
     Json to_json(const RunSummary &summary)
     {
-      Json json{ { "converged", summary.converged },
-                 { "probes", Json::array() },
-                 { "increments", Json::array() },
-                 { "unknowns",
-                   { { "displacement", summary.n_displacements },
-                     { "multipliers", summary.n_multipliers } } },
-                 { "time", Json::object() },
-                 { "peak_memory_mb", summary.peak_memory_mb },
-                 { "effects", Json::object() } };
+      Json json{{"converged", summary.converged},
+                {"probes", Json::array()},
+                {"increments", Json::array()},
+                {"unknowns",
+                 {{"displacement", summary.n_displacements},
+                  {"multipliers", summary.n_multipliers}}},
+                {"time", Json::object()},
+                {"peak_memory_mb", summary.peak_memory_mb},
+                {"effects", Json::object()}};
       for (const ProbeResult &probe : summary.probes)
         json["probes"].push_back(to_json(probe));
       for (const IncrementRecord &increment : summary.increments)
         json["increments"].push_back(to_json(increment));
       for (const auto &[phase, time] : summary.time)
-        json["time"][phase] = { { "cpu", time.cpu }, { "wall", time.wall } };
+        json["time"][phase] = {{"cpu", time.cpu}, {"wall", time.wall}};
       for (const auto &[effect, value] : summary.effects)
         json["effects"][effect] = value;
       return json;
@@ -120,14 +120,14 @@ namespace Contact
     constexpr unsigned int n_columns = 8;
     using Line                       = std::array<std::string, n_columns>;
 
-    const Line header{ { "case",
-                         "mesh",
-                         "probe",
-                         "computed",
-                         "reference",
-                         "deviation",
-                         "tolerance",
-                         "ok" } };
+    const Line header{{"case",
+                       "mesh",
+                       "probe",
+                       "computed",
+                       "reference",
+                       "deviation",
+                       "tolerance",
+                       "ok"}};
 
     /// Numbers stand to the right.
     bool is_number(const unsigned int column)
@@ -157,14 +157,14 @@ namespace Contact
 
     Line make_line(const RunSummary &summary, const ProbeResult &probe)
     {
-      Line line{ { summary.case_name,
-                   std::filesystem::path(summary.mesh_file).stem().string(),
-                   probe.name + " [" + probe.unit + "]",
-                   format_value(probe, probe.value),
-                   "-",
-                   "-",
-                   "-",
-                   "-" } };
+      Line line{{summary.case_name,
+                 std::filesystem::path(summary.mesh_file).stem().string(),
+                 probe.name + " [" + probe.unit + "]",
+                 format_value(probe, probe.value),
+                 "-",
+                 "-",
+                 "-",
+                 "-"}};
       if (probe.reference && probe.tolerance)
         {
           line[4] = format_value(probe, *probe.reference);
@@ -185,14 +185,14 @@ namespace Contact
           lines.push_back(make_line(summary, probe));
       else
         lines.push_back(
-          { { summary.case_name,
-              std::filesystem::path(summary.mesh_file).stem().string(),
-              "-",
-              "-",
-              "-",
-              "-",
-              "-",
-              "NO" } });
+          {{summary.case_name,
+            std::filesystem::path(summary.mesh_file).stem().string(),
+            "-",
+            "-",
+            "-",
+            "-",
+            "-",
+            "NO"}});
       return lines;
     }
   } // namespace
@@ -211,7 +211,7 @@ namespace Contact
 
   void print_table(std::ostream &out, const std::vector<RunSummary> &summaries)
   {
-    std::vector<Line> lines{ header };
+    std::vector<Line> lines{header};
     for (const RunSummary &summary : summaries)
       for (const Line &line : make_lines(summary))
         lines.push_back(line);

@@ -25,10 +25,9 @@ namespace Contact
       void hold(const Point<2> &x, const Tensor<1, 2> &direction)
       {
         const Tensor<1, 2> arm = (x - centre) / size;
-        const Tensor<1, 3> row(
-          { direction[0],
-            direction[1],
-            direction[1] * arm[0] - direction[0] * arm[1] });
+        const Tensor<1, 3> row({direction[0],
+                                direction[1],
+                                direction[1] * arm[0] - direction[0] * arm[1]});
         for (unsigned int i = 0; i < 3; ++i)
           for (unsigned int j = 0; j <= i; ++j)
             held[i][j] += row[i] * row[j];
@@ -44,7 +43,7 @@ namespace Contact
       for (const auto &cell : triangulation.active_cell_iterators())
         for (const unsigned int v : cell->vertex_indices())
           {
-            const BoundingBox<2> vertex({ cell->vertex(v), cell->vertex(v) });
+            const BoundingBox<2> vertex({cell->vertex(v), cell->vertex(v)});
             const auto box = boxes.emplace(cell->material_id(), vertex);
             if (!box.second)
               box.first->second.merge_with(vertex);
@@ -97,8 +96,8 @@ namespace Contact
             x += point.C[a] * point.X[a];
 
           for (const auto body :
-               { interface.slave.edges[point.slave_edge].body,
-                 interface.master.edges[point.master_edge].body })
+               {interface.slave.edges[point.slave_edge].body,
+                interface.master.edges[point.master_edge].body})
             {
               motions.at(body).hold(x, point.normal);
               if (point.decision.status == Status::stick)
@@ -112,8 +111,7 @@ namespace Contact
     std::string name_of_motion(const Tensor<1, 3> &mode)
     {
       const std::array<std::string, 3> names{
-        { "displacement in x", "displacement in y", "rotation" }
-      };
+        {"displacement in x", "displacement in y", "rotation"}};
       std::string name;
       for (unsigned int i = 0; i < 3; ++i)
         if (std::abs(mode[i]) > 0.1)

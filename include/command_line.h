@@ -1,0 +1,32 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_command_line_h
+#define contact_command_line_h
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace Contact
+{
+  /// What the user asks for.
+  struct CommandLine
+  {
+    std::vector<std::string> files;
+    std::vector<std::string> overrides;
+    bool                     quiet = false;
+  };
+
+
+
+  /// How the program is called.
+  void print_help(std::ostream &out);
+
+  /// Throws InputError for an unknown option, or without a file.
+  CommandLine parse_command_line(const int argc, char **argv);
+} // namespace Contact
+
+#endif

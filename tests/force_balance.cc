@@ -1,0 +1,236 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Proves that the forces of contact on both surfaces are opposite, that the
+// reactions of the supports balance the loads, in force and in moment, at large
+// displacement with friction on a curved surface. The forces of contact have
+// no moment together where the gap is zero in every point that carries a force,
+// so with the nodal rule; with the Gauss rule the gap is zero in the mean only,
+// and what the shear makes of it is printed.
+
+#include "tests.h"
+
+using namespace Tests;
+
+namespace
+{
+  // A force and its moment about the origin.
+  struct Wrench
+  {
+    Tensor<1, 2> force;
+    double       moment = 0;
+
+    void add(const Wrench &other)
+    {
+      force += other.force;
+      moment += other.moment;
+    }
+  };
+
+
+
+  /// Of the nodal forces @p forces, those on the unknowns that @p counts wants.
+  Wrench sum(const ContactModel                            &model,
+             const Vector<double>                          &forces,
+             const std::function<bool(const unsigned int)> &counts)
+  {
+    const auto X = model.support_points();
+    const auto c = model.components();
+    Wrench     wrench;
+    // The position of an unknown needs the other displacement of its node.
+    std::map<std::pair<double, double>, std::vector<unsigned int>> node_dofs;
+    for (const auto &dofs : model.discretization.vertex_dofs)
+      node_dofs[{ dofs[0], dofs[1] }] = { 0 };
+
+    std::vector<Point<2>> x = X;
+    const auto            place = [&](const NodeDoFs &dofs) {
+      for (unsigned int i = 0; i < 2; ++i)
+        for (const auto dof : dofs)
+          x[dof][i] = X[dof][i] + model.solution[dofs[i]];
+    };
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &cell :
+         model.discretization.dof_handler.active_cell_iterators())
+      {
+        const auto &fe = cell->get_fe();
+        dofs.resize(fe.n_dofs_per_cell());
+        cell->get_dof_indices(dofs);
+        for (unsigned int a = 0; a < fe.base_element(0).n_dofs_per_cell(); ++a)
+          place({ { dofs[fe.component_to_system_index(0, a)],
+                    dofs[fe.component_to_system_index(1, a)] } });
+      }
+
+    for (unsigned int i = 0; i < forces.size(); ++i)
+      if (counts(i))
+        {
+          wrench.force[c[i]] += forces[i];
+          wrench.moment += (c[i] == 0 ? -x[i][1] : x[i][0]) * forces[i];
+        }
+    return wrench;
+  }
+
+
+
+  std::set<unsigned int> unknowns_of(const Surface &surface)
+  {
+    std::set<unsigned int> dofs;
+    for (const auto &node : surface.nodes)
+      dofs.insert(node.dofs.begin(), node.dofs.end());
+    return dofs;
+  }
+
+
+
+  // A block with a round lower side, slave, on a flat block.
+  Parameters::All make_case(const unsigned int degree, const std::string &rule)
+  {
+    const Point<2> center(0.1, 2);
+    const double   radius = 2;
+    MeshText       mesh;
+    mesh.block("lower", 9, 3, rectangle({ -1.5, -1 }, { 1.5, 0 }));
+    mesh.block("upper", 8, 2, [&](const double s, const double t) {
+      const double x = center[0] + 1.6 * (s - 0.5);
+      const double arc =
+        center[1] - std::sqrt(radius * radius - std::pow(x - center[0], 2));
+      return Point<2>(x, arc + t * (1 - arc));
+    });
+    Parameters::All parameters = make_parameters(mesh,
+                                                 { "lower", "upper" },
+                                                 degree,
+                                                 "large displacement");
+
+    parameters.mesh.arcs["upper bottom"] = { center[0], center[1], radius };
+    parameters.contact.slave             = "upper bottom";
+    parameters.contact.master            = "lower top";
+    parameters.contact.rule              = rule;
+    parameters.contact.n_gauss_points    = 3;
+    parameters.contact.friction_coefficient = 0.3;
+    parameters.boundary.displacement_x["lower bottom"] = 0;
+    parameters.boundary.displacement_y["lower bottom"] = 0;
+    return parameters;
+  }
+
+
+
+  void print_contact(const ContactModel &model)
+  {
+    double largest_gap = 0;
+    for (const ContactPoint &point : model.interface.points)
+      if (point.decision.status != Status::open)
+        largest_gap = std::max(
+          largest_gap,
+          std::abs(
+            model.interface.state(point, model.solution, model.start).gap));
+    const StatusCount count = model.interface.count();
+    std::cout << "  active " << count.active << ", stick " << count.stick
+              << std::endl;
+    check(largest_gap < 1e-12 ? "gap is zero in every active point" :
+                                "gap is zero in the mean only",
+          true);
+  }
+
+
+
+  // The upper side is pressed down and dragged along.
+  void drag(const unsigned int degree, const std::string &rule)
+  {
+    headline("dragged, degree " + std::to_string(degree) + ", " + rule +
+             " rule");
+    Parameters::All parameters = make_case(degree, rule);
+    parameters.boundary.displacement_x["upper top"] = 0.03;
+    parameters.boundary.displacement_y["upper top"] = -0.08;
+    ContactModel model(parameters);
+    check("converges", model.solve(0.5, true) > 0 && model.solve(1, true) > 0);
+    print_contact(model);
+
+    const Vector<double> forces = model.elasticity->forces(model.solution, 1);
+    const auto           slave  = unknowns_of(model.interface.slave);
+    const auto           master = unknowns_of(model.interface.master);
+
+    const auto on = [&](const auto &surface) {
+      return sum(model, forces, [&](const unsigned int i) {
+        return surface.count(i) > 0;
+      });
+    };
+    const Wrench on_slave  = on(slave);
+    Wrench       together  = on(master);
+    const double magnitude = on_slave.force.norm();
+    together.add(on_slave);
+    check("there is a shear force",
+          std::abs(on_slave.force[0]) > 0.05 * magnitude);
+    check_small("force of contact on both bodies",
+                together.force.norm() / magnitude,
+                1e-10);
+
+    // By the width of the block of 3 mm.
+    const double moment = std::abs(together.moment) / (3 * magnitude);
+    if (rule == "nodal")
+      check_small("moment of contact on both bodies", moment, 1e-10);
+    else
+      std::cout << "  moment of contact on both bodies "
+                << std::setprecision(2) << moment << " of force times width"
+                << std::endl;
+
+    Wrench reactions = sum(model, forces, [&](const unsigned int i) {
+      return model.discretization.is_fixed(i);
+    });
+    check_small("reactions together",
+                reactions.force.norm() / magnitude,
+                1e-10);
+
+    // Each body by itself, whatever the contact forces are.
+    Wrench all = sum(model, forces, [](unsigned int) { return true; });
+    check_small("moment of the stresses in both bodies",
+                std::abs(all.moment) / (3 * magnitude),
+                1e-10);
+  }
+
+
+
+  // Half of the problem, with a dead force on the symmetry line.
+  void load(const unsigned int degree, const std::string &rule)
+  {
+    headline("loaded, degree " + std::to_string(degree) + ", " + rule +
+             " rule");
+    MeshText mesh;
+    mesh.block("lower", 6, 3, rectangle({ 0, -1 }, { 1.5, 0 }));
+    mesh.block("upper", 5, 3, [&](const double s, const double t) {
+      const double arc = 2 - std::sqrt(4 - s * s);
+      return Point<2>(s, arc + t * (1 - arc));
+    });
+    Parameters::All       parameters  = make_case(degree, rule);
+    const Parameters::All description = make_parameters(
+      mesh, { "lower", "upper" }, degree, "large displacement");
+    parameters.mesh                       = description.mesh;
+    parameters.mesh.arcs["upper bottom"]  = { 0, 2, 2 };
+    parameters.boundary.displacement_x["lower left"] = 0;
+    parameters.boundary.displacement_x["upper left"] = 0;
+    parameters.boundary.force_y["upper top left"]    = -20;
+    ContactModel model(parameters);
+    check("converges", model.solve(0.5, true) > 0 && model.solve(1, true) > 0);
+    print_contact(model);
+
+    const Vector<double> forces = model.elasticity->forces(model.solution, 1);
+    const Wrench reactions = sum(model, forces, [&](const unsigned int i) {
+      return model.discretization.is_fixed(i);
+    });
+    check_small("vertical reactions and load",
+                std::abs(reactions.force[1] - 20) / 20,
+                1e-10);
+    check_small("horizontal reactions", std::abs(reactions.force[0]) / 20, 1e-10);
+  }
+} // namespace
+
+
+
+int main()
+{
+  for (const unsigned int degree : { 1, 2 })
+    for (const std::string rule : { "nodal", "Gauss" })
+      {
+        drag(degree, rule);
+        load(degree, rule);
+      }
+}
