@@ -213,8 +213,7 @@ namespace Contact
   // computed or written.
   void ContactProblem::setup_system()
   {
-    TimerOutput::Scope scope(timer, "setup");
-
+    timer.enter_subsection("setup");
     mesh           = std::make_unique<Mesh>(parameters.mesh);
     discretization = std::make_unique<Discretization>(*mesh, parameters);
     elasticity     = Elasticity::create(*discretization, parameters.solids);
@@ -234,6 +233,7 @@ namespace Contact
     linearization.moving_geometry = parameters.solution.geometry == "Newton";
     linearization.moving_bound    = parameters.solution.friction == "Newton";
     reference_force               = discretization->dead_load.l2_norm();
+    timer.leave_subsection();
 
     // A body that nothing holds would show as a singular matrix much later.
     pair_bodies();

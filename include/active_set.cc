@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <set>
 
+#include "errors.h"
+
 namespace Contact
 {
   namespace
@@ -229,8 +231,16 @@ namespace Contact
 
     LAPACKFullMatrix<double> lu(n, n);
     lu = system;
-    lu.compute_lu_factorization();
-    lu.solve(z);
+    try
+      {
+        lu.compute_lu_factorization();
+        lu.solve(z);
+      }
+    catch (const LACExceptions::ExcSingular &)
+      {
+        throw NotConverged("the search of the active set meets decisions "
+                           "under which nothing holds a body");
+      }
     D.vmult_add(eta, z);
 
     Vector<double> corrected = update;

@@ -46,7 +46,8 @@ namespace Contact
      * Given the Newton @p update under the present decisions at @p solution,
      * constraints distributed, make it the update of the linearised problem.
      * The decisions in the points stay: ContactInterface::decide_all()
-     * makes the new ones after the step. Returns the number of rounds.
+     * makes the new ones after the step. Returns the number of rounds. Throws
+     * NotConverged if decisions let a body go.
      */
     unsigned int correct(const Vector<double> &solution,
                          const Vector<double> &u_start,

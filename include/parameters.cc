@@ -175,8 +175,9 @@ namespace Contact
       prm.add_parameter("Centre node",
                         centre_node,
                         "The node in the middle of a quadrilateral of degree "
-                        "2 [-]; bound: to the mean of its neighbours' shape "
-                        "(8-node element), free: an unknown (9-node element).",
+                        "2 [-]; bound: half the sum of the mid-sides minus a "
+                        "quarter of the sum of the corners (8-node element), "
+                        "free: an unknown (9-node element).",
                         Patterns::Selection("bound|free"));
       prm.leave_subsection();
     }

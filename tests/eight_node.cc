@@ -17,14 +17,8 @@ namespace
   const double young = 1000, poisson = 0.3;
 
   // Corners counterclockwise, then the mid-sides that follow them.
-  const std::array<Point<2>, 8> unit_nodes{ { { -1, -1 },
-                                              { 1, -1 },
-                                              { 1, 1 },
-                                              { -1, 1 },
-                                              { 0, -1 },
-                                              { 1, 0 },
-                                              { 0, 1 },
-                                              { -1, 0 } } };
+  const std::array<Point<2>, 8> unit_nodes{
+    {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
 
 
 
@@ -36,11 +30,11 @@ namespace
     const double a = unit_nodes[node][0], b = unit_nodes[node][1];
     const double x = p[0], y = p[1];
     if (node < 4)
-      return Tensor<1, 2>({ a * (1 + y * b) * (2 * x * a + y * b) / 4,
-                            b * (1 + x * a) * (x * a + 2 * y * b) / 4 });
+      return Tensor<1, 2>({a * (1 + y * b) * (2 * x * a + y * b) / 4,
+                           b * (1 + x * a) * (x * a + 2 * y * b) / 4});
     if (a == 0)
-      return Tensor<1, 2>({ -x * (1 + y * b), b * (1 - x * x) / 2 });
-    return Tensor<1, 2>({ a * (1 - y * y) / 2, -y * (1 + x * a) });
+      return Tensor<1, 2>({-x * (1 + y * b), b * (1 - x * x) / 2});
+    return Tensor<1, 2>({a * (1 - y * y) / 2, -y * (1 + x * a)});
   }
 
 
@@ -69,10 +63,8 @@ namespace
       : residual(16)
       , matrix(16, 16)
     {
-      const std::array<double, 3> points{ { -std::sqrt(0.6),
-                                            0,
-                                            std::sqrt(0.6) } };
-      const std::array<double, 3> weights{ { 5. / 9, 8. / 9, 5. / 9 } };
+      const std::array<double, 3> points{{-std::sqrt(0.6), 0, std::sqrt(0.6)}};
+      const std::array<double, 3> weights{{5. / 9, 8. / 9, 5. / 9}};
       for (unsigned int q = 0; q < 9; ++q)
         add_point(X,
                   u,
@@ -90,7 +82,7 @@ namespace
       Tensor<2, 2> J; // J_ij = dX_i/dxi_j
       for (unsigned int a = 0; a < 8; ++a)
         J += outer_product(X[a], unit_gradient(a, p));
-      const double                JxW = determinant(J) * weight;
+      const double                JxW                = determinant(J) * weight;
       const Tensor<2, 2>          inverse_transposed = transpose(invert(J));
       std::array<Tensor<1, 2>, 8> gradient;
       Tensor<2, 2>                H;
@@ -103,8 +95,8 @@ namespace
       Tensor<2, 2> I, S;
       I[0][0] = I[1][1]    = 1;
       const Tensor<2, 2> F = large ? H + I : I;
-      const Tensor<2, 2> E = large ? 0.5 * (transpose(F) * F - I) :
-                                     0.5 * (H + transpose(H));
+      const Tensor<2, 2> E =
+        large ? 0.5 * (transpose(F) * F - I) : 0.5 * (H + transpose(H));
       for (unsigned int i = 0; i < 2; ++i)
         for (unsigned int j = 0; j < 2; ++j)
           for (unsigned int k = 0; k < 2; ++k)
@@ -161,8 +153,8 @@ namespace
       return t == 0 ? (s == 0 ? X[0] : X[1]) : (s == 0 ? X[3] : X[2]);
     });
     Parameters::All parameters =
-      make_parameters(mesh, { "block" }, 2, kinematics, young, poisson);
-    parameters.mesh.arcs["block bottom"] = { center[0], center[1], radius };
+      make_parameters(mesh, {"block"}, 2, kinematics, young, poisson);
+    parameters.mesh.arcs["block bottom"] = {center[0], center[1], radius};
     const Bodies bodies(parameters);
 
     // The unknowns of the eight nodes, found by their places.
@@ -204,10 +196,9 @@ namespace
         residual_error =
           std::max(residual_error, std::abs(-rhs[row] - reference.residual[i]));
         for (unsigned int j = 0; j < 16; ++j)
-          matrix_error =
-            std::max(matrix_error,
-                     std::abs(matrix.el(row, dofs[j / 2][j % 2]) -
-                              reference.matrix(i, j)));
+          matrix_error = std::max(matrix_error,
+                                  std::abs(matrix.el(row, dofs[j / 2][j % 2]) -
+                                           reference.matrix(i, j)));
       }
     check_small("residual",
                 residual_error / reference.residual.linfty_norm(),
@@ -238,7 +229,7 @@ namespace
       3,
       3,
       [&](const double s, const double t) {
-        const bool inside = t > 0 && t < 1 && s > 0 && s < 1;
+        const bool   inside = t > 0 && t < 1 && s > 0 && s < 1;
         const double x = 3 * s, arc = 5 - std::sqrt(25 - std::pow(x - 1.5, 2));
         return Point<2>(x + (inside ? random(-0.2, 0.2) : 0),
                         arc + t * (3 - arc) + (inside ? random(-0.2, 0.2) : 0));
@@ -247,50 +238,48 @@ namespace
         return i == 1 && j == 1;
       });
     Parameters::All parameters =
-      make_parameters(mesh, { "block" }, degree, kinematics, young, poisson);
+      make_parameters(mesh, {"block"}, degree, kinematics, young, poisson);
     parameters.element.centre_node       = centre_node;
-    parameters.mesh.arcs["block bottom"] = { center[0], center[1], radius };
+    parameters.mesh.arcs["block bottom"] = {center[0], center[1], radius};
     const Bodies bodies(parameters);
 
-    const auto test_motion = [&](const std::string  &name,
-                                 const Tensor<2, 2> &F,
-                                 const bool          is_rigid) {
-      const Vector<double> u = bodies.displacement([&](const Point<2> &X) {
-        return Point<2>(0.3, -0.2) + F * X;
-      });
+    const auto test_motion =
+      [&](const std::string &name, const Tensor<2, 2> &F, const bool is_rigid) {
+        const Vector<double> u = bodies.displacement(
+          [&](const Point<2> &X) { return Point<2>(0.3, -0.2) + F * X; });
 
-      const Vector<double> forces = bodies.elasticity->forces(u, 1);
-      const auto           points = bodies.support_points();
-      std::set<unsigned int> boundary;
-      for (const std::string side : { "bottom", "right", "top", "left" })
-        for (const auto &node : bodies.surface("block " + side).nodes)
-          boundary.insert(node.dofs.begin(), node.dofs.end());
-      double interior = 0;
-      for (unsigned int i = 0; i < forces.size(); ++i)
-        if (boundary.count(i) == 0)
-          interior = std::max(interior, std::abs(forces[i]));
+        const Vector<double>   forces = bodies.elasticity->forces(u, 1);
+        const auto             points = bodies.support_points();
+        std::set<unsigned int> boundary;
+        for (const std::string side : {"bottom", "right", "top", "left"})
+          for (const auto &node : bodies.surface("block " + side).nodes)
+            boundary.insert(node.dofs.begin(), node.dofs.end());
+        double interior = 0;
+        for (unsigned int i = 0; i < forces.size(); ++i)
+          if (boundary.count(i) == 0)
+            interior = std::max(interior, std::abs(forces[i]));
 
-      const auto stresses = bodies.elasticity->stresses(u);
-      const auto first    = stresses[0][0];
-      double     scatter  = 0;
-      for (const auto &cell : stresses)
-        for (const auto &stress : cell)
-          scatter = std::max(scatter, (stress - first).norm());
-      check_small(name + ", forces inside over Young's modulus",
-                  interior / young,
-                  1e-13);
-      check_small(name + ", scatter of the stress over Young's modulus",
-                  scatter / young,
-                  1e-13);
-      if (is_rigid)
-        check_small(name + ", stress over Young's modulus",
-                    first.norm() / young,
+        const auto stresses = bodies.elasticity->stresses(u);
+        const auto first    = stresses[0][0];
+        double     scatter  = 0;
+        for (const auto &cell : stresses)
+          for (const auto &stress : cell)
+            scatter = std::max(scatter, (stress - first).norm());
+        check_small(name + ", forces inside over Young's modulus",
+                    interior / young,
                     1e-13);
-      else
-        std::cout << "  " << name << ", stress " << first[0][0] << ' '
-                  << first[1][1] << ' ' << first[0][1] << ' ' << first[2][2]
-                  << std::endl;
-    };
+        check_small(name + ", scatter of the stress over Young's modulus",
+                    scatter / young,
+                    1e-13);
+        if (is_rigid)
+          check_small(name + ", stress over Young's modulus",
+                      first.norm() / young,
+                      1e-13);
+        else
+          std::cout << "  " << name << ", stress " << first[0][0] << ' '
+                    << first[1][1] << ' ' << first[0][1] << ' ' << first[2][2]
+                    << std::endl;
+      };
 
     Tensor<2, 2> F;
     F[0][0] = 1.02;
@@ -307,7 +296,7 @@ namespace
 
 int main()
 {
-  for (const std::string kinematics : { "small strain", "large displacement" })
+  for (const std::string kinematics : {"small strain", "large displacement"})
     {
       compare_cell(kinematics);
       linear_displacement(1, "bound", kinematics);

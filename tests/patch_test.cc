@@ -34,28 +34,30 @@ namespace
                const double       poisson)
   {
     MeshText mesh;
-    mesh.block("lower", match ? 3 : 4, 2, rectangle({ 0, -1 }, { 2, 0 }));
-    mesh.block("upper", 3, 2, rectangle({ 0, 0 }, { 2, 1 }));
+    mesh.block("lower", match ? 3 : 4, 2, rectangle({0, -1}, {2, 0}));
+    mesh.block("upper", 3, 2, rectangle({0, 0}, {2, 1}));
 
-    const double    young      = 1000;
-    const double    shortening = 0.01;
-    Parameters::All parameters = make_parameters(
-      mesh, { "lower", "upper" }, degree, "small strain", young, poisson);
+    const double    young              = 1000;
+    const double    shortening         = 0.01;
+    Parameters::All parameters         = make_parameters(mesh,
+                                                 {"lower", "upper"},
+                                                 degree,
+                                                 "small strain",
+                                                 young,
+                                                 poisson);
     parameters.contact.slave           = "upper bottom";
     parameters.contact.master          = "lower top";
     parameters.contact.rule            = rule;
     parameters.contact.n_gauss_points  = n_points;
-    parameters.boundary.displacement_x = { { "lower left", 0 },
-                                           { "upper left", 0 } };
-    parameters.boundary.displacement_y = { { "lower bottom", 0 },
-                                           { "upper top", -shortening } };
+    parameters.boundary.displacement_x = {{"lower left", 0}, {"upper left", 0}};
+    parameters.boundary.displacement_y = {{"lower bottom", 0},
+                                          {"upper top", -shortening}};
 
     // Both blocks together are 2 high, and their right sides are free.
     ContactModel model(parameters);
     Result       result{};
-    result.converged = model.solve(1, false) > 0;
-    const double pressure =
-      young / (1 - poisson * poisson) * shortening / 2;
+    result.converged      = model.solve(1, false) > 0;
+    const double pressure = young / (1 - poisson * poisson) * shortening / 2;
 
     SymmetricTensor<2, 3> exact;
     exact[1][1] = -pressure;
@@ -70,13 +72,12 @@ namespace
       {
         result.all_in_contact =
           result.all_in_contact && point.decision.status == Status::slip;
-        result.deviation_of_pressure =
-          std::max(result.deviation_of_pressure,
-                   std::abs(model.interface
-                              .state(point, model.solution, model.start)
-                              .p_trial -
-                            pressure) /
-                     pressure);
+        result.deviation_of_pressure = std::max(
+          result.deviation_of_pressure,
+          std::abs(
+            model.interface.state(point, model.solution, model.start).p_trial -
+            pressure) /
+            pressure);
       }
     return result;
   }
@@ -93,10 +94,10 @@ namespace
 
   void matching(const std::string &rule, const unsigned int n_points)
   {
-    for (const unsigned int degree : { 1, 2 })
-      for (const double poisson : { 0., 0.3 })
+    for (const unsigned int degree : {1, 2})
+      for (const double poisson : {0., 0.3})
         {
-          const Result result = press(degree, true, rule, n_points, poisson);
+          const Result result    = press(degree, true, rule, n_points, poisson);
           const std::string name = named(degree, poisson);
           check(name + ", converged, all in contact",
                 result.converged && result.all_in_contact);
@@ -110,16 +111,18 @@ namespace
   // Known failures are printed with two digits, as parts of the pressure.
   void not_matching(const std::string &rule, const unsigned int n_points)
   {
-    for (const unsigned int degree : { 1, 2 })
+    for (const unsigned int degree : {1, 2})
       {
         const Result result = press(degree, false, rule, n_points, 0.3);
+        if (rule == "nodal")
+          check(named(degree, 0.3) + ", deviation of the stress > 1e-3",
+                result.deviation > 1e-3);
         std::cout << "  " << named(degree, 0.3) << ", "
                   << (result.converged ? "converged" : "not converged") << ", "
                   << (result.all_in_contact ? "all" : "not all")
                   << " in contact, deviation of the stress "
-                  << std::setprecision(2) << result.deviation
-                  << ", of the pressure " << result.deviation_of_pressure
-                  << std::endl;
+                  << two_digits(result.deviation) << ", of the pressure "
+                  << two_digits(result.deviation_of_pressure) << std::endl;
       }
   }
 } // namespace
@@ -134,7 +137,7 @@ int main()
   matching("Gauss", 3);
   headline("other nodes, nodal rule: failed");
   not_matching("nodal", 0);
-  for (const unsigned int n_points : { 2, 3, 6, 10 })
+  for (const unsigned int n_points : {2, 3, 6, 10})
     {
       headline("other nodes, Gauss rule of " + std::to_string(n_points) +
                " points: inexact");

@@ -19,13 +19,14 @@ namespace
   void straight(const unsigned int degree)
   {
     headline("straight edges, degree " + std::to_string(degree));
-    const std::array<double, 5> ends{ { 0., 1., 1.5, 3.5, 4. } };
+    const std::array<double, 5> ends{{0., 1., 1.5, 3.5, 4.}};
 
     MeshText mesh;
     mesh.block("block", 4, 1, [&](const double s, const double t) {
       return Point<2>(ends[std::lround(4 * s)], t);
     });
-    const Bodies bodies(make_parameters(mesh, { "block" }, degree, "small strain"));
+    const Bodies bodies(
+      make_parameters(mesh, {"block"}, degree, "small strain"));
     const Surface       surface = bodies.surface("block bottom");
     const Tensor<2, 2>  R       = rotation(numbers::PI / 6);
     const Point<2>      origin(3, -2);
@@ -34,18 +35,18 @@ namespace
                                  return origin + R * X;
                                }));
 
-    double error = 0;
+    double error      = 0;
     bool   right_edge = true, clamped = true, faces = true;
     Random random;
     for (unsigned int e = 0; e < 4; ++e)
       for (unsigned int k = 0; k < 50; ++k)
         {
           // On both sides, but not far inside the body.
-          const double length = ends[e + 1] - ends[e];
-          const double xi     = random(-0.99, 0.99);
+          const double   length = ends[e + 1] - ends[e];
+          const double   xi     = random(-0.99, 0.99);
           const Point<2> x =
-            origin + R * Point<2>(ends[e] + (1 + xi) / 2 * length,
-                                  random(-3, 0.5));
+            origin +
+            R * Point<2>(ends[e] + (1 + xi) / 2 * length, random(-3, 0.5));
           const Projection found = search.closest_point(x);
           right_edge             = right_edge && found.edge == e;
           faces                  = faces && !found.off_the_end;
@@ -66,22 +67,21 @@ namespace
     // The distance is measured to the projection.
     const Point<2> above = origin + R * Point<2>(2.5, -0.75);
     check_small("squared distance",
-                std::abs(search.distance_square(above,
-                                                search.closest_point(above)) -
-                         0.5625),
+                std::abs(
+                  search.distance_square(above, search.closest_point(above)) -
+                  0.5625),
                 1e-13);
 
     // Beyond the ends: the last edge is extrapolated by the overhang, 0.1 in
     // its coordinate, half an edge long.
     headline("  beyond the ends, by parts of the last edge's half length");
-    for (const double beyond : { 0.05, 0.09, 0.11, 3. })
-      for (const bool at_start : { true, false })
+    for (const double beyond : {0.05, 0.09, 0.11, 3.})
+      for (const bool at_start : {true, false})
         {
-          const double half = at_start ? 0.5 : 0.25;
+          const double   half = at_start ? 0.5 : 0.25;
           const Point<2> x =
-            origin + R * Point<2>(at_start ? -beyond * half :
-                                             4 + beyond * half,
-                                  -0.3);
+            origin +
+            R * Point<2>(at_start ? -beyond * half : 4 + beyond * half, -0.3);
           const Projection found = search.closest_point(x);
           std::cout << "  " << beyond << ": edge " << found.edge << ", "
                     << found.xi << (found.off_the_end ? ", off" : ", faces")
@@ -101,8 +101,8 @@ namespace
       (p[0] > 0 ? low : high) = 0;
     for (unsigned int i = 0; i < 200; ++i)
       {
-        const double x    = (low + high) / 2;
-        const bool   less = x - p[0] + 2 * k * x * (k * x * x - p[1]) < 0;
+        const double x      = (low + high) / 2;
+        const bool   less   = x - p[0] + 2 * k * x * (k * x * x - p[1]) < 0;
         (less ? low : high) = x;
       }
     return (low + high) / 2;
@@ -115,8 +115,8 @@ namespace
   {
     headline("parabola, k = " + std::to_string(k));
     MeshText mesh;
-    mesh.block("block", 1, 1, rectangle({ -1, 0 }, { 1, 1 }));
-    const Bodies  bodies(make_parameters(mesh, { "block" }, 2, "small strain"));
+    mesh.block("block", 1, 1, rectangle({-1, 0}, {1, 1}));
+    const Bodies  bodies(make_parameters(mesh, {"block"}, 2, "small strain"));
     const Surface surface = bodies.surface("block bottom");
     const Tensor<2, 2>  R = rotation(2.);
     const SurfaceSearch search(surface,
@@ -133,10 +133,10 @@ namespace
       {
         // The far ones lie beyond the center of curvature of the vertex, where
         // there are up to three feet.
-        const bool     is_far = i % 4 == 0;
-        const Point<2> p(random(-1.6, 1.6),
-                         is_far ? random(1.05, 3) / (2 * k) :
-                                  random(-2, 0.95 / (2 * k)));
+        const bool       is_far = i % 4 == 0;
+        const Point<2>   p(random(-1.6, 1.6),
+                         is_far ? random(1.05, 3) / (2 * k)
+                                  : random(-2, 0.95 / (2 * k)));
         const double     foot  = foot_on_parabola(k, p);
         const Projection found = search.closest_point(Point<2>(R * p));
         const double     reach = 1 + SurfaceSearch::overhang;
@@ -144,7 +144,8 @@ namespace
           std::abs(found.xi - std::max(-reach, std::min(reach, foot)));
         (is_far ? far : near) = std::max(is_far ? far : near, error);
 
-        ends_right = ends_right && found.off_the_end == (std::abs(foot) > reach);
+        ends_right =
+          ends_right && found.off_the_end == (std::abs(foot) > reach);
         n_off += found.off_the_end;
         n_over += !found.off_the_end && std::abs(foot) > 1;
       }
@@ -162,30 +163,29 @@ namespace
   {
     headline("corner, degree " + std::to_string(degree));
     MeshText mesh;
-    mesh.block("block", 2, 1, rectangle({ -1, 0 }, { 1, 1 }));
+    mesh.block("block", 2, 1, rectangle({-1, 0}, {1, 1}));
     const Bodies bodies(
-      make_parameters(mesh, { "block" }, degree, "small strain"));
+      make_parameters(mesh, {"block"}, degree, "small strain"));
     const Surface       surface = bodies.surface("block bottom");
     const SurfaceSearch search(surface,
                                bodies.displacement([&](const Point<2> &X) {
-                                 return Point<2>(X[0],
-                                                 X[1] + std::abs(X[0]));
+                                 return Point<2>(X[0], X[1] + std::abs(X[0]));
                                }));
 
     // The surface is y = |x|, the body lies above: outside is the convex side.
     bool corner_found = true;
-    for (const double angle : { -0.7, -0.3, 0., 0.2, 0.7 })
+    for (const double angle : {-0.7, -0.3, 0., 0.2, 0.7})
       {
         const Point<2>   x(2 * std::sin(angle), -2 * std::cos(angle));
         const Projection found = search.closest_point(x);
-        corner_found = corner_found && !found.off_the_end &&
+        corner_found           = corner_found && !found.off_the_end &&
                        std::abs(search.distance_square(x, found) - 4) < 1e-13 &&
                        std::abs(found.xi - (found.edge == 0 ? 1 : -1)) < 1e-13;
       }
     check("from the outside the corner is the closest point", corner_found);
 
     bool face_found = true;
-    for (const double a : { -0.5, -0.1, 0.1, 0.5 })
+    for (const double a : {-0.5, -0.1, 0.1, 0.5})
       {
         // A point at height 1: its foot on the nearer face.
         const Projection found = search.closest_point(Point<2>(a, 1));
@@ -202,10 +202,10 @@ namespace
 
 int main()
 {
-  for (const unsigned int degree : { 1, 2 })
+  for (const unsigned int degree : {1, 2})
     straight(degree);
   parabola(0.4);
   parabola(0.05);
-  for (const unsigned int degree : { 1, 2 })
+  for (const unsigned int degree : {1, 2})
     corner(degree);
 }

@@ -21,9 +21,9 @@ namespace
   {
     headline("degree " + std::to_string(degree));
     MeshText mesh;
-    mesh.block("block", 24, 1, rectangle({ 0, 0 }, { 1, 0.1 }));
+    mesh.block("block", 24, 1, rectangle({0, 0}, {1, 0.1}));
     const Bodies bodies(
-      make_parameters(mesh, { "block" }, degree, "small strain"));
+      make_parameters(mesh, {"block"}, degree, "small strain"));
     const Surface surface = bodies.surface("block bottom");
 
     // A wavy spiral of a little more than one turn.
@@ -32,7 +32,7 @@ namespace
       const double radius = 1 + 0.16 * X[0] + 0.04 * std::sin(5 * angle);
       return Point<2>(radius * std::cos(angle), radius * std::sin(angle));
     });
-    const SurfaceSearch search(surface, u);
+    const SurfaceSearch  search(surface, u);
 
     std::vector<Point<2>> samples;
     for (const auto &edge : surface.edges)
@@ -51,9 +51,9 @@ namespace
     for (unsigned int i = 0; i < n_points; ++i)
       {
         // A half of the points everywhere, the other half near the ends.
-        const Point<2> x = i % 2 == 0 ?
-                             Point<2>(random(-1.6, 1.6), random(-1.6, 1.6)) :
-                             Point<2>(random(0.8, 1.2), random(-0.3, 1.2));
+        const Point<2>   x        = i % 2 == 0
+                                      ? Point<2>(random(-1.6, 1.6), random(-1.6, 1.6))
+                                      : Point<2>(random(0.8, 1.2), random(-0.3, 1.2));
         const Projection found    = search.closest_point(x);
         const double     distance = search.distance_square(x, found);
         n_off += found.off_the_end;
@@ -81,6 +81,6 @@ namespace
 
 int main()
 {
-  for (const unsigned int degree : { 1, 2 })
+  for (const unsigned int degree : {1, 2})
     compare(degree);
 }

@@ -9,6 +9,7 @@
 // von Mises stress and the stress across the plane are right.
 
 #include "stress_recovery.h"
+
 #include "tests.h"
 
 using namespace Tests;
@@ -25,8 +26,7 @@ namespace
   Tensor<1, 2> quadratic_displacement(const Point<2> &X)
   {
     const double x = X[0], y = X[1];
-    return Tensor<1, 2>(
-      { (x * x + x * y) / 100, (2 * x * y - y * y) / 100 });
+    return Tensor<1, 2>({(x * x + x * y) / 100, (2 * x * y - y * y) / 100});
   }
 
 
@@ -56,13 +56,12 @@ namespace
     MeshText mesh;
     mesh.block("block", 3, 3, chart, split);
     Parameters::All parameters =
-      make_parameters(mesh, { "block" }, 2, "small strain", young, poisson);
+      make_parameters(mesh, {"block"}, 2, "small strain", young, poisson);
     parameters.element.centre_node = centre_node;
     const Bodies         bodies(parameters);
     const StressRecovery recovery(bodies.discretization);
-    const Vector<double> u = bodies.displacement([](const Point<2> &X) {
-      return X + quadratic_displacement(X);
-    });
+    const Vector<double> u = bodies.displacement(
+      [](const Point<2> &X) { return X + quadratic_displacement(X); });
 
     const auto  stresses = recovery.vertex_stresses(*bodies.elasticity, u);
     const auto &vertices = bodies.mesh.triangulation.get_vertices();
@@ -85,10 +84,10 @@ namespace
     mesh.block("block",
                1,
                1,
-               rectangle({ 0, 0 }, { 1, 1 }),
+               rectangle({0, 0}, {1, 1}),
                [](unsigned int, unsigned int) { return true; });
     const Bodies bodies(
-      make_parameters(mesh, { "block" }, 1, "small strain", young, poisson));
+      make_parameters(mesh, {"block"}, 1, "small strain", young, poisson));
     const StressRecovery recovery(bodies.discretization);
 
     // Only the corner (1, 0) moves, by 0.01 to the right: of the triangles
@@ -97,13 +96,13 @@ namespace
     const Vector<double> u = bodies.displacement([](const Point<2> &X) {
       return X + Point<2>(X[0] == 1 && X[1] == 0 ? 0.01 : 0, 0);
     });
-    const auto  stresses = recovery.vertex_stresses(*bodies.elasticity, u);
-    const auto &vertices = bodies.mesh.triangulation.get_vertices();
-    double      error    = 0;
+    const auto  stresses   = recovery.vertex_stresses(*bodies.elasticity, u);
+    const auto &vertices   = bodies.mesh.triangulation.get_vertices();
+    double      error      = 0;
     for (unsigned int v = 0; v < vertices.size(); ++v)
       {
-        const Point<2> &X = vertices[v];
-        const double share = X[0] == X[1] ? 0.5 : (X[0] == 1 ? 1 : 0);
+        const Point<2>       &X     = vertices[v];
+        const double          share = X[0] == X[1] ? 0.5 : (X[0] == 1 ? 1 : 0);
         SymmetricTensor<2, 3> exact;
         exact[0][0] = share * (lambda + 2 * mu) * 0.01;
         exact[1][1] = exact[2][2] = share * lambda * 0.01;
@@ -121,9 +120,13 @@ namespace
   void check_cauchy()
   {
     MeshText mesh;
-    mesh.block("block", 2, 1, rectangle({ 0, 0 }, { 2, 1 }));
-    const Bodies bodies(make_parameters(
-      mesh, { "block" }, 1, "large displacement", young, poisson));
+    mesh.block("block", 2, 1, rectangle({0, 0}, {2, 1}));
+    const Bodies         bodies(make_parameters(mesh,
+                                        {"block"},
+                                        1,
+                                        "large displacement",
+                                        young,
+                                        poisson));
     const Vector<double> u = bodies.displacement([](const Point<2> &X) {
       return Point<2>(1.1 * X[0] + 0.2 * X[1], 0.9 * X[1]);
     });
@@ -134,8 +137,7 @@ namespace
     const double S12 = 2 * mu * E12, J = 0.99;
 
     SymmetricTensor<2, 3> exact;
-    exact[0][0] =
-      (1.1 * 1.1 * S11 + 2 * 1.1 * 0.2 * S12 + 0.2 * 0.2 * S22) / J;
+    exact[0][0] = (1.1 * 1.1 * S11 + 2 * 1.1 * 0.2 * S12 + 0.2 * 0.2 * S22) / J;
     exact[1][1] = 0.9 * 0.9 * S22 / J;
     exact[0][1] = 0.9 * (1.1 * S12 + 0.2 * S22) / J;
     exact[2][2] = tr / J;
@@ -151,17 +153,15 @@ namespace
 
   void check_von_mises()
   {
-    const auto stress = [](const double xx,
-                           const double yy,
-                           const double zz,
-                           const double xy) {
-      SymmetricTensor<2, 3> s;
-      s[0][0] = xx;
-      s[1][1] = yy;
-      s[2][2] = zz;
-      s[0][1] = xy;
-      return s;
-    };
+    const auto stress =
+      [](const double xx, const double yy, const double zz, const double xy) {
+        SymmetricTensor<2, 3> s;
+        s[0][0] = xx;
+        s[1][1] = yy;
+        s[2][2] = zz;
+        s[0][1] = xy;
+        return s;
+      };
     headline("von Mises");
     std::cout << "  tension 3: " << von_mises(stress(0, 3, 0, 0)) << std::endl
               << "  shear 2, squared: "

@@ -61,8 +61,8 @@ namespace
       },
       [](const unsigned int i, const unsigned int j) { return i + j == 2; });
     Parameters::All parameters =
-      make_parameters(mesh, { "block" }, degree, kinematics);
-    parameters.element.centre_node = centre_node;
+      make_parameters(mesh, {"block"}, degree, kinematics);
+    parameters.element.centre_node                 = centre_node;
     parameters.boundary.force_x["block top right"] = 3;
     const Bodies bodies(parameters);
 
@@ -100,8 +100,7 @@ namespace
     check_small("asymmetry", asymmetry / largest, 1e-14);
 
     // With a bound centre this holds at the other nodes.
-    Vector<double> difference =
-      bodies.elasticity->forces(u, 0.7);
+    Vector<double> difference = bodies.elasticity->forces(u, 0.7);
     difference -= here.residual;
     check_small("residual against forces",
                 difference.linfty_norm() / here.residual.linfty_norm(),
@@ -115,7 +114,7 @@ namespace
 
 int main()
 {
-  for (const std::string kinematics : { "small strain", "large displacement" })
+  for (const std::string kinematics : {"small strain", "large displacement"})
     {
       compare(1, "bound", kinematics);
       compare(2, "bound", kinematics);

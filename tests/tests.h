@@ -7,7 +7,6 @@
 #define contact_tests_h
 
 #include <deal.II/dofs/dof_tools.h>
-
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/sparsity_pattern.h>
@@ -17,6 +16,7 @@
 #include <iomanip>
 #include <iostream>
 #include <random>
+#include <sstream>
 
 #include "contact_interface.h"
 #include "discretization.h"
@@ -58,6 +58,16 @@ namespace Tests
 
 
 
+  /// A number that is known to two digits only.
+  inline std::string two_digits(const double value)
+  {
+    std::ostringstream text;
+    text << std::setprecision(2) << value;
+    return text.str();
+  }
+
+
+
   inline void headline(const std::string &text)
   {
     std::cout << text << std::endl;
@@ -75,7 +85,7 @@ namespace Tests
     }
 
   private:
-    std::mt19937 engine{ 5489 };
+    std::mt19937 engine{5489};
   };
 
 
@@ -137,26 +147,26 @@ namespace Tests
             const unsigned int c = node(i + 1, j + 1), d = node(i, j + 1);
             if (split && split(i, j))
               {
-                add(2, name, { a, b, c });
-                add(2, name, { a, c, d });
+                add(2, name, {a, b, c});
+                add(2, name, {a, c, d});
               }
             else
-              add(2, name, { a, b, c, d });
+              add(2, name, {a, b, c, d});
           }
       for (unsigned int i = 0; i < nx; ++i)
         {
-          add(1, name + " bottom", { node(i, 0), node(i + 1, 0) });
-          add(1, name + " top", { node(i, ny), node(i + 1, ny) });
+          add(1, name + " bottom", {node(i, 0), node(i + 1, 0)});
+          add(1, name + " top", {node(i, ny), node(i + 1, ny)});
         }
       for (unsigned int j = 0; j < ny; ++j)
         {
-          add(1, name + " left", { node(0, j), node(0, j + 1) });
-          add(1, name + " right", { node(nx, j), node(nx, j + 1) });
+          add(1, name + " left", {node(0, j), node(0, j + 1)});
+          add(1, name + " right", {node(nx, j), node(nx, j + 1)});
         }
-      add(0, name + " bottom left", { node(0, 0) });
-      add(0, name + " bottom right", { node(nx, 0) });
-      add(0, name + " top left", { node(0, ny) });
-      add(0, name + " top right", { node(nx, ny) });
+      add(0, name + " bottom left", {node(0, 0)});
+      add(0, name + " bottom right", {node(nx, 0)});
+      add(0, name + " top left", {node(0, ny)});
+      add(0, name + " top right", {node(nx, ny)});
     }
 
     void write(const std::string &file) const
@@ -182,7 +192,7 @@ namespace Tests
              const std::vector<unsigned int> &corners)
     {
       // gmsh's numbers of a point, a line, a triangle and a quadrangle.
-      const std::array<unsigned int, 5> types{ { 0, 15, 1, 2, 3 } };
+      const std::array<unsigned int, 5> types{{0, 15, 1, 2, 3}};
 
       const auto tag =
         groups.emplace(std::make_pair(dimension, group), groups.size() + 1)
@@ -194,21 +204,20 @@ namespace Tests
       elements.push_back(text);
     }
 
-    std::vector<Point<2>>                                     nodes;
+    std::vector<Point<2>>                                        nodes;
     std::map<std::pair<unsigned int, std::string>, unsigned int> groups;
-    std::vector<std::string>                                  elements;
+    std::vector<std::string>                                     elements;
   };
 
 
 
   /// Parameters of a mesh with the bodies @p names, all of the same material.
-  inline Parameters::All
-  make_parameters(const MeshText                 &mesh,
-                  const std::vector<std::string> &names,
-                  const unsigned int              degree,
-                  const std::string              &kinematics,
-                  const double                    young   = 1000,
-                  const double                    poisson = 0.3)
+  inline Parameters::All make_parameters(const MeshText                 &mesh,
+                                         const std::vector<std::string> &names,
+                                         const unsigned int              degree,
+                                         const std::string &kinematics,
+                                         const double       young   = 1000,
+                                         const double       poisson = 0.3)
   {
     mesh.write("test.msh");
 
@@ -350,11 +359,14 @@ namespace Tests
           if (moving_geometry)
             pair();
           const bool changed = iteration == 0 || decide();
-          matrix = 0;
-          rhs    = 0;
+          matrix             = 0;
+          rhs                = 0;
           elasticity->assemble(solution, load_factor, rhs, &matrix);
-          interface.assemble(
-            solution, start, { moving_geometry, true }, rhs, &matrix);
+          interface.assemble(solution,
+                             start,
+                             {moving_geometry, true},
+                             rhs,
+                             &matrix);
           for (unsigned int i = 0; i < n_dofs(); ++i)
             if (discretization.constraints.is_constrained(i))
               {

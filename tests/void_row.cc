@@ -17,21 +17,18 @@ namespace
   Parameters::All make_case(const unsigned int degree, const std::string &rule)
   {
     MeshText mesh;
-    mesh.block("lower", 5, 2, rectangle({ 0, -1 }, { 2.5, 0 }));
-    mesh.block("upper", 3, 2, rectangle({ 0, 0 }, { 1.8, 1 }));
-    Parameters::All parameters = make_parameters(mesh,
-                                                 { "lower", "upper" },
-                                                 degree,
-                                                 "large displacement");
+    mesh.block("lower", 5, 2, rectangle({0, -1}, {2.5, 0}));
+    mesh.block("upper", 3, 2, rectangle({0, 0}, {1.8, 1}));
+    Parameters::All parameters =
+      make_parameters(mesh, {"lower", "upper"}, degree, "large displacement");
 
     parameters.contact.slave                = "upper bottom";
     parameters.contact.master               = "lower top";
     parameters.contact.rule                 = rule;
     parameters.contact.friction_coefficient = 0.2;
-    parameters.boundary.displacement_x      = { { "lower left", 0 },
-                                                { "upper left", 0 } };
-    parameters.boundary.displacement_y = { { "lower bottom", 0 },
-                                           { "upper top", -0.05 } };
+    parameters.boundary.displacement_x = {{"lower left", 0}, {"upper left", 0}};
+    parameters.boundary.displacement_y = {{"lower bottom", 0},
+                                          {"upper top", -0.05}};
     return parameters;
   }
 
@@ -46,7 +43,7 @@ namespace
     for (const ContactPoint &point : model.interface.points)
       if (point.tangential_row_is_void)
         {
-          const auto &edge = model.interface.slave.edges[point.slave_edge];
+          const auto     &edge = model.interface.slave.edges[point.slave_edge];
           const EdgeShape shape(model.interface.slave.degree, point.slave_xi);
           Point<2>        X;
           for (unsigned int a = 0; a <= model.interface.slave.degree; ++a)
@@ -75,12 +72,12 @@ namespace
     half.boundary.displacement_x.erase("lower left");
     print_void_points("void with one body held", half);
 
-    Parameters::All clamped = nodal;
+    Parameters::All clamped                         = nodal;
     clamped.boundary.displacement_x["lower bottom"] = 0;
     print_void_points("void with a clamped base", clamped);
 
     Parameters::All excluded         = nodal;
-    excluded.contact.excluded_points = { "upper bottom left" };
+    excluded.contact.excluded_points = {"upper bottom left"};
     print_void_points("void without the node", excluded);
 
     // The tangential row of the node is there, yet without consequence.
@@ -95,7 +92,7 @@ namespace
         largest = std::max(largest, std::abs(lambda_t));
         if (point.tangential_row_is_void)
           {
-            multiplier = std::abs(lambda_t);
+            multiplier              = std::abs(lambda_t);
             slips_without_direction = point.decision.status == Status::slip &&
                                       point.decision.slip_direction == 0;
           }
@@ -104,7 +101,7 @@ namespace
     check("other points carry shear", largest > 0.1);
     check_small("its tangential multiplier", multiplier / largest, 1e-12);
 
-    Parameters::All frictionless = nodal;
+    Parameters::All frictionless              = nodal;
     frictionless.contact.friction_coefficient = 0;
     std::cout << "  multipliers with and without friction: "
               << model.interface.n_multipliers() << ", "
@@ -117,6 +114,6 @@ namespace
 
 int main()
 {
-  for (const unsigned int degree : { 1, 2 })
+  for (const unsigned int degree : {1, 2})
     check_case(degree);
 }
