@@ -78,43 +78,16 @@ namespace Contact
 
 
 
-    /// The vertices' places in the plane, which may be at any height.
     std::vector<Point<2>> vertex_points(const MshFile  &msh,
                                         const Vertices &vertices)
     {
       std::vector<Point<2>> points;
-      for (const auto &[node, vertex] : vertices)
+      for (const auto &vertex : vertices)
         {
-          const Point<3> &p      = msh.nodes.at(node);
-          const Point<3> &first  = msh.nodes.at(vertices.begin()->first);
-          const double    height = p[2] - first[2];
-          if (std::abs(height) > 1e-9 * p.distance(first))
-            throw InputError("the mesh is not plane: node " +
-                               std::to_string(node) + " is " +
-                               std::to_string(height) + " above node " +
-                               std::to_string(vertices.begin()->first),
-                             msh.name,
-                             "mesh surfaces in a plane of constant z");
+          const Point<3> &p = msh.nodes.at(vertex.first);
           points.emplace_back(p[0], p[1]);
         }
       return points;
-    }
-
-
-
-    /// Material ids: 0, 1, ... in the order of gmsh's tags.
-    std::map<std::string, types::material_id> number_bodies(const MshFile &msh)
-    {
-      if (msh.names[2].empty())
-        throw InputError("the mesh has no physical surface with a name",
-                         msh.name,
-                         "name the bodies in the .geo file: "
-                         "Physical Surface(\"...\") = {...};");
-
-      std::map<std::string, types::material_id> bodies;
-      for (const auto &body : msh.names[2])
-        bodies.emplace(body.second, bodies.size());
-      return bodies;
     }
 
 
@@ -192,12 +165,13 @@ namespace Contact
 
 
     /// The edges of all cells, and how many cells each has.
-    std::map<Edge, unsigned int>
-    count_edges(const std::vector<CellData<2>> &cells,
-                const std::vector<Point<2>>    &points,
-                const MshFile                  &msh)
+    using Edges = std::map<Edge, unsigned int>;
+
+    Edges count_edges(const std::vector<CellData<2>> &cells,
+                      const std::vector<Point<2>>    &points,
+                      const MshFile                  &msh)
     {
-      std::map<Edge, unsigned int> edges;
+      Edges edges;
       for (const auto &cell : cells)
         for (unsigned int i = 0; i < cell.vertices.size(); ++i)
           {
@@ -215,11 +189,33 @@ namespace Contact
 
 
 
+    /// The edge that a line of the file is.
+    Edges::const_iterator find_edge(const MshFile::Element &line,
+                                    const MshFile          &msh,
+                                    const Vertices         &vertices,
+                                    const Edges            &edges)
+    {
+      const auto a = vertices.find(line.nodes[0]);
+      const auto b = vertices.find(line.nodes[1]);
+      if (a != vertices.end() && b != vertices.end())
+        if (const auto found = edges.find(edge(a->second, b->second));
+            found != edges.end())
+          return found;
+
+      throw InputError("a line of the physical group '" + *line.groups.begin() +
+                         "' is no edge of a cell",
+                       msh.where(line),
+                       "mesh the line and the surface together, or take the "
+                       "line out of the group");
+    }
+
+
+
     /// Number the combinations of groups, and tell each group its numbers.
     SubCellData number_boundaries(
       const MshFile                                       &msh,
       const Vertices                                      &vertices,
-      const std::map<Edge, unsigned int>                  &edges,
+      const Edges                                         &edges,
       std::map<std::string, std::set<types::boundary_id>> &boundaries)
     {
       SubCellData                                         subcelldata;
@@ -227,27 +223,16 @@ namespace Contact
       for (const auto &line : msh.elements[1])
         if (!line.groups.empty())
           {
-            const auto a = vertices.find(line.nodes[0]);
-            const auto b = vertices.find(line.nodes[1]);
-            const auto e = a == vertices.end() || b == vertices.end()
-                             ? edges.end()
-                             : edges.find(edge(a->second, b->second));
-            if (e == edges.end())
-              throw InputError("a line of the physical group '" +
-                                 *line.groups.begin() +
-                                 "' is no edge of a cell",
-                               msh.where(line),
-                               "mesh the line and the surface together, or "
-                               "take the line out of the group");
-
-            // A group of lines inside of a body is known, but empty.
+            // A group of lines inside of a body is known, but empty: deal.II
+            // wants no ids there.
+            const auto edge = find_edge(line, msh, vertices, edges);
             for (const std::string &group : line.groups)
               boundaries[group];
-            if (e->second == 2)
+            if (edge->second == 2)
               continue;
 
             CellData<1> data;
-            data.vertices = {a->second, b->second};
+            data.vertices = {edge->first.first, edge->first.second};
             data.boundary_id =
               ids.emplace(line.groups, ids.size() + 1).first->second;
             subcelldata.boundary_lines.push_back(data);
@@ -292,6 +277,19 @@ namespace Contact
         GridTools::consistently_order_cells(quadrangles);
       std::copy(quadrangles.begin(), quadrangles.end(), cells.begin());
     }
+
+
+
+    void check_arc(const Arc &arc, const Point<2> &p, const std::string &name)
+    {
+      if (!arc.on_circle(p))
+        throw InputError("the point " + to_string(p) + " of the arc '" + name +
+                           "' is " +
+                           std::to_string(p.distance(arc.center) - arc.radius) +
+                           " away from its circle",
+                         "entry 'Mesh/Arcs'",
+                         "correct the circle, or the group in the mesh");
+    }
   } // namespace
 
 
@@ -299,7 +297,8 @@ namespace Contact
   Mesh::Mesh(const Parameters::Mesh &parameters)
   {
     const MshFile msh = read_msh(parameters.file);
-    bodies            = number_bodies(msh);
+    for (const auto &body : msh.names[2])
+      bodies.emplace(body.second, bodies.size());
 
     const auto vertices    = number_vertices(msh);
     const auto coordinates = vertex_points(msh, vertices);
@@ -328,15 +327,7 @@ namespace Contact
           if (face->at_boundary() && ids.count(face->boundary_id()) > 0)
             {
               for (const unsigned int v : face->vertex_indices())
-                if (!arc.on_circle(face->vertex(v)))
-                  throw InputError(
-                    "the point " + to_string(face->vertex(v)) +
-                      " of the arc '" + name + "' is " +
-                      std::to_string(arc.center.distance(face->vertex(v)) -
-                                     arc.radius) +
-                      " away from its circle",
-                    "entry 'Mesh/Arcs'",
-                    "correct the circle, or the boundary's group in the mesh");
+                check_arc(arc, face->vertex(v), name);
               arc.chords.push_back({{face->vertex(0), face->vertex(1)}});
               face->set_manifold_id(arc_id);
             }
@@ -390,11 +381,10 @@ namespace Contact
 
   std::string Mesh::body_name(const types::material_id id) const
   {
-    const auto body =
-      std::find_if(bodies.begin(), bodies.end(), [id](const auto &b) {
-        return b.second == id;
-      });
-    Assert(body != bodies.end(), ExcMessage("There is no such body."));
-    return body->first;
+    for (const auto &[name, body] : bodies)
+      if (body == id)
+        return name;
+    Assert(false, ExcMessage("There is no such body."));
+    return "";
   }
 } // namespace Contact

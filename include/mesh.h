@@ -80,9 +80,10 @@ namespace Contact
 
   /**
    * The triangulation of all bodies and the names of its parts: bodies are
-   * material ids, boundaries are sets of boundary ids (a line may belong to
-   * several groups: each combination of groups has an id of its own; what is
-   * in no named group has the id 0), points are vertices.
+   * material ids (0, 1, ... in the order of gmsh's tags), boundaries are sets
+   * of boundary ids (a line may belong to several groups: each combination of
+   * groups has an id of its own; what is in no named group has the id 0),
+   * points are vertices.
    *
    * Two nodes of the file stay two vertices even if they lie at the same
    * place, as those of two bodies that touch in a point do.

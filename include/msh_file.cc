@@ -6,6 +6,7 @@
 #include "msh_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 
@@ -57,7 +58,8 @@ namespace Contact
       void        read_element(const ElementType      &type,
                                const long              number,
                                const std::vector<int> &tags);
-      void        check() const;
+      void        check_nodes() const;
+      void        check_groups() const;
 
       LineReader lines;
       MshFile    msh;
@@ -289,26 +291,53 @@ namespace Contact
 
 
 
-    /// Every node in use exists, and every named group is in use: an empty one
-    /// is a slip in the description of the geometry.
-    void MshReader::check() const
+    /// Every node in use exists, and those of cells lie in a plane.
+    void MshReader::check_nodes() const
     {
+      for (const auto &elements : msh.elements)
+        for (const auto &element : elements)
+          for (const long node : element.nodes)
+            if (msh.nodes.count(node) == 0)
+              throw InputError("node " + std::to_string(node) +
+                                 " does not exist",
+                               msh.where(element),
+                               "write the file again");
+
+      for (const auto &cell : msh.elements[2])
+        for (const long node : cell.nodes)
+          {
+            const long     first = msh.elements[2][0].nodes[0];
+            const Point<3> p = msh.nodes.at(node), q = msh.nodes.at(first);
+            if (std::abs(p[2] - q[2]) > 1e-9 * p.distance(q))
+              throw InputError("the mesh is not plane: node " +
+                                 std::to_string(node) + " is " +
+                                 std::to_string(p[2] - q[2]) + " above node " +
+                                 std::to_string(first),
+                               msh.where(cell),
+                               "mesh surfaces in a plane of constant z");
+          }
+    }
+
+
+
+    /// There is a body, and no named group is empty, which would be a slip in
+    /// the description of the geometry.
+    void MshReader::check_groups() const
+    {
+      if (msh.names[2].empty())
+        throw InputError("the mesh has no physical surface with a name",
+                         msh.name,
+                         "name the bodies in the .geo file: "
+                         "Physical Surface(\"...\") = {...};");
+
       for (unsigned int dimension = 0; dimension < 3; ++dimension)
         {
           std::set<std::string> unused;
           for (const auto &group : msh.names[dimension])
             unused.insert(group.second);
           for (const auto &element : msh.elements[dimension])
-            {
-              for (const std::string &group : element.groups)
-                unused.erase(group);
-              for (const long node : element.nodes)
-                if (msh.nodes.count(node) == 0)
-                  throw InputError("node " + std::to_string(node) +
-                                     " does not exist",
-                                   msh.where(element),
-                                   "write the file again");
-            }
+            for (const std::string &group : element.groups)
+              unused.erase(group);
           if (!unused.empty())
             throw InputError("the physical group '" + *unused.begin() +
                                "' is empty",
@@ -340,7 +369,8 @@ namespace Contact
             }
           lines.end(section);
         }
-      check();
+      check_nodes();
+      check_groups();
       return msh;
     }
   } // namespace

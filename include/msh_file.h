@@ -180,7 +180,8 @@ namespace Contact
    * needed are skipped. Throws InputError with file and line if the file can
    * not be read, is of another format, is incomplete, or has elements other
    * than points, lines, triangles and quadrangles of first or second order,
-   * nodes which do not exist, or groups without elements.
+   * nodes which do not exist, cells out of a plane of constant z, no named
+   * body, or groups without elements.
    */
   MshFile read_msh(const std::string &file);
 } // namespace Contact

@@ -69,6 +69,7 @@ namespace Contact
       DataOutBase::Patch<1, 2> patch;
       patch.vertices[0]          = rows[nodes[0]].X;
       patch.vertices[1]          = rows[nodes[1]].X;
+      patch.reference_cell       = ReferenceCells::Line;
       patch.patch_index          = e;
       patch.n_subdivisions       = slave.degree;
       patch.points_are_available = true;
@@ -290,7 +291,8 @@ namespace Contact
         patches,
         contact_fields,
         {{0, 1, "displacement", component_is_part_of_vector}},
-        vtk_flags(k, load_factor, slave.degree),
+        // deal.II has no curved lines: an edge of degree 2 becomes two.
+        vtk_flags(k, load_factor, /*degree=*/1),
         out);
     });
   }

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "mesh.h"
 
@@ -40,11 +41,9 @@ inline Point<2> mid_side(const CellIterator &cell, const unsigned int line)
                                                  MappingFE<2>(
                                                    FE_SimplexP<2>(2)));
   const std::array<Point<2>, 4>         on_quadrangle = {
-            { Point<2>(0, .5), Point<2>(1, .5), Point<2>(.5, 0), Point<2>(.5, 1) }
-  };
+            {Point<2>(0, .5), Point<2>(1, .5), Point<2>(.5, 0), Point<2>(.5, 1)}};
   const std::array<Point<2>, 3> on_triangle = {
-    { Point<2>(.5, 0), Point<2>(.5, .5), Point<2>(0, .5) }
-  };
+    {Point<2>(.5, 0), Point<2>(.5, .5), Point<2>(0, .5)}};
 
   return is_triangle(cell)
            ? mappings[1].transform_unit_to_real_cell(cell, on_triangle[line])
@@ -95,6 +94,45 @@ inline Area area(const Triangulation<2>  &triangulation,
             std::min(result.least_fraction,
                      values.jacobian(q).determinant() / mean);
         result.total += size;
+      }
+  return result;
+}
+
+
+
+/// Of the lines in degree 2: how far mid-sides and ends on the boundary @p ids
+/// are from a circle, and mid-sides elsewhere from their chords.
+struct Roundness
+{
+  unsigned int n_lines = 0, n_of_triangles = 0;
+  double       off_circle = 0, bent = 0;
+};
+
+inline Roundness roundness(const Triangulation<2>             &triangulation,
+                           const std::set<types::boundary_id> &ids,
+                           const Point<2>                     &center,
+                           const double                        radius)
+{
+  const auto off_circle = [&](const Point<2> &p) {
+    return std::abs(p.distance(center) - radius);
+  };
+
+  Roundness result;
+  for (const auto &cell : triangulation.active_cell_iterators())
+    for (const unsigned int f : cell->face_indices())
+      {
+        const auto     face = cell->face(f);
+        const Point<2> a = face->vertex(0), b = face->vertex(1);
+        const Point<2> middle = mid_side(cell, f);
+        if (face->at_boundary() && ids.count(face->boundary_id()) > 0)
+          {
+            ++result.n_lines;
+            result.n_of_triangles += is_triangle(cell);
+            for (const Point<2> &p : {a, b, middle})
+              result.off_circle = std::max(result.off_circle, off_circle(p));
+          }
+        else
+          result.bent = std::max(result.bent, middle.distance(0.5 * (a + b)));
       }
   return result;
 }

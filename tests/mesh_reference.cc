@@ -26,56 +26,38 @@ int main()
   const Point<2>    center(0, 50);
   const double      radius = 50;
   const std::string arc    = "Bottom_C";
-  for (const std::string name : { "linear", "quadratic" })
-    for (const unsigned int refinements : { 0, 2 })
+  for (const std::string name : {"linear", "quadratic"})
+    for (const unsigned int refinements : {0, 2})
       {
         Parameters::Mesh parameters;
         parameters.file        = directory / ("ssnp154-" + name + ".msh");
         parameters.refinements = refinements;
-        parameters.arcs        = { { arc, { center[0], center[1], radius } } };
+        parameters.arcs        = {{arc, {center[0], center[1], radius}}};
         const Mesh  mesh(parameters);
         const auto &triangulation = mesh.triangulation;
-        const auto &ids           = mesh.boundary(arc, "a test");
-
-        unsigned int n_triangles = 0, n_on_arc = 0, n_triangles_on_arc = 0;
-        double       off_arc = 0, bent = 0;
-        for (const auto &cell : triangulation.active_cell_iterators())
-          {
-            n_triangles += is_triangle(cell);
-            for (const unsigned int f : cell->face_indices())
-              {
-                const auto     face = cell->face(f);
-                const Point<2> p    = mid_side(cell, f);
-                if (ids.count(face->boundary_id()) > 0)
-                  {
-                    ++n_on_arc;
-                    n_triangles_on_arc += is_triangle(cell);
-                    off_arc =
-                      std::max(off_arc, std::abs(p.distance(center) - radius));
-                    for (const unsigned int v : face->vertex_indices())
-                      off_arc =
-                        std::max(off_arc,
-                                 std::abs(face->vertex(v).distance(center) -
-                                          radius));
-                  }
-                else
-                  bent = std::max(bent,
-                                  p.distance(
-                                    0.5 * (face->vertex(0) + face->vertex(1))));
-              }
-          }
+        const auto  found         = roundness(triangulation,
+                                     mesh.boundary(arc, "a test"),
+                                     center,
+                                     radius);
+        const auto  n_triangles =
+          std::count_if(triangulation.begin_active(),
+                        triangulation.end(),
+                        [](const auto &cell) {
+                          return cell.reference_cell() ==
+                                 ReferenceCells::Triangle;
+                        });
 
         std::cout << name << ", refined " << refinements
                   << " times: " << triangulation.n_used_vertices()
                   << " vertices, "
                   << triangulation.n_active_cells() - n_triangles
                   << " quadrangles, " << n_triangles << " triangles, "
-                  << n_on_arc << " lines on the arc, " << n_triangles_on_arc
-                  << " of triangles" << std::endl;
+                  << found.n_lines << " lines on the arc, "
+                  << found.n_of_triangles << " of triangles" << std::endl;
         std::cout << "mid-sides and vertices of the arc on the circle: "
-                  << (off_arc < 1e-12 * radius ? "yes" : "no")
+                  << (found.off_circle < 1e-12 * radius ? "yes" : "no")
                   << ", others on chords: "
-                  << (bent < 1e-12 * radius ? "yes" : "no")
+                  << (found.bent < 1e-12 * radius ? "yes" : "no")
                   << ", determinants positive: "
                   << (area(triangulation).least_fraction > 0 ? "yes" : "no")
                   << std::endl;

@@ -9,7 +9,7 @@
 // slave node on the master nodes beside it, which is not how a uniform pressure
 // is distributed, and fails; the Gauss rule misses the uniform pressure by the
 // error of its quadrature over the kinks of the master's shape functions, which
-// falls with the number of points.
+// only many points make small.
 
 #include "tests.h"
 

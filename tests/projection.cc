@@ -49,15 +49,17 @@ namespace
             R * Point<2>(ends[e] + (1 + xi) / 2 * length, random(-3, 0.5));
           const Projection found = search.closest_point(x);
           right_edge             = right_edge && found.edge == e;
-          faces                  = faces && !found.off_the_end;
-          error                  = std::max(error, std::abs(found.xi - xi));
+          faces = faces && !found.off_the_end && !found.clipped;
+          error = std::max(error, std::abs(found.xi - xi));
 
           // Asked for another edge, the answer is its nearer end.
           if (e > 1)
             clamped = clamped && search.project(x, e - 1).xi == 1 &&
+                      search.project(x, e - 1).clipped &&
                       !search.project(x, e - 1).off_the_end;
           if (e + 1 < 3)
             clamped = clamped && search.project(x, e + 1).xi == -1 &&
+                      search.project(x, e + 1).clipped &&
                       !search.project(x, e + 1).off_the_end;
         }
     check("the edge of the foot is found", right_edge && faces);
@@ -178,7 +180,7 @@ namespace
       {
         const Point<2>   x(2 * std::sin(angle), -2 * std::cos(angle));
         const Projection found = search.closest_point(x);
-        corner_found           = corner_found && !found.off_the_end &&
+        corner_found = corner_found && !found.off_the_end && found.clipped &&
                        std::abs(search.distance_square(x, found) - 4) < 1e-13 &&
                        std::abs(found.xi - (found.edge == 0 ? 1 : -1)) < 1e-13;
       }

@@ -51,9 +51,9 @@ namespace
     for (unsigned int i = 0; i < n_points; ++i)
       {
         // A half of the points everywhere, the other half near the ends.
-        const Point<2>   x        = i % 2 == 0
-                                      ? Point<2>(random(-1.6, 1.6), random(-1.6, 1.6))
-                                      : Point<2>(random(0.8, 1.2), random(-0.3, 1.2));
+        Point<2> x(random(-1.6, 1.6), random(-1.6, 1.6));
+        if (i % 2 == 0)
+          x = Point<2>(random(0.8, 1.2), random(-0.3, 1.2));
         const Projection found    = search.closest_point(x);
         const double     distance = search.distance_square(x, found);
         n_off += found.off_the_end;

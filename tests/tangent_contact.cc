@@ -35,7 +35,7 @@ namespace
     parameters.contact.slave                = "upper bottom";
     parameters.contact.master               = "lower top";
     parameters.contact.rule                 = rule;
-    parameters.contact.n_gauss_points       = degree + 1;
+    parameters.contact.n_gauss_points       = 2;
     parameters.contact.tresca_limit         = law.tresca;
     parameters.contact.friction_coefficient = law.coulomb;
     return ContactModel(parameters);
