@@ -105,7 +105,6 @@ namespace Contact
       const unsigned int  n = corners.size();
       std::vector<double> areas;
       double              scale = 0;
-      std::string         places;
       for (unsigned int i = 0; i < n; ++i)
         {
           const Point<2>    &corner = points[corners[i]];
@@ -113,18 +112,22 @@ namespace Contact
           const Tensor<1, 2> last   = points[corners[(i + n - 1) % n]] - corner;
           areas.push_back(next[0] * last[1] - next[1] * last[0]);
           scale = std::max(scale, next.norm_square());
-          places += " " + to_string(corner);
         }
 
       const auto [low, high] = std::minmax_element(areas.begin(), areas.end());
       if (*high < -1e-12 * scale)
         std::reverse(corners.begin(), corners.end());
       else if (*low < 1e-12 * scale)
-        throw InputError("element " + std::to_string(element.number) +
-                           " is tangled or flat, its corners are" + places,
-                         msh.where(element),
-                         "quadrangles have to be convex with four corners, "
-                         "triangles need an area");
+        {
+          std::string places;
+          for (const unsigned int corner : corners)
+            places += " " + to_string(points[corner]);
+          throw InputError("element " + std::to_string(element.number) +
+                             " is tangled or flat, its corners are" + places,
+                           msh.where(element),
+                           "quadrangles have to be convex with four corners, "
+                           "triangles need an area");
+        }
     }
 
 

@@ -155,6 +155,16 @@ namespace Contact
 
 
 
+    /// In percent; a deviation below the last digit has no sign.
+    std::string format_deviation(const double relative)
+    {
+      const std::string text = format("%+.5f", 100 * relative);
+      const bool none = text.find_first_of("123456789") == std::string::npos;
+      return (none && std::isfinite(relative) ? "0.00000" : text) + " %";
+    }
+
+
+
     Line make_line(const RunSummary &summary, const ProbeResult &probe)
     {
       Line line{{summary.case_name,
@@ -168,7 +178,7 @@ namespace Contact
       if (probe.reference && probe.tolerance)
         {
           line[4] = format_value(probe, *probe.reference);
-          line[5] = format("%+.5f %%", 100 * *probe.relative_deviation());
+          line[5] = format_deviation(*probe.relative_deviation());
           line[6] = format("%g %%", 100 * *probe.tolerance);
           line[7] = probe.within() ? "yes" : "NO";
         }

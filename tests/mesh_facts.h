@@ -15,11 +15,11 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_fe.h>
 #include <deal.II/fe/mapping_q.h>
-#include <deal.II/hp/mapping_collection.h>
 
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <vector>
 
 #include "mesh.h"
 
@@ -37,17 +37,23 @@ inline bool is_triangle(const CellIterator &cell)
 /// The mid-side point of a line of a cell, by the mapping of degree 2.
 inline Point<2> mid_side(const CellIterator &cell, const unsigned int line)
 {
-  static const hp::MappingCollection<2> mappings(MappingQ<2>(2),
-                                                 MappingFE<2>(
-                                                   FE_SimplexP<2>(2)));
-  const std::array<Point<2>, 4>         on_quadrangle = {
-            {Point<2>(0, .5), Point<2>(1, .5), Point<2>(.5, 0), Point<2>(.5, 1)}};
-  const std::array<Point<2>, 3> on_triangle = {
-    {Point<2>(.5, 0), Point<2>(.5, .5), Point<2>(0, .5)}};
+  static const MappingQ<2>  quadrangle_mapping(2);
+  static const MappingFE<2> triangle_mapping(FE_SimplexP<2>(2));
 
-  return is_triangle(cell)
-           ? mappings[1].transform_unit_to_real_cell(cell, on_triangle[line])
-           : mappings[0].transform_unit_to_real_cell(cell, on_quadrangle[line]);
+  // On the reference cells, in deal.II's order of lines.
+  static const std::vector<Point<2>> on_quadrangle = {Point<2>(0, .5),
+                                                      Point<2>(1, .5),
+                                                      Point<2>(.5, 0),
+                                                      Point<2>(.5, 1)};
+  static const std::vector<Point<2>> on_triangle   = {Point<2>(.5, 0),
+                                                      Point<2>(.5, .5),
+                                                      Point<2>(0, .5)};
+
+  if (is_triangle(cell))
+    return triangle_mapping.transform_unit_to_real_cell(cell,
+                                                        on_triangle[line]);
+  return quadrangle_mapping.transform_unit_to_real_cell(cell,
+                                                        on_quadrangle[line]);
 }
 
 

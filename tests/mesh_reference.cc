@@ -33,19 +33,15 @@ int main()
         parameters.file        = directory / ("ssnp154-" + name + ".msh");
         parameters.refinements = refinements;
         parameters.arcs        = {{arc, {center[0], center[1], radius}}};
-        const Mesh  mesh(parameters);
-        const auto &triangulation = mesh.triangulation;
-        const auto  found         = roundness(triangulation,
+        const Mesh   mesh(parameters);
+        const auto  &triangulation = mesh.triangulation;
+        const auto   found         = roundness(triangulation,
                                      mesh.boundary(arc, "a test"),
                                      center,
                                      radius);
-        const auto  n_triangles =
-          std::count_if(triangulation.begin_active(),
-                        triangulation.end(),
-                        [](const auto &cell) {
-                          return cell.reference_cell() ==
-                                 ReferenceCells::Triangle;
-                        });
+        unsigned int n_triangles   = 0;
+        for (const auto &cell : triangulation.active_cell_iterators())
+          n_triangles += is_triangle(cell);
 
         std::cout << name << ", refined " << refinements
                   << " times: " << triangulation.n_used_vertices()
