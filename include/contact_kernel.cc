@@ -16,6 +16,7 @@ namespace Contact
 
     Row    d_xi{};       // of the foot's coordinate
     Row    omega{};      // rotation: d_n = -omega t, d_t = omega n
+    double offset;       // t . (x_slave - x_master): zero but over a corner
     double slip_normal;  // n . sum C_a (u_a - start)
     double slip_stretch; // t . sum C1_a (u_a - start)
   };
@@ -49,6 +50,7 @@ namespace Contact
     const double slope = point.metric * point.metric - gap * curve;
 
     Motion motion;
+    motion.offset       = point.tangent * r;
     motion.slip_normal  = point.normal * d_r;
     motion.slip_stretch = point.tangent * d_r1;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
@@ -102,12 +104,15 @@ namespace Contact
           }
       }
 
-    if (linearization.moving_geometry && !law.is_frictionless())
+    if (linearization.moving_geometry)
       {
         const Motion moves = motion(point, solution, u_start);
         for (unsigned int j = 0; j < n_u; ++j)
-          rows.q_trial[j] -= c * (moves.slip_normal * moves.omega[j] +
-                                  moves.slip_stretch * moves.d_xi[j]);
+          {
+            rows.p_trial[j] += c * moves.offset * moves.omega[j];
+            rows.q_trial[j] -= c * (moves.slip_normal * moves.omega[j] +
+                                    moves.slip_stretch * moves.d_xi[j]);
+          }
       }
   }
 

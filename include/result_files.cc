@@ -225,6 +225,11 @@ namespace Contact
     , vertex_fields(discretization)
   {
     create_output_directory(directory);
+
+    // The series and curves of an earlier run, which would look as if this one
+    // had written them.
+    for (const std::string name : {"bodies.pvd", "contact.pvd", "profile.csv"})
+      std::filesystem::remove(directory / name);
   }
 
 

@@ -74,7 +74,8 @@ namespace Contact
   class ResultFiles
   {
   public:
-    /// Create the directory. Throws InputError if nothing can be written there.
+    /// Create the directory, and remove the series and the profile of an
+    /// earlier run. Throws InputError if nothing can be written there.
     ResultFiles(const std::filesystem::path &directory,
                 const Discretization        &discretization);
 

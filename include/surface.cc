@@ -202,16 +202,34 @@ namespace Contact
     std::vector<std::pair<Box, unsigned int>> entries;
     for (unsigned int e = 0; e < surface.edges.size(); ++e)
       {
-        const auto            x = edge_positions(e);
-        std::vector<Point<2>> hull{x[0], x[1]};
-        // A parabola stays within the triangle of its ends and the point
-        // where its end tangents meet.
-        if (surface.degree == 2)
-          hull.push_back(Point<2>(2 * x[2] - 0.5 * (x[0] + x[1])));
-        boxes.emplace_back(hull);
+        // All that project() can answer with: the edge with its overhang. A
+        // parabola stays within the triangle of its ends and the point where
+        // their tangents meet.
+        const auto [low, high]    = coordinate_range(e);
+        const auto              x = edge_positions(e);
+        const EdgeShape         first(surface.degree, low);
+        const EdgeShape         last(surface.degree, high);
+        std::array<Point<2>, 3> hull;
+        for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
+          {
+            hull[0] += first.value[a] * x[a];
+            hull[1] += last.value[a] * x[a];
+            hull[2] +=
+              (first.value[a] + (high - low) / 2 * first.first[a]) * x[a];
+          }
+        boxes.emplace_back(std::vector<Point<2>>(hull.begin(), hull.end()));
         entries.emplace_back(boxes.back(), e);
       }
     tree = pack_rtree(entries);
+  }
+
+
+
+  std::pair<double, double>
+  SurfaceSearch::coordinate_range(const unsigned int edge) const
+  {
+    return {surface.edges[edge].begins_surface ? -1 - overhang : -1.,
+            surface.edges[edge].ends_surface ? 1 + overhang : 1.};
   }
 
 
@@ -286,10 +304,9 @@ namespace Contact
           }
       }
 
-    const auto  &flags = surface.edges[edge];
-    const double low   = flags.begins_surface ? -1 - overhang : -1;
-    const double high  = flags.ends_surface ? 1 + overhang : 1;
-    const bool   off =
+    const auto &flags      = surface.edges[edge];
+    const auto [low, high] = coordinate_range(edge);
+    const bool off =
       (flags.begins_surface && xi < low) || (flags.ends_surface && xi > high);
     return {edge,
             std::max(low, std::min(high, xi)),

@@ -124,6 +124,9 @@ namespace Contact
   private:
     using Box = BoundingBox<2>;
 
+    /// The coordinates of an edge, with the overhang at an end of the surface.
+    std::pair<double, double> coordinate_range(const unsigned int edge) const;
+
     std::array<Point<2>, 3> edge_positions(const unsigned int edge) const;
 
     const Surface                      &surface;
