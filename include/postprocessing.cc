@@ -338,9 +338,7 @@ namespace Contact
         }
 
     add_hertz_pressure(interface, discretization, hertz, rows);
-    const Point<2> &start = interface.slave.nodes.front().X;
-    if (start.distance(rows.back().X) < start.distance(rows.front().X))
-      reverse(rows);
+    reverse(rows);
     return rows;
   }
 

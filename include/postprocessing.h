@@ -22,7 +22,7 @@ namespace Contact
   /// profile, from which all curves over the contact zone are plotted.
   struct ProfileRow
   {
-    // From the first node of the surface along its nodes [mm].
+    // From the first row of the surface along its nodes [mm].
     double arc_length          = 0;
     double deformed_arc_length = 0;
 
@@ -76,10 +76,12 @@ namespace Contact
    * its own: it gets those of the place of the deformed slave surface that is
    * closest, interpolated between the rows of @p slave there; the status is
    * that of the nearest slave node. Where the slave does not reach, all of
-   * them are zero and the status is -1.
+   * them are zero and the status is -1. The nodal force is the sum over the
+   * points of what they put on the node, w p times the node's share.
    *
-   * The rows begin at the end which is nearer to the first node of the slave,
-   * such that both profiles run alike, and so do the arc lengths.
+   * The rows begin at the last node of the master, and so do the arc lengths:
+   * two surfaces that face each other run in opposite directions, because
+   * each has its body to the left, and the profiles shall run alike.
    */
   std::vector<ProfileRow>
   master_profile(const ContactInterface                   &interface,

@@ -217,7 +217,7 @@ namespace
     write("own.prm", base + "include sub/both.prm\n" + four);
     write("two_includes.prm", base + "include sub/two.prm\ninclude three.prm");
     for (const std::string file :
-         { "later_include.prm", "own.prm", "two_includes.prm" })
+         {"later_include.prm", "own.prm", "two_includes.prm"})
       {
         const Case result(file);
         std::cout << file << ": " << result.error
@@ -226,7 +226,7 @@ namespace
       }
 
     const Case result("own.prm",
-                      { "Solution/Increments=5", " Mesh / File = c.msh" });
+                      {"Solution/Increments=5", " Mesh / File = c.msh"});
     std::cout << "command line: " << result.error
               << result.parameters.solution.n_increments << ", "
               << mesh_file(result) << '\n';
@@ -271,7 +271,7 @@ namespace
     report_lines("Contact",
                  "set Gauss points = 3\nend\nsubsection Contact\n"
                  "set Gauss  points = 4");
-    report("base.prm", { "Element/Degree=1", "Element/Degree=2" });
+    report("base.prm", {"Element/Degree=1", "Element/Degree=2"});
     report_lines("Boundary conditions", "set Force y = A: 1, A: 2");
     report_lines("Mesh", "set Arcs = A: 0, 1, 1; A: 0, 2, 2");
   }
@@ -441,15 +441,15 @@ namespace
   void test_overrides()
   {
     headline("overrides");
-    report("base.prm", { "Element/Degree=2", "Element/Centre node=free" });
-    report("base.prm", { "Element/Centre node=free" });
-    report("base.prm", { "Element/Degree=3" });
-    report("base.prm", { "Element/Degree" });
-    report("base.prm", { "Degree=2" });
-    report("base.prm", { "Elemnt/Degree=2" });
-    report("base.prm", { "Element/Degre=2" });
-    report("base.prm", { "Mesh/Degree=a/b=c" });
-    report("base.prm", { "" });
+    report("base.prm", {"Element/Degree=2", "Element/Centre node=free"});
+    report("base.prm", {"Element/Centre node=free"});
+    report("base.prm", {"Element/Degree=3"});
+    report("base.prm", {"Element/Degree"});
+    report("base.prm", {"Degree=2"});
+    report("base.prm", {"Elemnt/Degree=2"});
+    report("base.prm", {"Element/Degre=2"});
+    report("base.prm", {"Mesh/Degree=a/b=c"});
+    report("base.prm", {""});
   }
 
 
@@ -463,9 +463,9 @@ namespace
     Contact::print_parameters(printed);
     write("printed.prm", printed.str());
 
-    const Names needed = { "Mesh/File=a.msh",
-                           "Solids/Young's modulus=Block: 70000",
-                           "Solids/Poisson's ratio=Block: 0.3" };
+    const Names needed = {"Mesh/File=a.msh",
+                          "Solids/Young's modulus=Block: 70000",
+                          "Solids/Poisson's ratio=Block: 0.3"};
     const Case  result("printed.prm", needed);
     write("empty.prm", "");
     const Case         defaults("empty.prm", needed);
