@@ -17,7 +17,7 @@ namespace Contact
      * The complementarity parameter of a point, relative to the stiffness E/h
      * of its slave edge. The active set of the nodal rule does not depend on
      * it; with a status per Gauss point it enters the discrete problem, whose
-     * results do not change any more from about this value down.
+     * results move by 1e-4 over the two decades to either side.
      */
     const double complementarity_per_stiffness = 1e-3;
   } // namespace
