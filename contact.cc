@@ -329,7 +329,7 @@ namespace Contact
   // displacement against the largest displacement of the increment before.
   void ContactProblem::solve_with_geometry_loop()
   {
-    if (!interface || linearization.moving_geometry)
+    if (!interface || parameters.solution.geometry != "fixed point")
       {
         solve_with_friction_loop();
         return;
@@ -418,7 +418,7 @@ namespace Contact
     double                   last_residual = std::numeric_limits<double>::max();
     for (unsigned int step = 0;; ++step)
       {
-        if (interface && linearization.moving_geometry)
+        if (interface && parameters.solution.geometry != "fixed point")
           pair_bodies();
 
         // After a step the points decide anew. Before the first one they only

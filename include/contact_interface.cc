@@ -59,10 +59,16 @@ namespace Contact
             excluded.insert(i);
       }
 
-    points =
-      parameters.rule == "nodal"
-        ? make_nodal_points(slave, excluded, multipliers)
-        : make_gauss_points(slave, parameters.n_gauss_points, multipliers);
+    if (parameters.rule == "mortar")
+      {
+        mortar =
+          std::make_unique<MortarRule>(slave, master, discretization, excluded);
+        points = mortar->make_points(multipliers);
+      }
+    else if (parameters.rule == "nodal")
+      points = make_nodal_points(slave, excluded, multipliers);
+    else
+      points = make_gauss_points(slave, parameters.n_gauss_points, multipliers);
 
     for (ContactPoint &point : points)
       {
@@ -102,6 +108,9 @@ namespace Contact
 
   bool ContactInterface::pair(const Vector<double> &u)
   {
+    if (mortar)
+      return mortar->pair(points, u);
+
     const SurfaceSearch search(master, u);
     bool                changed = false;
     for (ContactPoint &point : points)

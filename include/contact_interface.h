@@ -12,6 +12,7 @@
 
 #include "contact_points.h"
 #include "elasticity.h"
+#include "mortar.h"
 
 namespace Contact
 {
@@ -205,6 +206,9 @@ namespace Contact
                           std::vector<types::global_dof_index> &unknowns) const;
 
     const Discretization &discretization;
+
+    /// With the mortar rule, which pairs all points together.
+    std::unique_ptr<MortarRule> mortar;
   };
 } // namespace Contact
 

@@ -12,10 +12,10 @@ namespace Contact
   /// How foot point and edge of a contact point move with the bodies.
   struct ContactInterface::Motion
   {
-    using Row = std::array<double, 2 * ContactPoint::max_nodes>;
+    // By unknown of the nodes: the foot's coordinate, and the rotation,
+    // d_n = -omega t, d_t = omega n.
+    std::vector<double> d_xi, omega;
 
-    Row    d_xi{};       // of the foot's coordinate
-    Row    omega{};      // rotation: d_n = -omega t, d_t = omega n
     double offset;       // t . (x_slave - x_master): zero but over a corner
     double slip_normal;  // n . sum C_a (u_a - start)
     double slip_stretch; // t . sum C1_a (u_a - start)
@@ -50,6 +50,8 @@ namespace Contact
     const double slope = point.metric * point.metric - gap * curve;
 
     Motion motion;
+    motion.d_xi.resize(2 * point.n_nodes);
+    motion.omega.resize(2 * point.n_nodes);
     motion.offset       = point.tangent * r;
     motion.slip_normal  = point.normal * d_r;
     motion.slip_stretch = point.tangent * d_r1;

@@ -15,49 +15,67 @@ namespace Contact
     ContactPoint
     make_point(const Surface &slave, const unsigned int e, const double xi)
     {
-      const auto     &edge = slave.edges[e];
       const EdgeShape shape(slave.degree, xi);
 
       ContactPoint point;
-      point.slave_edge    = e;
-      point.slave_xi      = xi;
-      point.n_slave_nodes = 0;
+      point.slave_edge = e;
+      point.slave_xi   = xi;
       for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
         if (shape.value[a] != 0)
-          {
-            const unsigned int k = point.n_slave_nodes++;
-            point.dofs[k]        = slave.nodes[edge.nodes[a]].dofs;
-            point.X[k]           = slave.nodes[edge.nodes[a]].X;
-            point.C[k]           = shape.value[a];
-            point.C1[k] = point.C2[k] = 0;
-          }
-      point.n_nodes = point.n_slave_nodes;
+          point.add_node(slave.nodes[slave.edges[e].nodes[a]],
+                         shape.value[a],
+                         0,
+                         0);
+      point.n_slave_nodes = point.n_nodes;
       return point;
     }
-
-
-
-    /// Whether the tangential row lies in the span of the normal one, once the
-    /// unknowns that a support fixes are out.
-    bool is_void(const ContactPoint   &point,
-                 const Discretization &discretization)
-    {
-      double nn = 0, nt = 0, tt = 0;
-      for (unsigned int a = 0; a < point.n_nodes; ++a)
-        for (unsigned int i = 0; i < 2; ++i)
-          if (!discretization.is_fixed(point.dofs[a][i]))
-            {
-              nn += std::pow(point.C[a] * point.normal[i], 2);
-              tt += std::pow(point.C[a] * point.tangent[i], 2);
-              nt +=
-                point.C[a] * point.C[a] * point.normal[i] * point.tangent[i];
-            }
-      // Below this sine of the angle between the rows their two multipliers
-      // would be told apart by the round-off of the pairing alone.
-      const double sine = 1e-3;
-      return tt * nn - nt * nt <= sine * sine * nn * nn;
-    }
   } // namespace
+
+
+
+  void ContactPoint::add_node(const Surface::Node &node,
+                              const double         c,
+                              const double         c1,
+                              const double         c2)
+  {
+    ++n_nodes;
+    dofs.push_back(node.dofs);
+    X.push_back(node.X);
+    C.push_back(c);
+    C1.push_back(c1);
+    C2.push_back(c2);
+  }
+
+
+
+  void ContactPoint::keep_nodes(const unsigned int n)
+  {
+    n_nodes = n;
+    dofs.resize(n);
+    X.resize(n);
+    for (auto *values : {&C, &C1, &C2})
+      values->resize(n);
+  }
+
+
+
+  bool tangential_row_is_void(const ContactPoint   &point,
+                              const Discretization &discretization)
+  {
+    double nn = 0, nt = 0, tt = 0;
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      for (unsigned int i = 0; i < 2; ++i)
+        if (!discretization.is_fixed(point.dofs[a][i]))
+          {
+            nn += std::pow(point.C[a] * point.normal[i], 2);
+            tt += std::pow(point.C[a] * point.tangent[i], 2);
+            nt += point.C[a] * point.C[a] * point.normal[i] * point.tangent[i];
+          }
+    // Below this sine of the angle between the rows their two multipliers
+    // would be told apart by the round-off of the pairing alone.
+    const double sine = 1e-3;
+    return tt * nn - nt * nt <= sine * sine * nn * nn;
+  }
 
 
 
@@ -154,16 +172,14 @@ namespace Contact
     const auto     &edge = master.edges[projection.edge];
     const EdgeShape shape(master.degree, projection.xi);
     Tensor<1, 2>    along;
-    point.n_nodes = point.n_slave_nodes;
+    point.keep_nodes(point.n_slave_nodes);
     for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
       {
-        const unsigned int k    = point.n_nodes++;
         const unsigned int node = edge.nodes[a];
-        point.dofs[k]           = master.nodes[node].dofs;
-        point.X[k]              = master.nodes[node].X;
-        point.C[k]              = -shape.value[a];
-        point.C1[k]             = -shape.first[a];
-        point.C2[k]             = -shape.second[a];
+        point.add_node(master.nodes[node],
+                       -shape.value[a],
+                       -shape.first[a],
+                       -shape.second[a]);
         along += shape.first[a] * master.position(node, u);
       }
 
@@ -172,6 +188,7 @@ namespace Contact
     point.metric  = along.norm();
     point.tangent = along / point.metric;
     point.normal  = Tensor<1, 2>({point.tangent[1], -point.tangent[0]});
-    point.tangential_row_is_void = is_void(point, discretization);
+    point.tangential_row_is_void =
+      tangential_row_is_void(point, discretization);
   }
 } // namespace Contact

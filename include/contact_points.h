@@ -6,6 +6,8 @@
 #ifndef contact_contact_points_h
 #define contact_contact_points_h
 
+#include <boost/container/small_vector.hpp>
+
 #include "friction_law.h"
 #include "surface.h"
 
@@ -63,8 +65,12 @@ namespace Contact
    */
   struct ContactPoint
   {
-    static constexpr unsigned int max_nodes       = 6;
     static constexpr unsigned int max_multipliers = 3;
+
+    /// Something of each node. Six are two quadratic edges; the mortar rule,
+    /// where a slave node may face many master edges, can have more.
+    template<typename T>
+    using PerNode = boost::container::small_vector<T, 6>;
 
     // The slave side, the same during the whole run.
     unsigned int slave_edge; // in the slave surface
@@ -83,13 +89,22 @@ namespace Contact
     double       master_xi;
 
     // The nodes of both sides, slave first.
-    unsigned int                    n_slave_nodes;
-    unsigned int                    n_nodes;
-    std::array<NodeDoFs, max_nodes> dofs;
-    std::array<Point<2>, max_nodes> X;  // reference positions [mm]
-    std::array<double, max_nodes>   C;  // coefficients
-    std::array<double, max_nodes>   C1; // their derivatives with respect
-    std::array<double, max_nodes>   C2; // to the master coordinate
+    unsigned int      n_slave_nodes = 0;
+    unsigned int      n_nodes       = 0;
+    PerNode<NodeDoFs> dofs;
+    PerNode<Point<2>> X;  // reference positions [mm]
+    PerNode<double>   C;  // coefficients
+    PerNode<double>   C1; // their derivatives with respect
+    PerNode<double>   C2; // to the master coordinate
+
+    /// Append a node with its coefficient and the derivatives of that.
+    void add_node(const Surface::Node &node,
+                  const double         c,
+                  const double         c1,
+                  const double         c2);
+
+    /// Forget the nodes from the number @p n on.
+    void keep_nodes(const unsigned int n);
 
     Tensor<1, 2> normal, tangent;
     double       metric; // |d x_m / d xi| [mm]
@@ -136,6 +151,13 @@ namespace Contact
   std::vector<ContactPoint> make_gauss_points(const Surface     &slave,
                                               const unsigned int n_points,
                                               MultiplierSpace   &multipliers);
+
+  /**
+   * Whether the tangential row of a point lies in the span of the normal one,
+   * once the unknowns that a support fixes are out.
+   */
+  bool tangential_row_is_void(const ContactPoint   &point,
+                              const Discretization &discretization);
 
   /**
    * Pair a point with the closest point of the master in the configuration

@@ -308,9 +308,11 @@ namespace Contact
                         "Boundary group they are projected on [-].");
       prm.add_parameter("Rule",
                         rule,
-                        "Where the contact points are [-]: in the nodes or "
-                        "in the Gauss points of the slave faces.",
-                        Patterns::Selection("nodal|Gauss"));
+                        "Where the contact points are [-]; nodal: in the nodes "
+                        "of the slave; Gauss: in the Gauss points of its "
+                        "faces; mortar: in the nodes, with gaps that are "
+                        "weighted along the surface by dual functions.",
+                        Patterns::Selection("nodal|Gauss|mortar"));
       prm.add_parameter("Gauss points",
                         n_gauss_points,
                         "Gauss points per slave face [-]; only for the rule "
@@ -319,8 +321,8 @@ namespace Contact
       prm.add_parameter("Excluded points",
                         excluded_points,
                         "Point groups of the slave surface that carry no "
-                        "contact point [-], separated by ','; only for the "
-                        "rule nodal.");
+                        "contact point [-], separated by ','; for the rules "
+                        "nodal and mortar.");
       prm.add_parameter("Friction coefficient",
                         friction_coefficient,
                         "Coulomb's coefficient of friction [-]; 0: none.",
@@ -400,6 +402,7 @@ namespace Contact
     {
       const Patterns::Integer   at_least_one(1);
       const Patterns::Selection loop("fixed point|Newton");
+      const Patterns::Selection geometry_loop("fixed point|each step|Newton");
 
       prm.enter_subsection("Solution");
       prm.add_parameter("Increments",
@@ -409,9 +412,11 @@ namespace Contact
       prm.add_parameter("Geometry",
                         geometry,
                         "How projections and normals follow the displacements "
-                        "[-]; fixed point: in a loop of their own, Newton: "
-                        "with the displacements.",
-                        loop);
+                        "[-]; fixed point: in a loop of their own; each step: "
+                        "renewed before each Newton step; Newton: with the "
+                        "displacements, in the tangent as well (rules nodal "
+                        "and Gauss, saddle point system).",
+                        geometry_loop);
       prm.add_parameter(
         "Geometry tolerance",
         geometry_tolerance,

@@ -120,7 +120,7 @@ namespace Contact
       std::string slave;
       std::string master;
 
-      /// "nodal" or "Gauss".
+      /// "nodal", "Gauss" or "mortar".
       std::string  rule           = "Gauss";
       unsigned int n_gauss_points = 3;
 
@@ -150,7 +150,7 @@ namespace Contact
     {
       unsigned int n_increments = 2;
 
-      /// "fixed point" or "Newton".
+      /// "fixed point", "each step" or "Newton".
       std::string  geometry                = "fixed point";
       double       geometry_tolerance      = 1e-2;
       unsigned int max_geometry_iterations = 30;

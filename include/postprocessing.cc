@@ -44,32 +44,6 @@ namespace Contact
 
 
 
-    /// The outward unit normals at the nodes of the deformed surface: the mean
-    /// of those of the edges that meet there.
-    std::vector<Tensor<1, 2>> node_normals(const Surface        &surface,
-                                           const Vector<double> &u)
-    {
-      const std::array<double, 3> coordinates{{-1, 1, 0}};
-      std::vector<Tensor<1, 2>>   normals(surface.nodes.size());
-      for (const Surface::Edge &edge : surface.edges)
-        for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
-          {
-            const EdgeShape shape(surface.degree, coordinates[a]);
-            Tensor<1, 2>    along;
-            for (unsigned int b = 0; b < surface.n_nodes_per_edge(); ++b)
-              along += shape.first[b] * surface.position(edge.nodes[b], u);
-
-            // The body lies to the left of the edge.
-            const Tensor<1, 2> outward({along[1], -along[0]});
-            normals[edge.nodes[a]] += outward / outward.norm();
-          }
-      for (Tensor<1, 2> &normal : normals)
-        normal /= normal.norm();
-      return normals;
-    }
-
-
-
     /// The rows of a surface with all that does not ask for the other one.
     std::vector<ProfileRow>
     make_rows(const Surface                            &surface,
@@ -79,7 +53,7 @@ namespace Contact
     {
       const auto stresses =
         node_stresses(surface, discretization, vertex_stresses);
-      const auto            normals = node_normals(surface, u);
+      const auto            normals = surface.normals(u);
       std::vector<Point<2>> reference, deformed;
       for (unsigned int i = 0; i < surface.nodes.size(); ++i)
         {
@@ -329,13 +303,13 @@ namespace Contact
           interpolate(interface.slave, slave, place, rows[n]);
       }
 
+    std::map<types::global_dof_index, unsigned int> node_of_dof;
+    for (unsigned int n = 0; n < master.nodes.size(); ++n)
+      node_of_dof[master.nodes[n].dofs[0]] = n;
     for (const ContactPoint &point : interface.points)
       for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
-        {
-          const auto &edge = master.edges[point.master_edge];
-          rows[edge.nodes[a - point.n_slave_nodes]].nodal_force -=
-            point.C[a] * normal_force(interface, point, solution);
-        }
+        rows[node_of_dof.at(point.dofs[a][0])].nodal_force -=
+          point.C[a] * normal_force(interface, point, solution);
 
     add_hertz_pressure(interface, discretization, hertz, rows);
     reverse(rows);

@@ -172,6 +172,29 @@ namespace Contact
 
 
 
+  std::vector<Tensor<1, 2>> Surface::normals(const Vector<double> &u) const
+  {
+    const std::array<double, 3> coordinates{{-1, 1, 0}};
+    std::vector<Tensor<1, 2>>   normals(nodes.size());
+    for (const Edge &edge : edges)
+      for (unsigned int a = 0; a < n_nodes_per_edge(); ++a)
+        {
+          const EdgeShape shape(degree, coordinates[a]);
+          Tensor<1, 2>    along;
+          for (unsigned int b = 0; b < n_nodes_per_edge(); ++b)
+            along += shape.first[b] * position(edge.nodes[b], u);
+
+          // The body lies to the left of the edge.
+          const Tensor<1, 2> outward({along[1], -along[0]});
+          normals[edge.nodes[a]] += outward / outward.norm();
+        }
+    for (Tensor<1, 2> &normal : normals)
+      normal /= normal.norm();
+    return normals;
+  }
+
+
+
   double Surface::reference_jacobian(const Edge      &edge,
                                      const EdgeShape &shape) const
   {

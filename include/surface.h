@@ -63,6 +63,10 @@ namespace Contact
     /// Current position of a node.
     Point<2> position(const unsigned int node, const Vector<double> &u) const;
 
+    /// The outward unit normals at the nodes of the deformed surface: the mean
+    /// of those of the edges that meet there.
+    std::vector<Tensor<1, 2>> normals(const Vector<double> &u) const;
+
     /// Length of an edge per unit of its coordinate, undeformed [mm].
     double reference_jacobian(const Edge &edge, const EdgeShape &shape) const;
 

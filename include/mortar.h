@@ -1,0 +1,139 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_mortar_h
+#define contact_mortar_h
+
+#include <deal.II/lac/full_matrix.h>
+
+#include "contact_points.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The mortar rule: one contact point per slave node, whose gap is weighted
+   * along the surface by a dual function Phi_k of the node,
+   *   g_k = n_k . integral Phi_k (x_slave - x_master) ds / D_k,
+   *   D_k = integral Phi_k ds,
+   * x_master being the point of the master that the slave's normal meets. The
+   * pressure is p = sum_k lambda_k Phi_k. The dual functions are biorthogonal
+   * to the shape functions of the slave,
+   *   integral Phi_k N_j ds = delta_kj D_k,
+   * so that of the slave side only the node k itself is in g_k, as with the
+   * nodal rule: a mortar point is a nodal point that looks at its surroundings.
+   * (B. Wohlmuth, SIAM J. Numer. Anal. 38, 2000; S. Hueeber and B. Wohlmuth,
+   * Comput. Methods Appl. Mech. Engrg. 194, 2005; A. Popp, M. W. Gee and
+   * W. A. Wall, Int. J. Numer. Meth. Engng. 79, 2009.)
+   *
+   * The integrals run over segments: pieces of a slave edge that face one
+   * master edge. Projection is along the continuous normal field of the slave
+   * (the mean normals of its nodes, interpolated).
+   *
+   * Where this differs from the papers:
+   *  - At an edge that faces the master in part, and at nodes that carry no
+   *    multiplier (supported against the normal, or excluded), the dual
+   *    functions of the edge are polynomials of a lower degree, as many as
+   *    there are nodes left, that still sum up to one: a constant pressure is
+   *    in the space everywhere, and D_k > 0.
+   *  - At a node with a support in one direction (a symmetry line) the normal
+   *    is the free direction.
+   *  - The feet of a node are shifted along the master such that
+   *    x_slave - x_master, weighted, is parallel to n_k. The shift vanishes
+   *    with the gap; with it the forces balance in moment exactly, not only up
+   *    to the gap (the same end as in M. A. Puso and T. A. Laursen, Comput.
+   *    Methods Appl. Mech. Engrg. 193, 2004).
+   */
+  class MortarRule
+  {
+  public:
+    MortarRule(const Surface                &slave,
+               const Surface                &master,
+               const Discretization         &discretization,
+               const std::set<unsigned int> &excluded);
+
+    /// The points, not paired yet, and their multipliers.
+    std::vector<ContactPoint> make_points(MultiplierSpace &multipliers) const;
+
+    /**
+     * Integrate in the configuration @p u, and fill in what belongs to the
+     * pairing: weight, normal, nodes and coefficients. Points whose
+     * surroundings do not face the master are marked so. Returns whether a
+     * point has other nodes than before.
+     */
+    bool pair(std::vector<ContactPoint> &points, const Vector<double> &u) const;
+
+  private:
+    /// A quadrature point of a segment.
+    struct Sample
+    {
+      double       xi;     // on the slave edge
+      double       weight; // undeformed length [mm]
+      unsigned int master_edge;
+      double       master_xi;
+    };
+
+    /// The part of a slave edge that faces the master.
+    struct Overlap
+    {
+      std::vector<Sample> samples;
+      double              low = 1, high = -1; // slave coordinates
+    };
+
+    /// Integrals of the dual function of one slave node.
+    struct Integrals
+    {
+      double                         weight = 0; // D_k [mm]
+      std::map<unsigned int, double> slave;      // Phi_k N_a, by slave node
+      std::map<unsigned int, double> master;     // Phi_k N_m, by master node
+      std::map<unsigned int, double> shift; // Phi_k dN_m/ds, by master node
+    };
+
+    /// Both surfaces in one configuration.
+    struct Configuration;
+
+    Overlap      overlap(const Configuration &now,
+                         const unsigned int   slave_edge) const;
+    unsigned int facing_edge(const Configuration &now,
+                             const unsigned int   slave_node) const;
+    void         add_segment(const Configuration &now,
+                             const unsigned int   slave_edge,
+                             const unsigned int   master_edge,
+                             Overlap             &overlap) const;
+
+    /// The nodes of an edge, by their number in it, that have a dual function.
+    std::vector<unsigned int> carrying_nodes(const unsigned int slave_edge,
+                                             const Overlap     &overlap) const;
+
+    /// The coefficients of the dual functions of these nodes: row k holds those
+    /// of 1, xi, xi^2.
+    FullMatrix<double> dual_functions(const std::vector<unsigned int> &nodes,
+                                      const Overlap &overlap) const;
+
+    void integrate_edge(const Configuration    &now,
+                        const unsigned int      slave_edge,
+                        const Overlap          &overlap,
+                        std::vector<Integrals> &integrals) const;
+
+    void fill_in(const Configuration &now,
+                 const Integrals     &integrals,
+                 ContactPoint        &point) const;
+
+    unsigned int slave_node(const ContactPoint &point) const;
+
+    const Surface        &slave;
+    const Surface        &master;
+    const Discretization &discretization;
+
+    /// Whether a slave node carries a multiplier.
+    std::vector<bool> carries;
+
+    /// The master edge behind and before an edge along the chain.
+    std::vector<unsigned int> next, previous;
+  };
+} // namespace Contact
+
+#endif
