@@ -53,6 +53,7 @@
 // validation manual.
 
 #include <deal.II/base/conditional_ostream.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 #include <deal.II/lac/sparsity_pattern.h>
 
@@ -792,6 +793,7 @@ namespace
 
 int main(int argc, char **argv)
 {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   try
     {
       const std::string first = argc > 1 ? argv[1] : "";

@@ -20,8 +20,10 @@
 namespace Contact
 {
   Discretization::Discretization(const Mesh            &mesh,
-                                 const Parameters::All &parameters)
+                                 const Parameters::All &parameters,
+                                 const MPI_Comm         communicator)
     : mesh(mesh)
+    , communicator(communicator)
     , degree(parameters.element.degree)
     , bound_centre(degree == 2 && parameters.element.centre_node == "bound")
     , mapping(MappingQ<2>(degree), MappingFE<2>(FE_SimplexP<2>(degree)))
@@ -29,15 +31,34 @@ namespace Contact
          FESystem<2>(FE_SimplexP<2>(degree), 2))
     , quadrature(QGauss<2>(degree + 1), QGaussSimplex<2>(degree))
     , dof_handler(mesh.triangulation)
+    , boundary(parameters.boundary)
   {
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      cell->set_active_fe_index(cell->reference_cell().is_hyper_cube() ? 0 : 1);
-    dof_handler.distribute_dofs(fe);
+    redistribute();
+  }
 
+
+
+  void Discretization::redistribute()
+  {
+    if (mesh.is_all_quadrilateral())
+      dof_handler.distribute_dofs(fe[0]);
+    else
+      {
+        for (const auto &cell : dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            cell->set_active_fe_index(
+              cell->reference_cell().is_hyper_cube() ? 0 : 1);
+        dof_handler.distribute_dofs(fe);
+      }
+
+    prescribed.clear();
+    ties.clear();
+    updates_vanish = true;
     collect_vertex_dofs();
-    collect_supports(parameters.boundary);
-    collect_ties(parameters.boundary);
-    collect_loads(parameters.boundary);
+    share_named_points();
+    collect_supports();
+    collect_ties();
+    collect_loads();
     make_constraints({});
   }
 
@@ -84,15 +105,27 @@ namespace Contact
                        {{numbers::invalid_dof_index,
                          numbers::invalid_dof_index}});
     for (const auto &cell : dof_handler.active_cell_iterators())
-      for (const unsigned int v : cell->vertex_indices())
-        for (unsigned int c = 0; c < 2; ++c)
-          vertex_dofs[cell->vertex_index(v)][c] =
-            cell->vertex_dof_index(v, c, cell->active_fe_index());
+      if (!cell->is_artificial())
+        for (const unsigned int v : cell->vertex_indices())
+          for (unsigned int c = 0; c < 2; ++c)
+            vertex_dofs[cell->vertex_index(v)][c] =
+              cell->vertex_dof_index(v, c, cell->active_fe_index());
   }
 
 
 
-  void Discretization::collect_supports(const Parameters::Boundary &boundary)
+  // A named point is a vertex of the coarse mesh, which all ranks number alike.
+  void Discretization::share_named_points()
+  {
+    for (const auto &[name, vertex] : mesh.points)
+      if (vertex != numbers::invalid_unsigned_int)
+        for (auto &dof : vertex_dofs[vertex])
+          dof = Utilities::MPI::min(dof, communicator);
+  }
+
+
+
+  void Discretization::collect_supports()
   {
     const auto collect = [this](const auto &groups, const unsigned int c) {
       const std::string entry =
@@ -128,11 +161,14 @@ namespace Contact
 
     collect(boundary.displacement_x, 0);
     collect(boundary.displacement_y, 1);
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(communicator, prescribed))
+      prescribed.insert(of_rank.begin(), of_rank.end());
   }
 
 
 
-  void Discretization::collect_ties(const Parameters::Boundary &boundary)
+  void Discretization::collect_ties()
   {
     const std::string entry = "Boundary conditions/Tied y";
     for (const auto &[name, partner] : boundary.tied_y)
@@ -148,7 +184,7 @@ namespace Contact
 
 
 
-  void Discretization::collect_loads(const Parameters::Boundary &boundary)
+  void Discretization::collect_loads()
   {
     dead_load.reinit(dof_handler.n_dofs());
     for (const auto &[name, force] : boundary.force_x)
@@ -165,6 +201,8 @@ namespace Contact
     const std::map<types::global_dof_index, double> &updates)
   {
     constraints.clear();
+    if (mesh.triangulation.has_hanging_nodes())
+      DoFTools::make_hanging_node_constraints(dof_handler, constraints);
     for (const auto &[dof, value] : prescribed)
       {
         constraints.add_line(dof);
@@ -189,7 +227,7 @@ namespace Contact
     // FE_Q(2) numbers the corners 0-3, the mid-sides 4-7, the centre 8.
     std::vector<types::global_dof_index> dofs;
     for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->reference_cell().is_hyper_cube())
+      if (!cell->is_artificial() && cell->reference_cell().is_hyper_cube())
         {
           dofs.resize(cell->get_fe().n_dofs_per_cell());
           cell->get_dof_indices(dofs);

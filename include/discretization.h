@@ -33,13 +33,23 @@ namespace Contact
    *
    * With <code>bound_centre</code> the centre value of a quadrangle of degree 2
    * is 1/2 sum(mid-sides) - 1/4 sum(corners): the 8-node element.
+   *
+   * With several ranks each has the unknowns of its cells and their neighbors;
+   * supports, dead loads and the unknowns of named points are known to all.
+   * Vectors of the displacement are held in full by every rank.
    */
   class Discretization
   {
   public:
-    Discretization(const Mesh &mesh, const Parameters::All &parameters);
+    Discretization(const Mesh            &mesh,
+                   const Parameters::All &parameters,
+                   const MPI_Comm         communicator = MPI_COMM_SELF);
+
+    /// Number the unknowns anew after the mesh was refined.
+    void redistribute();
 
     const Mesh        &mesh;
+    const MPI_Comm     communicator;
     const unsigned int degree;
     const bool         bound_centre;
 
@@ -48,13 +58,15 @@ namespace Contact
     const hp::QCollection<2>       quadrature;
     DoFHandler<2>                  dof_handler;
 
-    /// Supports, ties and bound centres, for the next Newton update.
+    /// Supports, ties, bound centres and hanging nodes, for the next Newton
+    /// update.
     AffineConstraints<double> constraints;
 
     /// The dead forces at full load [N per mm of thickness].
     Vector<double> dead_load;
 
-    /// The unknowns of each vertex of the triangulation.
+    /// The unknowns of each vertex of the triangulation; invalid where no cell
+    /// of this rank or its neighbors has it.
     std::vector<NodeDoFs> vertex_dofs;
 
     /**
@@ -78,13 +90,15 @@ namespace Contact
 
   private:
     void collect_vertex_dofs();
-    void collect_supports(const Parameters::Boundary &boundary);
-    void collect_ties(const Parameters::Boundary &boundary);
-    void collect_loads(const Parameters::Boundary &boundary);
+    void share_named_points();
+    void collect_supports();
+    void collect_ties();
+    void collect_loads();
     void
     make_constraints(const std::map<types::global_dof_index, double> &updates);
     void bind_centres();
 
+    const Parameters::Boundary                                 boundary;
     std::map<types::global_dof_index, double>                  prescribed;
     std::map<types::global_dof_index, types::global_dof_index> ties;
     bool updates_vanish = true;

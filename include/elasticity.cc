@@ -5,9 +5,9 @@
 
 #include "elasticity.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
-#include <deal.II/lac/full_matrix.h>
 
 #include "errors.h"
 
@@ -26,14 +26,6 @@ namespace Contact
       {
       }
 
-      void assemble(const Vector<double> &u,
-                    const double          load_factor,
-                    Vector<double>       &rhs,
-                    SparseMatrix<double> *matrix) const override;
-
-      Vector<double> forces(const Vector<double> &u,
-                            const double          load_factor) const override;
-
       std::vector<std::vector<SymmetricTensor<2, 3>>>
       stresses(const Vector<double> &u) const override;
 
@@ -43,6 +35,11 @@ namespace Contact
       }
 
     private:
+      void cell_forces(const Cell           &cell,
+                       const Vector<double> &u,
+                       FullMatrix<double>   *tangent,
+                       Vector<double>       &forces) const override;
+
       Tensor<2, 2> displacement_gradient(const Cell           &cell,
                                          const unsigned int    q,
                                          const Vector<double> &u) const;
@@ -151,61 +148,18 @@ namespace Contact
 
 
     template<class Kinematics>
-    void Solid<Kinematics>::assemble(const Vector<double> &u,
-                                     const double          load_factor,
-                                     Vector<double>       &rhs,
-                                     SparseMatrix<double> *matrix) const
+    void Solid<Kinematics>::cell_forces(const Cell           &cell,
+                                        const Vector<double> &u,
+                                        FullMatrix<double>   *tangent,
+                                        Vector<double>       &forces) const
     {
-      const auto        &constraints = discretization.constraints;
-      FullMatrix<double> cell_matrix;
-      Vector<double>     cell_rhs;
-      for (const Cell &cell : cells)
+      if (tangent == nullptr)
         {
-          cell_rhs.reinit(cell.dofs.size());
-          if (matrix == nullptr)
-            {
-              assemble_cell<false>(cell, u, cell_matrix, cell_rhs);
-              cell_rhs *= -1;
-              constraints.distribute_local_to_global(cell_rhs, cell.dofs, rhs);
-            }
-          else
-            {
-              cell_matrix.reinit(cell.dofs.size(), cell.dofs.size());
-              assemble_cell<true>(cell, u, cell_matrix, cell_rhs);
-              cell_rhs *= -1;
-              constraints.distribute_local_to_global(cell_matrix,
-                                                     cell_rhs,
-                                                     cell.dofs,
-                                                     *matrix,
-                                                     rhs);
-            }
+          FullMatrix<double> no_tangent;
+          assemble_cell<false>(cell, u, no_tangent, forces);
         }
-
-      for (unsigned int i = 0; i < discretization.dead_load.size(); ++i)
-        if (discretization.dead_load[i] != 0)
-          discretization.constraints.distribute_local_to_global(
-            i,
-            load_factor * discretization.dead_load[i],
-            rhs);
-    }
-
-
-
-    template<class Kinematics>
-    Vector<double> Solid<Kinematics>::forces(const Vector<double> &u,
-                                             const double load_factor) const
-    {
-      Vector<double>     forces(discretization.dof_handler.n_dofs());
-      FullMatrix<double> no_matrix;
-      Vector<double>     cell_forces;
-      for (const Cell &cell : cells)
-        {
-          cell_forces.reinit(cell.dofs.size());
-          assemble_cell<false>(cell, u, no_matrix, cell_forces);
-          forces.add(cell.dofs, cell_forces);
-        }
-      forces.add(-load_factor, discretization.dead_load);
-      return forces;
+      else
+        assemble_cell<true>(cell, u, *tangent, forces);
     }
 
 
@@ -214,11 +168,12 @@ namespace Contact
     std::vector<std::vector<SymmetricTensor<2, 3>>>
     Solid<Kinematics>::stresses(const Vector<double> &u) const
     {
-      std::vector<std::vector<SymmetricTensor<2, 3>>> stresses;
-      stresses.reserve(cells.size());
+      std::vector<std::vector<SymmetricTensor<2, 3>>> stresses(
+        discretization.mesh.triangulation.n_active_cells());
       for (const Cell &cell : cells)
         {
-          stresses.emplace_back(cell.JxW.size());
+          auto &of_cell = stresses[cell.active_index];
+          of_cell.resize(cell.JxW.size());
           for (unsigned int q = 0; q < cell.JxW.size(); ++q)
             {
               const Tensor<2, 2>    H      = displacement_gradient(cell, q, u);
@@ -228,8 +183,8 @@ namespace Contact
               for (unsigned int i = 0; i < 2; ++i)
                 for (unsigned int j = 0; j <= i; ++j)
                   S[i][j] = plane[i][j];
-              S[2][2]            = cell.material->stress_out_of_plane(strain);
-              stresses.back()[q] = Kinematics::cauchy(H, S);
+              S[2][2]    = cell.material->stress_out_of_plane(strain);
+              of_cell[q] = Kinematics::cauchy(H, S);
             }
         }
       return stresses;
@@ -278,6 +233,119 @@ namespace Contact
 
 
 
+  const Material &Elasticity::material(const types::material_id body) const
+  {
+    return materials.at(body);
+  }
+
+
+
+  void Elasticity::visit_cell(const Cell           &cell,
+                              const Vector<double> &u,
+                              const bool            with_tangent,
+                              FullMatrix<double>   &tangent,
+                              Vector<double>       &forces,
+                              const CellVisitor    &visitor) const
+  {
+    const unsigned int n = cell.dofs.size();
+    forces.reinit(n);
+    if (with_tangent)
+      tangent.reinit(n, n);
+    cell_forces(cell, u, with_tangent ? &tangent : nullptr, forces);
+    visitor(cell.dofs, tangent, forces);
+  }
+
+
+
+  void Elasticity::visit_cells(const Vector<double> &u,
+                               const bool            with_tangent,
+                               const CellVisitor    &visitor) const
+  {
+    FullMatrix<double> tangent;
+    Vector<double>     forces;
+    for (unsigned int c = 0; c < n_own_cells; ++c)
+      visit_cell(cells[c], u, with_tangent, tangent, forces, visitor);
+  }
+
+
+
+  void Elasticity::visit_cells(const Vector<double>            &u,
+                               const bool                       with_tangent,
+                               const std::vector<unsigned int> &chosen,
+                               const CellVisitor               &visitor) const
+  {
+    FullMatrix<double> tangent;
+    Vector<double>     forces;
+    for (const unsigned int c : chosen)
+      visit_cell(cells[c], u, with_tangent, tangent, forces, visitor);
+  }
+
+
+
+  std::vector<unsigned int> Elasticity::cells_with(
+    const std::function<bool(const std::vector<types::global_dof_index> &)>
+      &wanted) const
+  {
+    std::vector<unsigned int> numbers;
+    for (unsigned int c = 0; c < n_own_cells; ++c)
+      if (wanted(cells[c].dofs))
+        numbers.push_back(c);
+    return numbers;
+  }
+
+
+
+  void Elasticity::assemble(const Vector<double> &u,
+                            const double          load_factor,
+                            Vector<double>       &rhs,
+                            SparseMatrix<double> *matrix) const
+  {
+    const auto    &constraints = discretization.constraints;
+    Vector<double> cell_rhs;
+    visit_cells(u,
+                matrix != nullptr,
+                [&](const std::vector<types::global_dof_index> &dofs,
+                    const FullMatrix<double>                   &tangent,
+                    const Vector<double>                       &forces) {
+                  cell_rhs.reinit(forces.size());
+                  cell_rhs.add(-1, forces);
+                  if (matrix == nullptr)
+                    constraints.distribute_local_to_global(cell_rhs, dofs, rhs);
+                  else
+                    constraints.distribute_local_to_global(tangent,
+                                                           cell_rhs,
+                                                           dofs,
+                                                           *matrix,
+                                                           rhs);
+                });
+
+    const auto &load  = discretization.dead_load;
+    const auto &owned = discretization.dof_handler.locally_owned_dofs();
+    for (unsigned int i = 0; i < load.size(); ++i)
+      if (load[i] != 0 && owned.is_element(i))
+        constraints.distribute_local_to_global(i, load_factor * load[i], rhs);
+  }
+
+
+
+  Vector<double> Elasticity::forces(const Vector<double> &u,
+                                    const double          load_factor) const
+  {
+    Vector<double> forces(discretization.dof_handler.n_dofs());
+    visit_cells(u,
+                false,
+                [&](const std::vector<types::global_dof_index> &dofs,
+                    const FullMatrix<double> &,
+                    const Vector<double> &cell_forces) {
+                  forces.add(dofs, cell_forces);
+                });
+    Utilities::MPI::sum(forces, discretization.communicator, forces);
+    forces.add(-load_factor, discretization.dead_load);
+    return forces;
+  }
+
+
+
   void Elasticity::tabulate()
   {
     hp::FEValues<2> hp_fe_values(discretization.mapping,
@@ -286,10 +354,12 @@ namespace Contact
                                  update_gradients | update_JxW_values);
 
     std::vector<types::global_dof_index> dofs;
-    cells.reserve(discretization.mesh.triangulation.n_active_cells());
+    std::vector<Cell>                    neighbors;
     for (const auto &dof_cell :
          discretization.dof_handler.active_cell_iterators())
       {
+        if (dof_cell->is_artificial())
+          continue;
         hp_fe_values.reinit(dof_cell);
         const auto &fe_values = hp_fe_values.get_present_fe_values();
         const auto &fe        = fe_values.get_fe();
@@ -300,8 +370,9 @@ namespace Contact
         const unsigned int n_free  = bound ? n_nodes - 1 : n_nodes;
 
         Cell cell;
-        cell.material = &materials.at(dof_cell->material_id());
-        cell.JxW      = fe_values.get_JxW_values();
+        cell.active_index = dof_cell->active_cell_index();
+        cell.material     = &materials.at(dof_cell->material_id());
+        cell.JxW          = fe_values.get_JxW_values();
 
         dofs.resize(fe.n_dofs_per_cell());
         dof_cell->get_dof_indices(dofs);
@@ -323,17 +394,20 @@ namespace Contact
                 bound ? gradient(a) + (a < 4 ? -0.25 : 0.5) * gradient(8)
                       : gradient(a));
             }
-        cells.push_back(std::move(cell));
+        (dof_cell->is_locally_owned() ? cells : neighbors)
+          .push_back(std::move(cell));
       }
+    n_own_cells = cells.size();
+    std::move(neighbors.begin(), neighbors.end(), std::back_inserter(cells));
   }
 
 
 
   void Elasticity::add_couplings(DynamicSparsityPattern &pattern) const
   {
-    for (const Cell &cell : cells)
+    for (unsigned int c = 0; c < n_own_cells; ++c)
       discretization.constraints.add_entries_local_to_global(
-        cell.dofs,
+        cells[c].dofs,
         pattern,
         /*keep_constrained_entries=*/false);
   }

@@ -7,9 +7,11 @@
 #define contact_elasticity_h
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -42,25 +44,47 @@ namespace Contact
     /// Add the couplings of the bodies.
     void add_couplings(DynamicSparsityPattern &pattern) const;
 
+    /// What is done with a cell: its unknowns, its tangent (empty if there was
+    /// none asked for) and its internal forces.
+    using CellVisitor =
+      std::function<void(const std::vector<types::global_dof_index> &dofs,
+                         const FullMatrix<double>                   &tangent,
+                         const Vector<double>                       &forces)>;
+
+    /// Visit all cells of this rank, or only those with the numbers @p chosen,
+    /// see cells_with().
+    void visit_cells(const Vector<double> &u,
+                     const bool            with_tangent,
+                     const CellVisitor    &visitor) const;
+    void visit_cells(const Vector<double>            &u,
+                     const bool                       with_tangent,
+                     const std::vector<unsigned int> &chosen,
+                     const CellVisitor               &visitor) const;
+
+    /// The numbers of those cells of this rank whose unknowns are @p wanted.
+    std::vector<unsigned int> cells_with(
+      const std::function<bool(const std::vector<types::global_dof_index> &)>
+        &wanted) const;
+
     /**
      * Add minus the residual (@p load_factor times dead forces minus internal
      * forces) to @p rhs and, unless @p matrix is null, the tangent to it;
-     * constraints eliminated.
+     * constraints eliminated. Of several ranks each adds its own part.
      */
-    virtual void assemble(const Vector<double> &u,
-                          const double          load_factor,
-                          Vector<double>       &rhs,
-                          SparseMatrix<double> *matrix) const = 0;
+    void assemble(const Vector<double> &u,
+                  const double          load_factor,
+                  Vector<double>       &rhs,
+                  SparseMatrix<double> *matrix) const;
 
     /**
      * The forces on all nodes, unconstrained: internal minus load. Where a
      * node is supported or in contact, the force that acts there.
      */
-    virtual Vector<double> forces(const Vector<double> &u,
-                                  const double          load_factor) const = 0;
+    Vector<double> forces(const Vector<double> &u,
+                          const double          load_factor) const;
 
-    /// Cauchy stress [MPa] in all quadrature points of all cells, in the order
-    /// of the active cells.
+    /// Cauchy stress [MPa] in all quadrature points, by active cell; nothing
+    /// for the cells that this rank does not know.
     virtual std::vector<std::vector<SymmetricTensor<2, 3>>>
     stresses(const Vector<double> &u) const = 0;
 
@@ -70,6 +94,9 @@ namespace Contact
     /// Young's modulus [MPa] of a body.
     double young(const types::material_id body) const;
 
+    /// The material of a body.
+    const Material &material(const types::material_id body) const;
+
   protected:
     Elasticity(const Discretization     &discretization,
                const Parameters::Solids &parameters);
@@ -77,6 +104,7 @@ namespace Contact
     /// What of a cell stays the same during a run.
     struct Cell
     {
+      unsigned int                         active_index;
       const Material                      *material;
       std::vector<types::global_dof_index> dofs;      // (x, y) node by node
       std::vector<double>                  JxW;       // by point
@@ -88,12 +116,27 @@ namespace Contact
       }
     };
 
+    /// Internal forces and, if @p tangent is not null, tangent of a cell.
+    virtual void cell_forces(const Cell           &cell,
+                             const Vector<double> &u,
+                             FullMatrix<double>   *tangent,
+                             Vector<double>       &forces) const = 0;
+
     const Discretization                  &discretization;
     std::map<types::material_id, Material> materials;
     std::map<types::material_id, double>   young_moduli;
-    std::vector<Cell>                      cells;
+
+    /// First the cells of this rank, then the neighbors' cells beside them.
+    std::vector<Cell> cells;
+    unsigned int      n_own_cells = 0;
 
   private:
+    void visit_cell(const Cell           &cell,
+                    const Vector<double> &u,
+                    const bool            with_tangent,
+                    FullMatrix<double>   &tangent,
+                    Vector<double>       &forces,
+                    const CellVisitor    &visitor) const;
     void tabulate();
   };
 } // namespace Contact

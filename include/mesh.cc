@@ -6,6 +6,8 @@
 #include "mesh.h"
 
 #include <deal.II/base/patterns.h>
+#include <deal.II/distributed/shared_tria.h>
+#include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
@@ -283,6 +285,34 @@ namespace Contact
 
 
 
+    bool has_triangles(const MshFile &msh)
+    {
+      return std::any_of(msh.elements[2].begin(),
+                         msh.elements[2].end(),
+                         [](const auto &cell) {
+                           return cell.nodes.size() == 3;
+                         });
+    }
+
+
+
+    std::unique_ptr<Triangulation<2>>
+    make_triangulation(const MshFile &msh, const MPI_Comm communicator)
+    {
+      if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+        return std::make_unique<Triangulation<2>>();
+      if (has_triangles(msh))
+        return std::make_unique<parallel::shared::Triangulation<2>>(
+          communicator,
+          Triangulation<2>::none,
+          /*allow_artificial_cells=*/false,
+          parallel::shared::Triangulation<2>::partition_zorder);
+      return std::make_unique<parallel::distributed::Triangulation<2>>(
+        communicator);
+    }
+
+
+
     void check_arc(const Arc &arc, const Point<2> &p, const std::string &name)
     {
       if (!arc.on_circle(p))
@@ -297,9 +327,19 @@ namespace Contact
 
 
 
-  Mesh::Mesh(const Parameters::Mesh &parameters)
+  Mesh::Mesh(const Parameters::Mesh &parameters, const MPI_Comm communicator)
+    : Mesh(parameters, read_msh(parameters.file), communicator)
   {
-    const MshFile msh = read_msh(parameters.file);
+  }
+
+
+
+  Mesh::Mesh(const Parameters::Mesh &parameters,
+             const MshFile          &msh,
+             const MPI_Comm          communicator)
+    : owned_triangulation(make_triangulation(msh, communicator))
+    , triangulation(*owned_triangulation)
+  {
     for (const auto &body : msh.names[2])
       bodies.emplace(body.second, bodies.size());
 
@@ -378,6 +418,21 @@ namespace Contact
                        "entry '" + entry + "'",
                        "name a group of one point");
     return vertex;
+  }
+
+
+
+  bool Mesh::is_all_quadrilateral() const
+  {
+    return triangulation.all_reference_cells_are_hyper_cube();
+  }
+
+
+
+  bool Mesh::is_complete() const
+  {
+    return dynamic_cast<const parallel::distributed::Triangulation<2> *>(
+             &triangulation) == nullptr;
   }
 
 

@@ -6,6 +6,7 @@
 #ifndef contact_mesh_h
 #define contact_mesh_h
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/grid/manifold.h>
 #include <deal.II/grid/tria.h>
 
@@ -78,6 +79,8 @@ namespace Contact
 
 
 
+  struct MshFile;
+
   /**
    * The triangulation of all bodies and the names of its parts: bodies are
    * material ids (0, 1, ... in the order of gmsh's tags), boundaries are sets
@@ -98,9 +101,21 @@ namespace Contact
      * body are ignored. Arcs get their manifold, then the mesh is refined.
      * Throws InputError.
      */
-    explicit Mesh(const Parameters::Mesh &parameters);
+    explicit Mesh(const Parameters::Mesh &parameters,
+                  const MPI_Comm          communicator = MPI_COMM_SELF);
 
-    Triangulation<2>                                    triangulation;
+  private:
+    // Before the reference to it.
+    std::unique_ptr<Triangulation<2>> owned_triangulation;
+
+  public:
+    /**
+     * On one rank a Triangulation. On several, quadrangles alone make a
+     * parallel::distributed one (p4est), of which a rank has its own cells and
+     * their neighbors; a mesh with triangles a parallel::shared one, of which
+     * every rank has all cells.
+     */
+    Triangulation<2>                                   &triangulation;
     std::map<std::string, types::material_id>           bodies;
     std::map<std::string, std::set<types::boundary_id>> boundaries;
 
@@ -116,10 +131,20 @@ namespace Contact
     boundary(const std::string &name, const std::string &entry) const;
     unsigned int point(const std::string &name, const std::string &entry) const;
 
+    /// Whether there are no triangles, so that cells can be refined one by one.
+    bool is_all_quadrilateral() const;
+
+    /// Whether this rank has the whole mesh.
+    bool is_complete() const;
+
     /// The name of a body by its id.
     std::string body_name(const types::material_id id) const;
 
   private:
+    Mesh(const Parameters::Mesh &parameters,
+         const MshFile          &msh,
+         const MPI_Comm          communicator);
+
     /// Make the boundaries of @p parameters round, whose lines are straight.
     void set_arcs(const Parameters::Mesh &parameters);
   };

@@ -43,6 +43,8 @@ namespace Contact
 
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       {
+        if (cell->is_artificial())
+          continue;
         const auto &values = at_points[cell->active_cell_index()];
         const auto &fit    = fits[cell->active_fe_index()];
         for (const unsigned int v : cell->vertex_indices())

@@ -5,7 +5,7 @@
 
 #include "surface.h"
 
-#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <limits>
@@ -14,6 +14,37 @@
 
 namespace Contact
 {
+  namespace
+  {
+    /// An edge with its own nodes, as the ranks exchange it.
+    struct LooseEdge
+    {
+      std::array<Surface::Node, 3> nodes;
+      types::material_id           body;
+
+      template<class Archive>
+      void serialize(Archive &archive, const unsigned int)
+      {
+        for (Surface::Node &node : nodes)
+          archive &node.dofs[0] & node.dofs[1] & node.X;
+        archive &body;
+      }
+    };
+
+
+
+    Point<2> unit_midpoint(const ReferenceCell &cell, const unsigned int face)
+    {
+      Point<2> midpoint;
+      for (unsigned int v = 0; v < 2; ++v)
+        midpoint +=
+          0.5 * cell.vertex<2>(cell.face_to_cell_vertices(face, v, 1));
+      return midpoint;
+    }
+  } // namespace
+
+
+
   EdgeShape::EdgeShape(const unsigned int degree, const double xi)
   {
     if (degree == 1)
@@ -48,52 +79,64 @@ namespace Contact
 
 
 
+  // Every rank collects the edges of its own cells; put together, all have the
+  // whole surface.
   void Surface::collect_edges(const Discretization &discretization,
                               const std::set<types::boundary_id> &boundary_ids)
   {
-    std::vector<Point<2>> support_points(discretization.dof_handler.n_dofs());
-    DoFTools::map_dofs_to_support_points(discretization.mapping,
-                                         discretization.dof_handler,
-                                         support_points);
-
-    std::map<types::global_dof_index, unsigned int> node_of_dof;
-    std::vector<types::global_dof_index>            dofs;
+    std::vector<LooseEdge>               own;
+    std::vector<types::global_dof_index> dofs;
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         {
           const auto face = cell->face(f);
-          if (!face->at_boundary() ||
+          if (!cell->is_locally_owned() || !face->at_boundary() ||
               boundary_ids.count(face->boundary_id()) == 0)
             continue;
 
-          const auto &fe = cell->get_fe();
+          const unsigned int index = cell->active_fe_index();
+          const auto        &fe    = cell->get_fe();
           dofs.resize(fe.n_dofs_per_face(f));
-          face->get_dof_indices(dofs, cell->active_fe_index());
+          face->get_dof_indices(dofs, index);
 
-          Edge edge{{{0, 0, 0}}, cell->material_id(), false, false};
+          // The unknowns of a face come in the order of its own vertices.
+          LooseEdge edge;
+          edge.body = cell->material_id();
+          for (unsigned int a = 0; a < 2; ++a)
+            edge.nodes[a].X = face->vertex(a);
+          if (degree == 2)
+            edge.nodes[2].X =
+              discretization.mapping[index].transform_unit_to_real_cell(
+                cell,
+                unit_midpoint(cell->reference_cell(), f));
           for (unsigned int k = 0; k < dofs.size(); ++k)
             {
-              const auto [c, a] = fe.face_system_to_component_index(k, f);
-              if (c == 0)
-                {
-                  const auto found = node_of_dof.emplace(dofs[k], nodes.size());
-                  if (found.second)
-                    nodes.push_back({{{dofs[k], 0}}, support_points[dofs[k]]});
-                  edge.nodes[a] = found.first->second;
-                }
-            }
-          for (unsigned int k = 0; k < dofs.size(); ++k)
-            {
-              const auto [c, a] = fe.face_system_to_component_index(k, f);
-              if (c == 1)
-                nodes[edge.nodes[a]].dofs[1] = dofs[k];
+              const auto [c, a]     = fe.face_system_to_component_index(k, f);
+              edge.nodes[a].dofs[c] = dofs[k];
             }
 
-          const Tensor<1, 2> along =
-            nodes[edge.nodes[1]].X - nodes[edge.nodes[0]].X;
+          const Tensor<1, 2> along  = edge.nodes[1].X - edge.nodes[0].X;
           const Tensor<1, 2> inward = cell->center() - face->center();
           if (along[0] * inward[1] - along[1] * inward[0] < 0)
             std::swap(edge.nodes[0], edge.nodes[1]);
+          own.push_back(edge);
+        }
+
+    std::map<types::global_dof_index, unsigned int> node_of_dof;
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(discretization.communicator, own))
+      for (const LooseEdge &loose : of_rank)
+        {
+          Edge edge{{{0, 0, 0}}, loose.body, false, false};
+          for (unsigned int a = 0; a < n_nodes_per_edge(); ++a)
+            {
+              const Node &node = loose.nodes[a];
+              const auto  found =
+                node_of_dof.emplace(node.dofs[0], nodes.size());
+              if (found.second)
+                nodes.push_back(node);
+              edge.nodes[a] = found.first->second;
+            }
           edges.push_back(edge);
         }
   }

@@ -35,6 +35,17 @@ namespace Tests
   using namespace dealii;
   using namespace Contact;
 
+  /// MPI, from before main() until after it.
+  struct MpiSession
+  {
+    int                              argc = 0;
+    char                           **argv = nullptr;
+    Utilities::MPI::MPI_InitFinalize session{argc, argv, 1};
+  };
+  inline const MpiSession mpi_session;
+
+
+
   inline void check(const std::string &what, const bool holds)
   {
     std::cout << "  " << what << ": " << (holds ? "ok" : "FAILED") << std::endl;
