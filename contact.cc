@@ -67,13 +67,16 @@
 
 #include "active_set.h"
 #include "command_line.h"
+#include "condensed_system.h"
 #include "contact_interface.h"
 #include "discretization.h"
 #include "elasticity.h"
+#include "error_estimator.h"
 #include "errors.h"
 #include "linear_solver.h"
 #include "parameters.h"
 #include "postprocessing.h"
+#include "refinement.h"
 #include "result_files.h"
 #include "stress_recovery.h"
 #include "summary.h"
@@ -98,7 +101,11 @@ namespace Contact
 
   private:
     void   setup_system();
+    void   make_interface();
+    void   make_linear_system();
     void   print_scene();
+    void   solve_level();
+    void   refine();
     void   solve_increment(const unsigned int k);
     void   solve_with_geometry_loop();
     void   solve_with_friction_loop();
@@ -107,22 +114,29 @@ namespace Contact
                       const double       residual,
                       const unsigned int n_changes);
     void   pair_bodies();
-    double assemble_residual();
+    void   assemble_forces_of_bodies();
+    void   recover_multipliers();
+    double assemble_forces_of_contact();
     double residual_norm() const;
+    double newton_tolerance() const;
     void   assemble_and_factorize();
     bool   factorization_serves(const double residual,
                                 const double last_residual) const;
     void   update_solution();
+    void   update_solution_condensed(const unsigned int step,
+                                     const double       residual);
     void   output_increment(const unsigned int k);
     void   probe(const std::vector<SymmetricTensor<2, 3>> &vertex_stresses);
     void   finish();
 
     bool   has_friction() const;
+    bool   is_last_level() const;
     double largest_change(const Vector<double> &from) const;
     std::optional<HertzLineContact> hertz() const;
     std::string
     chattering_points(const std::vector<signed char> &decisions) const;
 
+    const MPI_Comm          communicator = MPI_COMM_WORLD;
     const Parameters::All   parameters;
     const ParameterHandler &prm;
     ConditionalOStream      screen;
@@ -137,12 +151,14 @@ namespace Contact
     std::unique_ptr<StressRecovery>   stress_recovery;
     std::unique_ptr<ResultFiles>      files;
 
-    // The linear system. The unknowns are the displacements, then the
-    // multipliers.
-    SparsityPattern      sparsity_pattern;
-    SparseMatrix<double> system_matrix;
-    Vector<double>       system_rhs;
-    DirectSolver         solver;
+    // The linear system, with the multipliers or without. The unknowns are the
+    // displacements, then the multipliers; every rank has all of them.
+    std::unique_ptr<CondensedSystem> condensed; // none: saddle point
+    SparsityPattern                  sparsity_pattern;
+    SparseMatrix<double>             system_matrix;
+    Vector<double>                   system_rhs;
+    Vector<double>                   update; // of the displacements
+    DirectSolver                     solver;
 
     // The decisions of the points under which the matrix was factorized.
     std::vector<signed char> factorized_decisions;
@@ -150,8 +166,15 @@ namespace Contact
     // The state now, and at the start of the increment.
     Vector<double> solution;
     Vector<double> start;
-    double         load_factor     = 0;
-    double         reference_force = 0;
+
+    // Nested iteration: the level, and on the level before the solutions and
+    // the states of the surface after each increment.
+    unsigned int                                level = 0;
+    std::vector<Vector<double>>                 level_solutions;
+    std::vector<ContactInterface::SurfaceState> level_states;
+
+    double load_factor     = 0;
+    double reference_force = 0;
 
     ContactInterface::Linearization linearization{};
   };
@@ -163,7 +186,9 @@ namespace Contact
                                  const bool              verbose)
     : parameters(parameters)
     , prm(prm)
-    , screen(std::cout, verbose && parameters.output.screen == "full")
+    , screen(std::cout,
+             verbose && parameters.output.screen == "full" &&
+               Utilities::MPI::this_mpi_process(communicator) == 0)
     , timer(std::cout, TimerOutput::never, TimerOutput::cpu_and_wall_times)
   {
     summary.case_name = parameters.name;
@@ -185,12 +210,11 @@ namespace Contact
 
     try
       {
-        for (unsigned int k = 1; k <= parameters.solution.n_increments; ++k)
+        solve_level();
+        while (!is_last_level())
           {
-            summary.increments.emplace_back();
-            solve_increment(k);
-            summary.increments.back().converged = true;
-            output_increment(k);
+            refine();
+            solve_level();
           }
         summary.converged = true;
         summary.message.clear();
@@ -215,28 +239,20 @@ namespace Contact
   void ContactProblem::setup_system()
   {
     timer.enter_subsection("setup");
-    mesh           = std::make_unique<Mesh>(parameters.mesh);
-    discretization = std::make_unique<Discretization>(*mesh, parameters);
-    elasticity     = Elasticity::create(*discretization, parameters.solids);
-    if (!parameters.contact.slave.empty())
-      interface = std::make_unique<ContactInterface>(*discretization,
-                                                     *elasticity,
-                                                     parameters.contact);
+    mesh = std::make_unique<Mesh>(parameters.mesh, communicator);
+    if (parameters.refinement.strategy == "adaptive")
+      check_adaptive(*mesh);
+    discretization =
+      std::make_unique<Discretization>(*mesh, parameters, communicator);
     stress_recovery = std::make_unique<StressRecovery>(*discretization);
-
-    summary.n_displacements = discretization->dof_handler.n_dofs();
-    summary.n_multipliers   = interface ? interface->n_multipliers() : 0;
-    const auto n_unknowns   = summary.n_displacements + summary.n_multipliers;
-    solution.reinit(n_unknowns);
-    start.reinit(n_unknowns);
-    system_rhs.reinit(n_unknowns);
 
     linearization.moving_geometry = parameters.solution.geometry == "Newton";
     linearization.moving_bound    = parameters.solution.friction == "Newton";
-    reference_force               = discretization->dead_load.l2_norm();
+    make_interface();
     timer.leave_subsection();
 
     // A body that nothing holds would show as a singular matrix much later.
+    make_linear_system();
     pair_bodies();
     if (interface)
       interface->initialize_status(solution);
@@ -250,7 +266,50 @@ namespace Contact
       std::filesystem::path(parameters.output.directory) / parameters.name,
       *discretization);
     summary.message = "the run has not ended";
-    write_summary(summary, files->directory / "summary.json");
+    files->write_first("summary.json", [this](std::ostream &out) {
+      write_summary(summary, out);
+    });
+  }
+
+
+
+  // What is made anew on every mesh.
+  void ContactProblem::make_interface()
+  {
+    elasticity = Elasticity::create(*discretization, parameters.solids);
+    if (!parameters.contact.slave.empty())
+      interface = std::make_unique<ContactInterface>(*discretization,
+                                                     *elasticity,
+                                                     parameters.contact);
+
+    summary.n_displacements = discretization->dof_handler.n_dofs();
+    summary.n_multipliers   = interface ? interface->n_multipliers() : 0;
+    const auto n_unknowns   = summary.n_displacements + summary.n_multipliers;
+    solution.reinit(n_unknowns);
+    start.reinit(n_unknowns);
+    system_rhs.reinit(n_unknowns);
+    update.reinit(summary.n_displacements);
+    reference_force = discretization->dead_load.l2_norm();
+  }
+
+
+
+  void ContactProblem::make_linear_system()
+  {
+    if (!parameters.is_condensed())
+      return;
+    TimerOutput::Scope scope(timer, "setup");
+    std::string        name = parameters.solution.linear_solver;
+    if (name == "automatic")
+      name =
+        DefiniteSolver::choose(summary.n_displacements,
+                               Utilities::MPI::n_mpi_processes(communicator));
+    condensed = std::make_unique<CondensedSystem>(*discretization,
+                                                  *elasticity,
+                                                  interface.get(),
+                                                  name,
+                                                  timer);
+    summary.effects["linear solver"] = name;
   }
 
 
@@ -269,7 +328,9 @@ namespace Contact
       {
         const FrictionLaw &law = interface->law;
         std::ostringstream friction;
-        if (law.is_frictionless())
+        if (interface->tied)
+          friction << "none, tied";
+        else if (law.is_frictionless())
           friction << "none";
         else if (law.coulomb_coefficient > 0)
           friction << "Coulomb " << law.coulomb_coefficient << ", "
@@ -284,7 +345,7 @@ namespace Contact
       }
 
     screen << "Case " << parameters.name << ": "
-           << mesh->triangulation.n_active_cells() << " cells of "
+           << mesh->triangulation.n_global_active_cells() << " cells of "
            << summary.mesh_file << ", " << summary.n_displacements
            << " displacements, " << summary.n_multipliers << " multipliers"
            << std::endl;
@@ -295,11 +356,87 @@ namespace Contact
 
 
 
+  // @sect4{ContactProblem::solve_level}
+  //
+  // All load increments on one mesh. The results of all but the last mesh are
+  // but the start of the next level.
+  void ContactProblem::solve_level()
+  {
+    std::vector<Vector<double>>                 solutions;
+    std::vector<ContactInterface::SurfaceState> states;
+    for (unsigned int k = 1; k <= parameters.solution.n_increments; ++k)
+      {
+        summary.increments.emplace_back();
+        summary.increments.back().level = level;
+        solve_increment(k);
+        summary.increments.back().converged = true;
+        if (is_last_level())
+          output_increment(k);
+        else
+          {
+            solutions.push_back(solution);
+            if (interface)
+              states.push_back(interface->save(solution));
+          }
+      }
+    level_solutions = std::move(solutions);
+    level_states    = std::move(states);
+  }
+
+
+
+  // @sect4{ContactProblem::refine}
+  void ContactProblem::refine()
+  {
+    if (parameters.refinement.strategy == "adaptive")
+      {
+        TimerOutput::Scope scope(timer, "estimate");
+        flag_cells(
+          *mesh,
+          ErrorEstimator(*discretization, *elasticity, *stress_recovery)
+            .indicators(stress_recovery->vertex_stresses(*elasticity, solution),
+                        interface.get(),
+                        solution),
+          parameters.refinement.fraction);
+      }
+    else
+      flag_all_cells(*mesh);
+
+    // The old ones go first: two meshes at a time would take their memory.
+    timer.enter_subsection("setup");
+    condensed.reset();
+    interface.reset();
+    elasticity.reset();
+    refine_and_carry_over(*mesh, *discretization, level_solutions);
+    make_interface();
+    timer.leave_subsection();
+
+    ++level;
+    make_linear_system();
+    screen << "Level " << level << ": "
+           << mesh->triangulation.n_global_active_cells() << " cells, "
+           << summary.n_displacements << " displacements, "
+           << summary.n_multipliers << " multipliers, "
+           << summary.effects["linear solver"] << std::endl;
+  }
+
+
+
   // @sect4{ContactProblem::solve_increment}
   void ContactProblem::solve_increment(const unsigned int k)
   {
     load_factor = static_cast<double>(k) / parameters.solution.n_increments;
     start       = solution;
+    if (level > 0)
+      {
+        // From the same increment of the level before.
+        std::copy(level_solutions[k - 1].begin(),
+                  level_solutions[k - 1].end(),
+                  solution.begin());
+        pair_bodies();
+        if (interface)
+          interface->restore(level_states[k - 1], solution);
+      }
     discretization->constrain_update(solution, load_factor);
     summary.increments.back().load_factor = load_factor;
     screen << "Increment " << k << " of " << parameters.solution.n_increments
@@ -330,7 +467,8 @@ namespace Contact
   // displacement against the largest displacement of the increment before.
   void ContactProblem::solve_with_geometry_loop()
   {
-    if (!interface || parameters.solution.geometry != "fixed point")
+    if (!interface || interface->tied ||
+        parameters.solution.geometry != "fixed point")
       {
         solve_with_friction_loop();
         return;
@@ -372,10 +510,10 @@ namespace Contact
   // stay.
   void ContactProblem::solve_with_friction_loop()
   {
-    if (!has_friction() || linearization.moving_bound ||
+    if (!has_friction() || parameters.solution.friction != "fixed point" ||
         interface->law.coulomb_coefficient == 0)
       {
-        if (has_friction())
+        if (has_friction() && level == 0)
           interface->update_bounds(solution, start);
         solve_newton();
         return;
@@ -419,8 +557,9 @@ namespace Contact
     double                   last_residual = std::numeric_limits<double>::max();
     for (unsigned int step = 0;; ++step)
       {
-        if (interface && parameters.solution.geometry != "fixed point")
+        if (interface && !interface->tied && limits.geometry != "fixed point")
           pair_bodies();
+        assemble_forces_of_bodies();
 
         // After a step the points decide anew. Before the first one they only
         // would: what has changed outside, load, pairing or bounds, is not in
@@ -428,6 +567,8 @@ namespace Contact
         unsigned int n_changes = 0;
         if (interface)
           {
+            if (condensed && step > 0)
+              recover_multipliers();
             last_decisions = interface->signature();
             n_changes      = interface->decide_all(solution,
                                               start,
@@ -435,13 +576,13 @@ namespace Contact
                                               /*keep=*/step > 0);
           }
 
-        const double residual = assemble_residual();
+        const double residual = assemble_forces_of_contact();
         print_step(step, residual, n_changes);
         if (!std::isfinite(residual))
           throw NotConverged("the residual is not a number in Newton step " +
                              std::to_string(step));
         if (n_changes == 0 && !discretization->update_is_prescribed() &&
-            residual <= limits.newton_tolerance)
+            residual <= newton_tolerance())
           return;
         if (step == limits.max_newton_iterations)
           throw NotConverged("Newton's method ends with the residual " +
@@ -449,9 +590,14 @@ namespace Contact
                              std::to_string(step) + " steps" +
                              chattering_points(last_decisions));
 
-        if (!factorization_serves(residual, last_residual))
-          assemble_and_factorize();
-        update_solution();
+        if (condensed)
+          update_solution_condensed(step, residual);
+        else
+          {
+            if (!factorization_serves(residual, last_residual))
+              assemble_and_factorize();
+            update_solution();
+          }
 
         last_residual = residual;
         ++summary.increments.back().newton_iterations;
@@ -484,12 +630,18 @@ namespace Contact
   // unknowns than before: a new pattern, and a new analysis in the solver.
   void ContactProblem::pair_bodies()
   {
-    TimerOutput::Scope scope(timer, "search");
-
+    timer.enter_subsection("search");
     const bool is_new  = sparsity_pattern.empty();
     const bool changed = interface && interface->pair(solution);
+    timer.leave_subsection();
+    if (condensed)
+      {
+        condensed->update_pattern();
+        return;
+      }
     if (!is_new && !changed)
       return;
+    TimerOutput::Scope scope(timer, "setup");
 
     DynamicSparsityPattern pattern(solution.size(), solution.size());
     elasticity->add_couplings(pattern);
@@ -505,21 +657,55 @@ namespace Contact
 
 
 
-  // @sect4{ContactProblem::assemble_residual}
+  // @sect4{ContactProblem::assemble_forces_of_bodies}
   //
-  // Returns the norm of the residual relative to the load, or where there is
-  // none, to the forces that the first prescribed displacements ask for.
-  double ContactProblem::assemble_residual()
+  // Every rank adds what its cells exert.
+  void ContactProblem::assemble_forces_of_bodies()
   {
     TimerOutput::Scope scope(timer, "residual");
-
     system_rhs = 0;
     elasticity->assemble(solution, load_factor, system_rhs, nullptr);
+    Utilities::MPI::sum(system_rhs, communicator, system_rhs);
+  }
+
+
+
+  // @sect4{ContactProblem::recover_multipliers}
+  //
+  // Without multipliers in the linear system, they are what the bodies exert on
+  // the nodes in contact. A bound that follows the pressure does so in between.
+  void ContactProblem::recover_multipliers()
+  {
+    condensed->recover_pressures(system_rhs, solution);
+    if (has_friction() && parameters.solution.friction == "each step")
+      interface->update_bounds(solution, start);
+    condensed->recover_shears(system_rhs, solution);
+  }
+
+
+
+  // @sect4{ContactProblem::assemble_forces_of_contact}
+  //
+  // Returns the norm of the whole residual relative to the load, or where there
+  // is none, to the forces that the first prescribed displacements ask for.
+  double ContactProblem::assemble_forces_of_contact()
+  {
+    TimerOutput::Scope scope(timer, "residual");
     if (interface)
       interface->assemble(solution, start, linearization, system_rhs, nullptr);
 
     const double norm = residual_norm();
     return reference_force > 0 ? norm / reference_force : norm;
+  }
+
+
+
+  // The levels below the last one need no more than the accuracy of their mesh.
+  double ContactProblem::newton_tolerance() const
+  {
+    return is_last_level() ? parameters.solution.newton_tolerance
+                           : std::max(parameters.solution.newton_tolerance,
+                                      parameters.refinement.tolerance);
   }
 
 
@@ -606,6 +792,31 @@ namespace Contact
 
 
 
+  // @sect4{ContactProblem::update_solution_condensed}
+  //
+  // Inexact Newton: a step that others follow is not solved further than it is
+  // good for. Linear bodies under the right decisions are solved in one.
+  void ContactProblem::update_solution_condensed(const unsigned int step,
+                                                 const double       residual)
+  {
+    const double forcing = step > 0 && elasticity->is_linear() &&
+                               parameters.solution.friction != "each step"
+                             ? 0.
+                             : 1e-3;
+    const double scale   = reference_force > 0 ? reference_force : residual;
+    const double relative =
+      std::max(0.1 * newton_tolerance(), forcing * residual);
+    summary.increments.back().linear_iterations +=
+      condensed->solve(solution, start, system_rhs, relative * scale, update);
+    if (reference_force == 0)
+      reference_force = residual;
+    for (unsigned int i = 0; i < update.size(); ++i)
+      solution[i] += update[i];
+    discretization->constrain_update(solution, load_factor);
+  }
+
+
+
   // @sect4{ContactProblem::output_increment}
   void ContactProblem::output_increment(const unsigned int k)
   {
@@ -681,8 +892,10 @@ namespace Contact
          timer.get_summary_data(TimerOutput::total_wall_time))
       summary.time[phase].wall = time;
     summary.peak_memory_mb = peak_memory_mb();
-    write_summary(summary, files->directory / "summary.json");
-    write_file(files->directory / "parameters.prm", [this](std::ostream &out) {
+    files->write_first("summary.json", [this](std::ostream &out) {
+      write_summary(summary, out);
+    });
+    files->write_first("parameters.prm", [this](std::ostream &out) {
       prm.print_parameters(out, ParameterHandler::ShortText);
     });
 
@@ -691,6 +904,13 @@ namespace Contact
     for (const auto &[phase, time] : summary.time)
       screen << "  " << phase << " " << time.cpu << " / " << time.wall;
     screen << std::defaultfloat << std::setprecision(6) << std::endl;
+  }
+
+
+
+  bool ContactProblem::is_last_level() const
+  {
+    return level == parameters.refinement.n_levels;
   }
 
 
@@ -708,7 +928,7 @@ namespace Contact
     double change = 0;
     for (unsigned int i = 0; i < discretization->dof_handler.n_dofs(); ++i)
       change = std::max(change, std::abs(solution[i] - from[i]));
-    return change;
+    return Utilities::MPI::max(change, communicator);
   }
 
 
@@ -766,17 +986,24 @@ namespace
   {
     using namespace Contact;
 
+    const bool is_first_rank =
+      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     std::vector<Parameters::All>          cases(line.files.size());
     std::vector<dealii::ParameterHandler> handlers(line.files.size());
     for (unsigned int i = 0; i < cases.size(); ++i)
-      read_parameters(line.files[i], line.overrides, handlers[i], cases[i]);
+      {
+        read_parameters(line.files[i], line.overrides, handlers[i], cases[i]);
+        cases[i].n_ranks =
+          dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+        cases[i].check();
+      }
 
     std::vector<RunSummary> summaries;
     for (unsigned int i = 0; i < cases.size(); ++i)
       summaries.push_back(
         ContactProblem(cases[i], handlers[i], !line.quiet).run());
 
-    if (cases.front().output.screen != "none")
+    if (cases.front().output.screen != "none" && is_first_rank)
       print_table(std::cout, summaries);
 
     int status = 0;

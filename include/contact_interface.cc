@@ -7,6 +7,9 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "errors.h"
 
 namespace Contact
@@ -27,7 +30,10 @@ namespace Contact
   ContactInterface::ContactInterface(const Discretization      &discretization,
                                      const Elasticity          &elasticity,
                                      const Parameters::Contact &parameters)
-    : law{parameters.tresca_limit, parameters.friction_coefficient}
+    : tied(parameters.tied)
+    , law{tied ? std::numeric_limits<double>::infinity()
+               : parameters.tresca_limit,
+          parameters.friction_coefficient}
     , slave(discretization,
             discretization.mesh.boundary(parameters.slave, "Contact/Slave"),
             parameters.slave)
@@ -125,6 +131,85 @@ namespace Contact
 
 
 
+  std::vector<double> ContactInterface::places() const
+  {
+    std::vector<Point<2>> X;
+    for (const Surface::Node &node : slave.nodes)
+      X.push_back(node.X);
+    auto         places = slave.arc_length(X);
+    const double length = places.back();
+    for (double &place : places)
+      place /= length;
+    return places;
+  }
+
+
+
+  ContactInterface::SurfaceState
+  ContactInterface::save(const Vector<double> &solution) const
+  {
+    const auto   all_places = places();
+    SurfaceState state;
+    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+      {
+        const unsigned int k = multipliers.of_node[i];
+        if (k == numbers::invalid_unsigned_int)
+          continue;
+        state.place.push_back(all_places[i]);
+        state.pressure.push_back(solution[normal_index(k)]);
+        state.shear.push_back(
+          law.is_frictionless() ? 0. : solution[tangential_index(k)]);
+        state.bound.push_back(points[k].tresca_bound);
+        state.decisions.push_back(points[k].decision);
+      }
+    return state;
+  }
+
+
+
+  // Values are interpolated; a decision is that of the nearer point. A point
+  // between two that do the same does so, too.
+  void ContactInterface::restore(const SurfaceState &state,
+                                 Vector<double>     &solution)
+  {
+    const auto all_places = places();
+    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+      {
+        const unsigned int k = multipliers.of_node[i];
+        if (k == numbers::invalid_unsigned_int)
+          continue;
+        const auto above = std::lower_bound(state.place.begin(),
+                                            state.place.end(),
+                                            all_places[i]);
+        const auto n     = state.place.size();
+        const auto b =
+          std::min<std::size_t>(above - state.place.begin(), n - 1);
+        const auto   a = b == 0 ? b : b - 1;
+        const double x =
+          a == b ? 0.
+                 : std::min(1.,
+                            std::max(0.,
+                                     (all_places[i] - state.place[a]) /
+                                       (state.place[b] - state.place[a])));
+        const auto between = [&](const std::vector<double> &values) {
+          return (1 - x) * values[a] + x * values[b];
+        };
+
+        solution[normal_index(k)] = between(state.pressure);
+        if (!law.is_frictionless())
+          solution[tangential_index(k)] = between(state.shear);
+        points[k].tresca_bound = between(state.bound);
+        points[k].decision     = state.decisions[x < 0.5 ? a : b];
+        if (!points[k].facing)
+          points[k].decision = Decision();
+        else if (points[k].decision.status == Status::stick &&
+                 !can_stick(points[k]))
+          points[k].decision = {Status::slip, 0};
+      }
+  }
+
+
+
   void ContactInterface::initialize_status(const Vector<double> &u)
   {
     for (ContactPoint &point : points)
@@ -157,7 +242,7 @@ namespace Contact
       for (unsigned int i = 0; i < 2; ++i)
         {
           const double u = solution[point.dofs[a][i]];
-          r[i] += point.C[a] * (point.X[a][i] + u);
+          r[i] += point.C[a] * (tied ? u : point.X[a][i] + u);
           dr[i] += point.C[a] * (u - u_start[point.dofs[a][i]]);
         }
 
@@ -205,7 +290,7 @@ namespace Contact
                                     const double        q_trial,
                                     const bool          moving_bound) const
   {
-    if (!point.facing || p_trial <= 0)
+    if (!point.facing || (!tied && p_trial <= 0))
       return {Status::open, 0};
     if (!can_stick(point))
       return {Status::slip, 0};

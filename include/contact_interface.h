@@ -73,6 +73,9 @@ namespace Contact
                      const Elasticity          &elasticity,
                      const Parameters::Contact &parameters);
 
+    /// The surfaces are glued wherever they face each other: every such point
+    /// sticks, and its gap is the change of the distance.
+    const bool        tied;
     const FrictionLaw law;
     const Surface     slave;
     const Surface     master;
@@ -99,6 +102,19 @@ namespace Contact
      * costs time only: the search of the active set finds the rest.
      */
     void initialize_status(const Vector<double> &u);
+
+    /// What the points know of the solution, by the place on the slave: its
+    /// reference arc length as a part of the whole.
+    struct SurfaceState
+    {
+      std::vector<double>   place;
+      std::vector<double>   pressure, shear, bound; // [MPa]
+      std::vector<Decision> decisions;
+    };
+
+    /// Rules with a point per node: from one mesh to a finer one.
+    SurfaceState save(const Vector<double> &solution) const;
+    void         restore(const SurfaceState &state, Vector<double> &solution);
 
     /// Set the bounds of the next Tresca problem from the present pressures;
     /// return the largest change, relative to the largest bound.
@@ -204,6 +220,9 @@ namespace Contact
 
     void collect_unknowns(const ContactPoint                   &point,
                           std::vector<types::global_dof_index> &unknowns) const;
+
+    /// The place of the slave nodes, see SurfaceState.
+    std::vector<double> places() const;
 
     const Discretization &discretization;
 

@@ -89,6 +89,14 @@ namespace Contact
 
 
 
+  bool Discretization::is_moved(const types::global_dof_index dof) const
+  {
+    const auto value = prescribed.find(dof);
+    return value != prescribed.end() && value->second != 0;
+  }
+
+
+
   bool Discretization::is_tied(const types::global_dof_index dof) const
   {
     for (const auto &[tied, partner] : ties)

@@ -85,6 +85,9 @@ namespace Contact
     /// Whether a support fixes this unknown.
     bool is_fixed(const types::global_dof_index dof) const;
 
+    /// Whether a support moves this unknown as the load grows.
+    bool is_moved(const types::global_dof_index dof) const;
+
     /// Whether this unknown is tied to another one, or another one to it.
     bool is_tied(const types::global_dof_index dof) const;
 

@@ -282,15 +282,17 @@ namespace Contact
 
 
 
-  std::vector<unsigned int> Elasticity::cells_with(
-    const std::function<bool(const std::vector<types::global_dof_index> &)>
-      &wanted) const
+  unsigned int Elasticity::n_cells() const
   {
-    std::vector<unsigned int> numbers;
-    for (unsigned int c = 0; c < n_own_cells; ++c)
-      if (wanted(cells[c].dofs))
-        numbers.push_back(c);
-    return numbers;
+    return n_own_cells;
+  }
+
+
+
+  const std::vector<types::global_dof_index> &
+  Elasticity::dofs_of_cell(const unsigned int number) const
+  {
+    return cells[number].dofs;
   }
 
 

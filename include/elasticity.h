@@ -51,8 +51,7 @@ namespace Contact
                          const FullMatrix<double>                   &tangent,
                          const Vector<double>                       &forces)>;
 
-    /// Visit all cells of this rank, or only those with the numbers @p chosen,
-    /// see cells_with().
+    /// Visit all cells of this rank, or only those with the numbers @p chosen.
     void visit_cells(const Vector<double> &u,
                      const bool            with_tangent,
                      const CellVisitor    &visitor) const;
@@ -61,10 +60,10 @@ namespace Contact
                      const std::vector<unsigned int> &chosen,
                      const CellVisitor               &visitor) const;
 
-    /// The numbers of those cells of this rank whose unknowns are @p wanted.
-    std::vector<unsigned int> cells_with(
-      const std::function<bool(const std::vector<types::global_dof_index> &)>
-        &wanted) const;
+    /// How many cells this rank has, and the unknowns of one of them.
+    unsigned int n_cells() const;
+    const std::vector<types::global_dof_index> &
+    dofs_of_cell(const unsigned int number) const;
 
     /**
      * Add minus the residual (@p load_factor times dead forces minus internal

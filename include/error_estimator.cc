@@ -427,12 +427,23 @@ namespace Contact
 
   void ErrorEstimator::clear_at_nodal_forces(Vector<double> &eta_square) const
   {
+    const auto carries_force = [this](const unsigned int vertex) {
+      for (const auto dof : discretization.vertex_dofs[vertex])
+        if (dof != numbers::invalid_dof_index &&
+            discretization.dead_load[dof] != 0)
+          return true;
+      return false;
+    };
+
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
-        for (const unsigned int v : cell->vertex_indices())
-          for (const auto dof :
-               discretization.vertex_dofs[cell->vertex_index(v)])
-            if (discretization.dead_load[dof] != 0)
+        {
+          Triangulation<2>::cell_iterator ancestor = cell;
+          while (ancestor->level() > 0)
+            ancestor = ancestor->parent();
+          for (const unsigned int v : ancestor->vertex_indices())
+            if (carries_force(ancestor->vertex_index(v)))
               eta_square[cell->active_cell_index()] = 0;
+        }
   }
 } // namespace Contact

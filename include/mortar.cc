@@ -326,7 +326,8 @@ namespace Contact
     if (high - low < round_off)
       return;
 
-    const QGauss<1> quadrature(slave.degree + 2);
+    const QGauss<1>     quadrature(slave.degree + 2);
+    std::vector<Sample> samples;
     for (unsigned int q = 0; q < quadrature.size(); ++q)
       {
         const double    xi = low + quadrature.point(q)[0] * (high - low);
@@ -341,12 +342,15 @@ namespace Contact
         if (cross(n, along) <= 0)
           return;
 
-        overlap.samples.push_back({xi,
-                                   quadrature.weight(q) * (high - low) *
-                                     slave.reference_jacobian(s_edge, shape),
-                                   master_edge,
-                                   master_xi});
+        samples.push_back({xi,
+                           quadrature.weight(q) * (high - low) *
+                             slave.reference_jacobian(s_edge, shape),
+                           master_edge,
+                           master_xi});
       }
+    overlap.samples.insert(overlap.samples.end(),
+                           samples.begin(),
+                           samples.end());
     overlap.low  = std::min(overlap.low, low);
     overlap.high = std::max(overlap.high, high);
   }
@@ -381,10 +385,41 @@ namespace Contact
 
 
 
+  // A node without a dual function leaves its shape function to the nearest
+  // node that has one; one in the middle, to both ends. The functions still sum
+  // up to one, and their integrals are positive, which those of the linear
+  // functions on two of three nodes are not.
+  std::vector<double>
+  MortarRule::test_functions(const std::vector<unsigned int> &nodes,
+                             const EdgeShape                 &shape) const
+  {
+    std::vector<double> values(nodes.size());
+    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+      {
+        const auto distance = [&](const unsigned int b) {
+          return std::abs(node_coordinates[a] - node_coordinates[b]);
+        };
+        double       nearest = 3;
+        unsigned int n       = 0;
+        for (const unsigned int b : nodes)
+          {
+            n       = distance(b) < nearest ? 1 : n + (distance(b) == nearest);
+            nearest = std::min(nearest, distance(b));
+          }
+        for (unsigned int j = 0; j < nodes.size(); ++j)
+          if (distance(nodes[j]) == nearest)
+            values[j] += shape.value[a] / n;
+      }
+    return values;
+  }
+
+
+
   // Phi_k = sum_i a_ki xi^i with as many terms as there are nodes, from
-  //   sum_i a_ki integral xi^i N_j ds = delta_kj integral N_j ds.
-  // Summed over k this says that sum_k Phi_k - 1 is orthogonal to all N_j: the
-  // dual functions sum up to one.
+  //   sum_i a_ki integral xi^i M_j ds = delta_kj integral M_j ds
+  // with the test functions M_j: on a full edge the shape functions. Summed
+  // over k this says that sum_k Phi_k - 1 is orthogonal to all M_j: the dual
+  // functions sum up to one. Summed over j, that D_k = integral M_k ds.
   FullMatrix<double>
   MortarRule::dual_functions(const std::vector<unsigned int> &nodes,
                              const Overlap                   &overlap) const
@@ -394,13 +429,13 @@ namespace Contact
     Vector<double>     integrals(n);
     for (const Sample &sample : overlap.samples)
       {
-        const EdgeShape shape(slave.degree, sample.xi);
+        const auto test =
+          test_functions(nodes, EdgeShape(slave.degree, sample.xi));
         for (unsigned int j = 0; j < n; ++j)
           {
-            integrals[j] += sample.weight * shape.value[nodes[j]];
+            integrals[j] += sample.weight * test[j];
             for (unsigned int i = 0; i < n; ++i)
-              moments(i, j) +=
-                sample.weight * std::pow(sample.xi, i) * shape.value[nodes[j]];
+              moments(i, j) += sample.weight * std::pow(sample.xi, i) * test[j];
           }
       }
 
@@ -491,12 +526,12 @@ namespace Contact
       }
     const double shift = offset / reach;
 
+    point.add_node(slave.nodes[node], integrals.slave.at(node) / weight, 0, 0);
     const auto add = [&](const Surface::Node &node, const double c) {
       // Biorthogonality leaves round-off where the coefficient is zero.
       if (std::abs(c) > round_off)
         point.add_node(node, c, 0, 0);
     };
-    add(slave.nodes[node], integrals.slave.at(node) / weight);
     for (const auto &[a, integral] : integrals.slave)
       if (a != node)
         add(slave.nodes[a], integral / weight);

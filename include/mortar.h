@@ -38,7 +38,8 @@ namespace Contact
    *    multiplier (supported against the normal, or excluded), the dual
    *    functions of the edge are polynomials of a lower degree, as many as
    *    there are nodes left, that still sum up to one: a constant pressure is
-   *    in the space everywhere, and D_k > 0.
+   *    in the space everywhere, and D_k > 0. Other nodes of the edge are then
+   *    in g_k, too.
    *  - At a node with a support in one direction (a symmetry line) the normal
    *    is the free direction.
    *  - The feet of a node are shifted along the master such that
@@ -107,6 +108,10 @@ namespace Contact
     /// The nodes of an edge, by their number in it, that have a dual function.
     std::vector<unsigned int> carrying_nodes(const unsigned int slave_edge,
                                              const Overlap     &overlap) const;
+
+    /// What the dual functions of these nodes are biorthogonal to.
+    std::vector<double> test_functions(const std::vector<unsigned int> &nodes,
+                                       const EdgeShape &shape) const;
 
     /// The coefficients of the dual functions of these nodes: row k holds those
     /// of 1, xi, xi^2.

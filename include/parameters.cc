@@ -323,6 +323,11 @@ namespace Contact
                         "Point groups of the slave surface that carry no "
                         "contact point [-], separated by ','; for the rules "
                         "nodal and mortar.");
+      prm.add_parameter("Tied",
+                        tied,
+                        "Glue the slave to the master wherever it faces it, "
+                        "instead of contact [-]: what the same bodies cost "
+                        "without contact; rule nodal or mortar.");
       prm.add_parameter("Friction coefficient",
                         friction_coefficient,
                         "Coulomb's coefficient of friction [-]; 0: none.",
@@ -401,8 +406,8 @@ namespace Contact
     void Solution::add_parameters(ParameterHandler &prm)
     {
       const Patterns::Integer   at_least_one(1);
-      const Patterns::Selection loop("fixed point|Newton");
-      const Patterns::Selection geometry_loop("fixed point|each step|Newton");
+      const Patterns::Selection loop("fixed point|each step|Newton");
+
 
       prm.enter_subsection("Solution");
       prm.add_parameter("Increments",
@@ -416,7 +421,7 @@ namespace Contact
                         "renewed before each Newton step; Newton: with the "
                         "displacements, in the tangent as well (rules nodal "
                         "and Gauss, saddle point system).",
-                        geometry_loop);
+                        loop);
       prm.add_parameter(
         "Geometry tolerance",
         geometry_tolerance,
@@ -430,8 +435,10 @@ namespace Contact
       prm.add_parameter("Friction",
                         friction,
                         "How the bound of friction follows the pressure [-]; "
-                        "fixed point: in a loop of its own, Newton: with the "
-                        "displacements.",
+                        "fixed point: in a loop of its own; each step: "
+                        "renewed before each Newton step; Newton: with the "
+                        "displacements, in the tangent as well (saddle point "
+                        "system).",
                         loop);
       prm.add_parameter(
         "Friction tolerance",
@@ -450,7 +457,64 @@ namespace Contact
                         max_newton_iterations,
                         "Newton iterations before giving up [-].",
                         at_least_one);
+      prm.add_parameter("System",
+                        system,
+                        "The linear system [-]; saddle point: with the "
+                        "multipliers; condensed: without, symmetric positive "
+                        "definite, for the rules nodal and mortar; automatic: "
+                        "condensed for the rule mortar, with several levels, "
+                        "with several processes, with another solver than "
+                        "UMFPACK and without contact, otherwise saddle "
+                        "point.",
+                        Patterns::Selection("automatic|saddle point|"
+                                            "condensed"));
+      prm.add_parameter("Linear solver",
+                        linear_solver,
+                        "UMFPACK for saddle point systems; for condensed ones "
+                        "CHOLMOD, AMG (conjugate gradients with smoothed "
+                        "aggregation) or MUMPS [-]; automatic: UMFPACK, or "
+                        "CHOLMOD below 200000 unknowns on one rank and AMG "
+                        "beyond.",
+                        Patterns::Selection("automatic|UMFPACK|CHOLMOD|AMG|"
+                                            "MUMPS"));
       prm.leave_subsection();
+    }
+
+
+
+    void Refinement::add_parameters(ParameterHandler &prm)
+    {
+      prm.enter_subsection("Refinement");
+      prm.add_parameter("Levels",
+                        n_levels,
+                        "How often the mesh is refined after a solution, which "
+                        "is carried over [-].",
+                        Patterns::Integer(0));
+      prm.add_parameter("Strategy",
+                        strategy,
+                        "uniform: all cells; adaptive: the cells with the "
+                        "largest estimated errors, for meshes of quadrangles "
+                        "[-].",
+                        Patterns::Selection("uniform|adaptive"));
+      prm.add_parameter("Fraction",
+                        fraction,
+                        "The share of the estimated error (squared) that is in "
+                        "the cells to refine [-]; > 0, <= 1; only for "
+                        "adaptive.",
+                        Patterns::Double(0, 1));
+      prm.add_parameter("Tolerance",
+                        tolerance,
+                        "The Newton tolerance on all levels but the last [-]; "
+                        "> 0.");
+      prm.leave_subsection();
+    }
+
+
+
+    void Refinement::check() const
+    {
+      check_positive(fraction, "Refinement/Fraction");
+      check_positive(tolerance, "Refinement/Tolerance");
     }
 
 
@@ -584,6 +648,7 @@ namespace Contact
       boundary.add_parameters(prm);
       contact.add_parameters(prm);
       solution.add_parameters(prm);
+      refinement.add_parameters(prm);
       probes.add_parameters(prm);
       output.add_parameters(prm);
     }
@@ -598,12 +663,100 @@ namespace Contact
       boundary.check();
       contact.check();
       solution.check();
+      refinement.check();
       probes.check();
 
       if (!probes.hertz.empty() && contact.slave.empty())
         throw EntryError("There is no contact pressure to compare with Hertz.",
                          {"Probes/Hertz", "Contact/Slave"},
                          "set slave and master, or leave Hertz empty");
+      check_system();
+    }
+
+
+
+    bool All::is_condensed() const
+    {
+      if (solution.system != "automatic")
+        return solution.system == "condensed";
+      if (solution.linear_solver != "automatic")
+        return solution.linear_solver != "UMFPACK";
+      return contact.slave.empty() || contact.rule == "mortar" ||
+             contact.tied || refinement.n_levels > 0 || n_ranks > 1;
+    }
+
+
+
+    // What goes with which linear system.
+    void All::check_system() const
+    {
+      const std::string system = "Solution/System";
+      const std::string solver = "Solution/Linear solver";
+      const std::string rule   = "Contact/Rule";
+      const auto        clash  = [](const std::string &problem,
+                            const Names       &entries,
+                            const std::string &remedy) {
+        throw EntryError(problem, entries, remedy);
+      };
+
+      if (!is_condensed())
+        {
+          if (n_ranks > 1)
+            clash("A saddle point system is solved by one process.",
+                  {system},
+                  "run it without mpirun, or set 'System = condensed'");
+          if (contact.frictional() && solution.friction == "each step")
+            clash("With multipliers the bound follows in a loop or in the "
+                  "tangent.",
+                  {"Solution/Friction", system},
+                  "set 'Friction = Newton', or 'System = condensed'");
+          if (solution.linear_solver != "automatic" &&
+              solution.linear_solver != "UMFPACK")
+            clash("A saddle point system is not positive definite: " +
+                    solution.linear_solver + " can not solve it.",
+                  {solver, system},
+                  "set 'Linear solver = UMFPACK', or 'System = condensed'");
+          if (contact.tied)
+            clash("Tied surfaces have no saddle point system.",
+                  {"Contact/Tied", system},
+                  "set 'System = condensed'");
+          if (refinement.n_levels > 0)
+            clash("Nested iteration needs the condensed system.",
+                  {"Refinement/Levels", system},
+                  "set 'System = condensed', with the rule nodal or mortar, or "
+                  "refine the first mesh with Mesh/Refinements");
+          if (contact.rule == "mortar" && solution.geometry == "Newton")
+            clash("The tangent does not know how mortar segments move.",
+                  {"Solution/Geometry", rule},
+                  "set 'Geometry = each step'");
+          return;
+        }
+
+      if (solution.linear_solver == "UMFPACK")
+        clash("UMFPACK is for saddle point systems.",
+              {solver, system},
+              "set 'Linear solver = CHOLMOD'");
+      if (!contact.slave.empty() && contact.rule == "Gauss")
+        clash("The multipliers of the rule Gauss can not be eliminated: " +
+                (solution.linear_solver == "automatic"
+                   ? "a condensed system"
+                   : solution.linear_solver) +
+                " is not for it.",
+              {rule,
+               solution.system != "automatic"          ? system
+               : solution.linear_solver != "automatic" ? solver
+                                                       : "Refinement/Levels"},
+              "set 'Rule = mortar' or 'Rule = nodal'; the rule Gauss takes "
+              "'System = saddle point' and UMFPACK");
+      if (!contact.slave.empty() && solution.geometry == "Newton")
+        clash("The condensed system does not know how projections move.",
+              {"Solution/Geometry", system},
+              "set 'Geometry = each step'");
+      if (contact.frictional() && solution.friction == "Newton")
+        clash("With the bound in the tangent the condensed system would not be "
+              "symmetric.",
+              {"Solution/Friction", system},
+              "set 'Friction = each step'");
     }
   } // namespace Parameters
 

@@ -127,6 +127,10 @@ namespace Contact
       /// Points of the slave surface that carry no contact point.
       std::vector<std::string> excluded_points;
 
+      /// Glue the surfaces where they face each other: no contact at all, but
+      /// what the same bodies cost without it.
+      bool tied = false;
+
       double friction_coefficient = 0; // Coulomb [-]
       double tresca_limit         = 0; // [MPa]; instead of Coulomb
 
@@ -155,13 +159,36 @@ namespace Contact
       double       geometry_tolerance      = 1e-2;
       unsigned int max_geometry_iterations = 30;
 
-      /// "fixed point" or "Newton".
+      /// "fixed point", "each step" or "Newton".
       std::string  friction                = "fixed point";
       double       friction_tolerance      = 1e-10;
       unsigned int max_friction_iterations = 60;
 
       double       newton_tolerance      = 1e-8;
       unsigned int max_newton_iterations = 40;
+
+      /// "automatic", "saddle point" or "condensed".
+      std::string system = "automatic";
+
+      /// "automatic", "UMFPACK", "CHOLMOD", "AMG" or "MUMPS".
+      std::string linear_solver = "automatic";
+
+      void add_parameters(ParameterHandler &prm);
+      void check() const;
+    };
+
+
+
+    /// Nested iteration: solve, refine, start from there, and so on.
+    struct Refinement
+    {
+      unsigned int n_levels = 0; // refinements on top of the first mesh
+
+      /// "uniform" or "adaptive".
+      std::string strategy = "uniform";
+
+      double fraction  = 0.5;  // of the estimated error, in refined cells
+      double tolerance = 1e-4; // Newton tolerance of all levels but the last
 
       void add_parameters(ParameterHandler &prm);
       void check() const;
@@ -214,14 +241,21 @@ namespace Contact
     {
       std::string name;
 
-      Mesh     mesh;
-      Element  element;
-      Solids   solids;
-      Boundary boundary;
-      Contact  contact;
-      Solution solution;
-      Probes   probes;
-      Output   output;
+      Mesh       mesh;
+      Element    element;
+      Solids     solids;
+      Boundary   boundary;
+      Contact    contact;
+      Solution   solution;
+      Refinement refinement;
+      Probes     probes;
+      Output     output;
+
+      /// How many processes work on the case.
+      unsigned int n_ranks = 1;
+
+      /// Whether the multipliers are eliminated from the linear system.
+      bool is_condensed() const;
 
       void add_parameters(ParameterHandler &prm);
 
@@ -230,6 +264,9 @@ namespace Contact
        * concern against every other. Throws InputError.
        */
       void check() const;
+
+    private:
+      void check_system() const;
     };
   } // namespace Parameters
 

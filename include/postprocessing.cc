@@ -5,6 +5,8 @@
 
 #include "postprocessing.h"
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <map>
 
@@ -15,7 +17,8 @@ namespace Contact
 {
   namespace
   {
-    /// The recovered stress at the nodes of a surface.
+    /// The recovered stress at the nodes of a surface, with several ranks from
+    /// those that know the vertices.
     std::vector<SymmetricTensor<2, 3>>
     node_stresses(const Surface                            &surface,
                   const Discretization                     &discretization,
@@ -25,20 +28,33 @@ namespace Contact
       for (unsigned int v = 0; v < discretization.vertex_dofs.size(); ++v)
         vertex_of_dof.emplace(discretization.vertex_dofs[v][0], v);
 
-      const auto at_end = [&](const unsigned int node) {
-        return vertex_stresses[vertex_of_dof.at(surface.nodes[node].dofs[0])];
-      };
+      // The components by node, and how many ranks know them.
+      const unsigned int  n = SymmetricTensor<2, 3>::n_independent_components;
+      std::vector<double> sums((n + 1) * surface.nodes.size());
+      const auto &owned = discretization.dof_handler.locally_owned_dofs();
+      for (unsigned int node = 0; node < surface.nodes.size(); ++node)
+        {
+          const auto dof    = surface.nodes[node].dofs[0];
+          const auto vertex = vertex_of_dof.find(dof);
+          if (vertex == vertex_of_dof.end() || !owned.is_element(dof))
+            continue;
+          for (unsigned int i = 0; i < n; ++i)
+            sums[(n + 1) * node + i] =
+              vertex_stresses[vertex->second].access_raw_entry(i);
+          sums[(n + 1) * node + n] = 1;
+        }
+      Utilities::MPI::sum(sums, discretization.communicator, sums);
+
+      std::vector<SymmetricTensor<2, 3>> stresses(surface.nodes.size());
+      for (unsigned int node = 0; node < stresses.size(); ++node)
+        for (unsigned int i = 0; i < n; ++i)
+          stresses[node].access_raw_entry(i) = sums[(n + 1) * node + i];
 
       // The recovered stress is linear along an edge.
-      std::vector<SymmetricTensor<2, 3>> stresses(surface.nodes.size());
-      for (const Surface::Edge &edge : surface.edges)
-        {
-          for (unsigned int a = 0; a < 2; ++a)
-            stresses[edge.nodes[a]] = at_end(edge.nodes[a]);
-          if (surface.degree == 2)
-            stresses[edge.nodes[2]] =
-              0.5 * (stresses[edge.nodes[0]] + stresses[edge.nodes[1]]);
-        }
+      if (surface.degree == 2)
+        for (const Surface::Edge &edge : surface.edges)
+          stresses[edge.nodes[2]] =
+            0.5 * (stresses[edge.nodes[0]] + stresses[edge.nodes[1]]);
       return stresses;
     }
 

@@ -5,6 +5,7 @@
 
 #include "result_files.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <unistd.h>
 
 #include "errors.h"
 #include "stress_recovery.h"
@@ -133,7 +135,8 @@ namespace Contact
     std::error_code error;
     std::filesystem::create_directories(directory, error);
 
-    const auto probe = directory / ".writable";
+    // A name of its own, for processes that check at the same time.
+    const auto probe = directory / (".writable." + std::to_string(::getpid()));
     const bool writable =
       !error && static_cast<bool>(std::ofstream(probe) << std::flush);
     std::filesystem::remove(probe, error);
@@ -175,14 +178,22 @@ namespace Contact
     , dof_of_vertex(discretization.mesh.triangulation.n_vertices(),
                     numbers::invalid_dof_index)
   {
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      cell->set_active_fe_index(cell->reference_cell().is_hyper_cube() ? 0 : 1);
-    dof_handler.distribute_dofs(fe);
+    if (discretization.mesh.is_all_quadrilateral())
+      dof_handler.distribute_dofs(fe[0]);
+    else
+      {
+        for (const auto &cell : dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            cell->set_active_fe_index(
+              cell->reference_cell().is_hyper_cube() ? 0 : 1);
+        dof_handler.distribute_dofs(fe);
+      }
 
     for (const auto &cell : dof_handler.active_cell_iterators())
-      for (const unsigned int v : cell->vertex_indices())
-        dof_of_vertex[cell->vertex_index(v)] =
-          cell->vertex_dof_index(v, 0, cell->active_fe_index());
+      if (!cell->is_artificial())
+        for (const unsigned int v : cell->vertex_indices())
+          dof_of_vertex[cell->vertex_index(v)] =
+            cell->vertex_dof_index(v, 0, cell->active_fe_index());
 
     for (const char *name :
          {"stress_xx", "stress_yy", "stress_zz", "stress_xy", "von_mises"})
@@ -222,31 +233,43 @@ namespace Contact
                            const Discretization        &discretization)
     : directory(directory)
     , discretization(discretization)
-    , vertex_fields(discretization)
   {
     create_output_directory(directory);
 
     // The series and curves of an earlier run, which would look as if this one
     // had written them.
-    for (const std::string name : {"bodies.pvd", "contact.pvd", "profile.csv"})
-      std::filesystem::remove(directory / name);
+    if (rank() == 0)
+      for (const std::string name :
+           {"bodies.pvd", "contact.pvd", "profile.csv"})
+        std::filesystem::remove(directory / name);
   }
 
 
 
-  void
-  ResultFiles::write_increment(const std::string &name,
-                               const unsigned int k,
-                               const double       load_factor,
-                               Series            &series,
-                               const std::function<void(std::ostream &)> &write)
+  unsigned int ResultFiles::rank() const
   {
-    const std::string file =
-      name + '_' + Utilities::int_to_string(k, 4) + ".vtu";
-    write_file(directory / file, write);
+    return Utilities::MPI::this_mpi_process(discretization.communicator);
+  }
 
+
+
+  void ResultFiles::write_first(
+    const std::string                         &file,
+    const std::function<void(std::ostream &)> &write) const
+  {
+    if (rank() == 0)
+      write_file(directory / file, write);
+  }
+
+
+
+  void ResultFiles::append(const std::string &name,
+                           const std::string &file,
+                           const double       load_factor,
+                           Series            &series) const
+  {
     series.emplace_back(load_factor, file);
-    write_file(directory / (name + ".pvd"), [&](std::ostream &out) {
+    write_first(name + ".pvd", [&](std::ostream &out) {
       DataOutBase::write_pvd_record(out, series);
     });
   }
@@ -267,6 +290,7 @@ namespace Contact
     Vector<double> body(triangulation.n_active_cells());
     for (const auto &cell : triangulation.active_cell_iterators())
       body[cell->active_cell_index()] = cell->material_id();
+    VertexFields vertex_fields(discretization);
     vertex_fields.set(vertex_stresses);
 
     DataOut<2> data_out;
@@ -283,9 +307,28 @@ namespace Contact
                            discretization.degree,
                            DataOut<2>::curved_inner_cells);
 
-    write_increment("bodies", k, load_factor, bodies, [&](std::ostream &out) {
-      data_out.write_vtu(out);
-    });
+    // One rank writes one file; several write their pieces, which a record
+    // puts together.
+    const std::string  name = "bodies_" + Utilities::int_to_string(k, 4);
+    const unsigned int n_ranks =
+      Utilities::MPI::n_mpi_processes(discretization.communicator);
+    const auto piece = [&](const unsigned int r) {
+      return name + (n_ranks > 1 ? "." + Utilities::int_to_string(r, 4) : "") +
+             ".vtu";
+    };
+    write_file(directory / piece(rank()),
+               [&](std::ostream &out) { data_out.write_vtu(out); });
+    if (n_ranks > 1)
+      write_first(name + ".pvtu", [&](std::ostream &out) {
+        std::vector<std::string> pieces;
+        for (unsigned int r = 0; r < n_ranks; ++r)
+          pieces.push_back(piece(r));
+        data_out.write_pvtu_record(out, pieces);
+      });
+    append("bodies",
+           n_ranks > 1 ? name + ".pvtu" : piece(0),
+           load_factor,
+           bodies);
   }
 
 
@@ -299,7 +342,9 @@ namespace Contact
     for (unsigned int e = 0; e < slave.edges.size(); ++e)
       patches.push_back(make_patch(slave, rows, e));
 
-    write_increment("contact", k, load_factor, contact, [&](std::ostream &out) {
+    const std::string file =
+      "contact_" + Utilities::int_to_string(k, 4) + ".vtu";
+    write_first(file, [&](std::ostream &out) {
       DataOutBase::write_vtu(
         patches,
         contact_fields,
@@ -309,6 +354,7 @@ namespace Contact
         vtk_flags(k, load_factor, /*degree=*/1),
         out);
     });
+    append("contact", file, load_factor, contact);
   }
 
 
@@ -316,7 +362,7 @@ namespace Contact
   void ResultFiles::write_profile(const std::vector<ProfileRow> &slave,
                                   const std::vector<ProfileRow> &master) const
   {
-    write_file(directory / "profile.csv", [&](std::ostream &out) {
+    write_first("profile.csv", [&](std::ostream &out) {
       out.precision(12);
       out << "surface,arc_length_mm,deformed_arc_length_mm,X_mm,Y_mm,"
              "displacement_x_mm,displacement_y_mm,pressure_MPa,shear_MPa,"

@@ -104,21 +104,25 @@ namespace Contact
     void write_profile(const std::vector<ProfileRow> &slave,
                        const std::vector<ProfileRow> &master) const;
 
+    /// Write a file by @p write, if this is the first rank.
+    void write_first(const std::string                         &file,
+                     const std::function<void(std::ostream &)> &write) const;
+
     const std::filesystem::path directory;
 
   private:
     /// Load factor and file of each increment.
     using Series = std::vector<std::pair<double, std::string>>;
 
-    /// Write one file of a series by @p write, then the series.
-    void write_increment(const std::string                         &name,
-                         const unsigned int                         k,
-                         const double                               load_factor,
-                         Series                                    &series,
-                         const std::function<void(std::ostream &)> &write);
+    /// Append a file to a series, and write that.
+    void append(const std::string &name,
+                const std::string &file,
+                const double       load_factor,
+                Series            &series) const;
+
+    unsigned int rank() const;
 
     const Discretization &discretization;
-    VertexFields          vertex_fields;
     Series                bodies, contact;
   };
 } // namespace Contact

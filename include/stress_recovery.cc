@@ -5,7 +5,10 @@
 
 #include "stress_recovery.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/grid/reference_cell.h>
+
+#include <set>
 
 namespace Contact
 {
@@ -57,7 +60,35 @@ namespace Contact
     for (unsigned int v = 0; v < n_vertices; ++v)
       if (n_cells[v] > 0)
         at_vertices[v] /= n_cells[v];
+    share_named_points(at_vertices);
     return at_vertices;
+  }
+
+
+
+  // A rank that has a cell at a vertex knows all cells around it.
+  void StressRecovery::share_named_points(
+    std::vector<SymmetricTensor<2, 3>> &at_vertices) const
+  {
+    const MPI_Comm communicator = discretization.communicator;
+    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+      return;
+
+    std::set<unsigned int> own;
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int v : cell->vertex_indices())
+          own.insert(cell->vertex_index(v));
+    for (const auto &[name, vertex] : discretization.mesh.points)
+      if (vertex != numbers::invalid_unsigned_int)
+        {
+          const bool knows = own.count(vertex) > 0;
+          const auto sum   = Utilities::MPI::sum(knows ? at_vertices[vertex]
+                                                     : SymmetricTensor<2, 3>(),
+                                               communicator);
+          at_vertices[vertex] =
+            sum / Utilities::MPI::sum(knows ? 1. : 0., communicator);
+        }
   }
 
 

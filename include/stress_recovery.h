@@ -31,6 +31,9 @@ namespace Contact
                     const Vector<double> &u) const;
 
   private:
+    void
+    share_named_points(std::vector<SymmetricTensor<2, 3>> &at_vertices) const;
+
     const Discretization &discretization;
 
     /// Quadrature point values -> vertex values, for each element.

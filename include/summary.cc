@@ -11,10 +11,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <ostream>
-
-#include "result_files.h"
 
 namespace Contact
 {
@@ -80,8 +79,10 @@ namespace Contact
 
     Json to_json(const IncrementRecord &increment)
     {
-      return {{"load_factor", increment.load_factor},
+      return {{"level", increment.level},
+              {"load_factor", increment.load_factor},
               {"newton_iterations", increment.newton_iterations},
+              {"linear_iterations", increment.linear_iterations},
               {"friction_iterations", increment.friction_iterations},
               {"geometry_iterations", increment.geometry_iterations},
               {"active", increment.active},
@@ -209,12 +210,9 @@ namespace Contact
 
 
 
-  void write_summary(const RunSummary            &summary,
-                     const std::filesystem::path &file)
+  void write_summary(const RunSummary &summary, std::ostream &out)
   {
-    write_file(file, [&](std::ostream &out) {
-      out << to_json(summary).dump(2) << '\n';
-    });
+    out << to_json(summary).dump(2) << '\n';
   }
 
 

@@ -6,7 +6,6 @@
 #ifndef contact_summary_h
 #define contact_summary_h
 
-#include <filesystem>
 #include <iosfwd>
 #include <map>
 #include <optional>
@@ -39,8 +38,10 @@ namespace Contact
   /// What one load increment took, and where it ended.
   struct IncrementRecord
   {
+    unsigned int level               = 0; // of refinement
     double       load_factor         = 0;
     unsigned int newton_iterations   = 0; // in all loops together
+    unsigned int linear_iterations   = 0; // of the condensed system
     unsigned int friction_iterations = 0;
     unsigned int geometry_iterations = 0;
     unsigned int active              = 0; // contact points, stick and slip
@@ -91,9 +92,8 @@ namespace Contact
   /// The largest resident memory of this process so far [MB = 2^20 bytes].
   double peak_memory_mb();
 
-  /// Write a summary as JSON. Throws InputError if the file can not be written.
-  void write_summary(const RunSummary            &summary,
-                     const std::filesystem::path &file);
+  /// Write a summary as JSON.
+  void write_summary(const RunSummary &summary, std::ostream &out);
 
   /**
    * Print the final table, one line per probe: case, mesh, computed value,

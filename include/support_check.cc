@@ -5,6 +5,7 @@
 
 #include "support_check.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/symmetric_tensor.h>
 
 #include "errors.h"
@@ -39,8 +40,9 @@ namespace Contact
     std::map<types::material_id, RigidMotions>
     make_motions(const Triangulation<2> &triangulation)
     {
+      // The coarse mesh, which every rank has.
       std::map<types::material_id, BoundingBox<2>> boxes;
-      for (const auto &cell : triangulation.active_cell_iterators())
+      for (const auto &cell : triangulation.cell_iterators_on_level(0))
         for (const unsigned int v : cell->vertex_indices())
           {
             const BoundingBox<2> vertex({cell->vertex(v), cell->vertex(v)});
@@ -68,7 +70,7 @@ namespace Contact
       for (const auto &cell :
            discretization.mesh.triangulation.active_cell_iterators())
         for (const unsigned int v : cell->vertex_indices())
-          for (unsigned int c = 0; c < 2; ++c)
+          for (unsigned int c = 0; cell->is_locally_owned() && c < 2; ++c)
             {
               const auto dof =
                 discretization.vertex_dofs[cell->vertex_index(v)][c];
@@ -127,6 +129,9 @@ namespace Contact
   {
     auto motions = make_motions(discretization.mesh.triangulation);
     hold_by_supports(discretization, motions);
+    for (auto &motion : motions)
+      motion.second.held =
+        Utilities::MPI::sum(motion.second.held, discretization.communicator);
     if (interface != nullptr)
       hold_by_contact(*interface, motions);
 

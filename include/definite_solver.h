@@ -1,0 +1,76 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_definite_solver_h
+#define contact_definite_solver_h
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// What of a matrix is not as it was when a solver saw it last.
+  enum class Change
+  {
+    rows,   // the values of few rows
+    values, // any value
+    pattern // anything
+  };
+
+
+
+  /**
+   * A solver for symmetric positive definite systems, distributed by rows.
+   * What can be kept from one matrix to the next is its own business.
+   */
+  class DefiniteSolver
+  {
+  public:
+    using Matrix = TrilinosWrappers::SparseMatrix;
+    using Vector = TrilinosWrappers::MPI::Vector;
+
+    /// The rigid motions of the bodies, each by the values of the unknowns of
+    /// this rank.
+    using Modes = std::vector<std::vector<double>>;
+
+    /**
+     * The solver named "CHOLMOD" (one rank), "MUMPS", or "AMG": conjugate
+     * gradients with Trilinos' smoothed aggregation, which takes
+     * the @p modes as near null space.
+     */
+    static std::unique_ptr<DefiniteSolver> create(const std::string &name,
+                                                  const Modes       &modes);
+
+    /**
+     * What "automatic" stands for. In two dimensions CHOLMOD is faster up to
+     * some hundred thousand unknowns, the more so the more often a
+     * factorization serves; beyond, its memory grows faster than AMG's.
+     */
+    static std::string choose(const std::size_t  n_unknowns,
+                              const unsigned int n_ranks);
+
+    virtual ~DefiniteSolver() = default;
+
+    /// Take the matrix, which has to live until it is replaced. Throws
+    /// NotConverged if it is not positive definite.
+    virtual void set_matrix(const Matrix &matrix, const Change change) = 0;
+
+    /**
+     * Solve A x = b from x = 0 until the residual is below @p tolerance, an
+     * absolute one which direct solvers do not need. Returns the number of
+     * iterations, 1 for a direct solver. Throws NotConverged.
+     */
+    virtual unsigned int
+    solve(const Vector &b, const double tolerance, Vector &x) = 0;
+  };
+} // namespace Contact
+
+#endif

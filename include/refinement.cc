@@ -1,0 +1,151 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "refinement.h"
+
+#include <deal.II/distributed/grid_refinement.h>
+#include <deal.II/distributed/solution_transfer.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/grid/grid_refinement.h>
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/numerics/solution_transfer.h>
+
+#include "errors.h"
+
+namespace Contact
+{
+  namespace
+  {
+    using Distributed       = parallel::distributed::Triangulation<2>;
+    using DistributedVector = LinearAlgebra::distributed::Vector<double>;
+
+
+
+    /// On a mesh of which every rank has all cells.
+    void carry_over_complete(Mesh                        &mesh,
+                             Discretization              &discretization,
+                             std::vector<Vector<double>> &solutions)
+    {
+      SolutionTransfer<2> transfer(discretization.dof_handler);
+      for (Vector<double> &solution : solutions)
+        solution.grow_or_shrink(discretization.dof_handler.n_dofs());
+
+      mesh.triangulation.prepare_coarsening_and_refinement();
+      transfer.prepare_for_pure_refinement();
+      mesh.triangulation.execute_coarsening_and_refinement();
+      discretization.redistribute();
+
+      for (Vector<double> &solution : solutions)
+        {
+          Vector<double> refined(discretization.dof_handler.n_dofs());
+          transfer.refine_interpolate(solution, refined);
+          solution.swap(refined);
+        }
+    }
+
+
+
+    /// On a mesh of which a rank has a part.
+    void carry_over_distributed(Mesh                        &mesh,
+                                Discretization              &discretization,
+                                std::vector<Vector<double>> &solutions)
+    {
+      const auto    &dof_handler  = discretization.dof_handler;
+      const MPI_Comm communicator = discretization.communicator;
+
+      IndexSet relevant;
+      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      std::vector<DistributedVector>         old(solutions.size());
+      std::vector<const DistributedVector *> old_pointers;
+      for (unsigned int k = 0; k < solutions.size(); ++k)
+        {
+          old[k].reinit(dof_handler.locally_owned_dofs(),
+                        relevant,
+                        communicator);
+          for (const auto i : dof_handler.locally_owned_dofs())
+            old[k](i) = solutions[k][i];
+          old[k].update_ghost_values();
+          old_pointers.push_back(&old[k]);
+        }
+
+      parallel::distributed::SolutionTransfer<2, DistributedVector> transfer(
+        dof_handler);
+      mesh.triangulation.prepare_coarsening_and_refinement();
+      transfer.prepare_for_coarsening_and_refinement(old_pointers);
+      mesh.triangulation.execute_coarsening_and_refinement();
+      discretization.redistribute();
+
+      const IndexSet                  &owned = dof_handler.locally_owned_dofs();
+      std::vector<DistributedVector>   refined(solutions.size());
+      std::vector<DistributedVector *> refined_pointers;
+      for (DistributedVector &vector : refined)
+        {
+          vector.reinit(owned, communicator);
+          refined_pointers.push_back(&vector);
+        }
+      transfer.interpolate(refined_pointers);
+
+      for (unsigned int k = 0; k < solutions.size(); ++k)
+        {
+          solutions[k].reinit(dof_handler.n_dofs());
+          for (const auto i : owned)
+            solutions[k][i] = refined[k](i);
+          Utilities::MPI::sum(solutions[k], communicator, solutions[k]);
+        }
+    }
+  } // namespace
+
+
+
+  void check_adaptive(const Mesh &mesh)
+  {
+    if (!mesh.is_all_quadrilateral())
+      throw InputError("the mesh has triangles, and can not be refined "
+                       "adaptively",
+                       "entry 'Refinement/Strategy'",
+                       "set 'Strategy = uniform', or take a mesh of "
+                       "quadrangles alone (as meshes/ssnp154_quads.msh)");
+  }
+
+
+
+  void
+  flag_cells(Mesh &mesh, const Vector<float> &indicators, const double fraction)
+  {
+    if (auto *distributed = dynamic_cast<Distributed *>(&mesh.triangulation))
+      parallel::distributed::GridRefinement::refine_and_coarsen_fixed_fraction(
+        *distributed,
+        indicators,
+        fraction,
+        0.);
+    else
+      GridRefinement::refine_and_coarsen_fixed_fraction(mesh.triangulation,
+                                                        indicators,
+                                                        fraction,
+                                                        0.);
+  }
+
+
+
+  void flag_all_cells(Mesh &mesh)
+  {
+    mesh.triangulation.set_all_refine_flags();
+  }
+
+
+
+  void refine_and_carry_over(Mesh                        &mesh,
+                             Discretization              &discretization,
+                             std::vector<Vector<double>> &solutions)
+  {
+    if (mesh.is_complete())
+      carry_over_complete(mesh, discretization, solutions);
+    else
+      carry_over_distributed(mesh, discretization, solutions);
+    for (Vector<double> &solution : solutions)
+      discretization.constraints.distribute(solution);
+  }
+} // namespace Contact
