@@ -124,7 +124,8 @@ namespace Contact
                                 const double last_residual) const;
     void   update_solution();
     void   update_solution_condensed(const unsigned int step,
-                                     const double       residual);
+                                     const double       residual,
+                                     const unsigned int n_changes);
     void   output_increment(const unsigned int k);
     void   probe(const std::vector<SymmetricTensor<2, 3>> &vertex_stresses);
     void   finish();
@@ -591,7 +592,7 @@ namespace Contact
                              chattering_points(last_decisions));
 
         if (condensed)
-          update_solution_condensed(step, residual);
+          update_solution_condensed(step, residual, n_changes);
         else
           {
             if (!factorization_serves(residual, last_residual))
@@ -797,17 +798,23 @@ namespace Contact
   // Inexact Newton: a step that others follow is not solved further than it is
   // good for. Linear bodies under the right decisions are solved in one.
   void ContactProblem::update_solution_condensed(const unsigned int step,
-                                                 const double       residual)
+                                                 const double       residual,
+                                                 const unsigned int n_changes)
   {
-    const double forcing = step > 0 && elasticity->is_linear() &&
-                               parameters.solution.friction != "each step"
+    const double forcing = elasticity->is_linear() && step > 0 &&
+                               parameters.solution.geometry == "fixed point" &&
+                               parameters.solution.friction == "fixed point"
                              ? 0.
-                             : 1e-3;
+                             : (n_changes > 0 || step == 0 ? 1e-5 : 1e-3);
     const double scale   = reference_force > 0 ? reference_force : residual;
     const double relative =
-      std::max(0.1 * newton_tolerance(), forcing * residual);
-    summary.increments.back().linear_iterations +=
+      std::max(0.1 * newton_tolerance(), forcing * std::min(residual, 1.));
+    const unsigned int n =
       condensed->solve(solution, start, system_rhs, relative * scale, update);
+    summary.increments.back().linear_iterations += n;
+    screen << "      solved to " << std::scientific << std::setprecision(1)
+           << relative << std::defaultfloat << std::setprecision(6) << " in "
+           << n << " iterations" << std::endl;
     if (reference_force == 0)
       reference_force = residual;
     for (unsigned int i = 0; i < update.size(); ++i)

@@ -75,9 +75,16 @@ namespace Contact
   private:
     using Dofs = std::vector<types::global_dof_index>;
 
-    Tensor<1, 2> traction(const ContactPoint   &point,
-                          const Vector<double> &residual) const;
+    std::vector<Tensor<1, 2>> tractions(const Vector<double> &residual) const;
 
+    /// u_dof = constant + sum of entries.
+    struct Line
+    {
+      std::map<types::global_dof_index, double> entries;
+      double                                    constant = 0;
+    };
+
+    void eliminate(const types::global_dof_index dof, Line line);
     void collect_interface();
     void make_pattern();
     bool pattern_serves() const;
@@ -118,8 +125,11 @@ namespace Contact
     std::multimap<types::global_dof_index, unsigned int> edges_at_master;
 
     /// The supports and ties of the unknowns above, and the active points.
-    AffineConstraints<double>            lines;
-    std::vector<types::global_dof_index> eliminated;
+    AffineConstraints<double>               lines;
+    std::vector<types::global_dof_index>    eliminated;
+    std::map<types::global_dof_index, Line> contact_lines;
+    std::multimap<types::global_dof_index, types::global_dof_index>
+      users_of_slave_dofs;
 
     DefiniteSolver::Matrix           matrix;
     std::vector<double>              assembled_lines; // see signature_of_lines

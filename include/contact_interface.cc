@@ -31,7 +31,7 @@ namespace Contact
                                      const Elasticity          &elasticity,
                                      const Parameters::Contact &parameters)
     : tied(parameters.tied)
-    , law{tied ? std::numeric_limits<double>::infinity()
+    , law{tied ? std::numeric_limits<double>::max()
                : parameters.tresca_limit,
           parameters.friction_coefficient}
     , slave(discretization,
@@ -167,8 +167,39 @@ namespace Contact
 
 
 
-  // Values are interpolated; a decision is that of the nearer point. A point
-  // between two that do the same does so, too.
+  namespace
+  {
+    /**
+     * Where between a point @p last in contact and an open one beside it,
+     * @p open, the contact ends. Between smooth bodies p^2 falls linearly
+     * there, as in Hertz' solution; it is extrapolated from two points that are
+     * not at the end themselves.
+     */
+    double end_of_contact(const ContactInterface::SurfaceState &state,
+                          const unsigned int                    last,
+                          const unsigned int                    open)
+    {
+      const int inward = last < open ? -1 : 1;
+      const int a = static_cast<int>(last) + inward, b = a + inward;
+      const int n   = state.place.size();
+      double    end = 0.5 * (state.place[last] + state.place[open]);
+      if (std::min(a, b) >= 0 && std::max(a, b) < n &&
+          state.pressure[b] > state.pressure[a] && state.pressure[a] > 0)
+        {
+          const double p2 = std::pow(state.pressure[a], 2);
+          end = state.place[a] + (state.place[a] - state.place[b]) * p2 /
+                                   (std::pow(state.pressure[b], 2) - p2);
+        }
+      const auto [low, high] =
+        std::minmax({state.place[last], state.place[open]});
+      return std::max(low, std::min(high, end));
+    }
+  } // namespace
+
+
+
+  // Values are interpolated; a decision is that of the nearer point, but that
+  // the end of the contact is looked for between the points.
   void ContactInterface::restore(const SurfaceState &state,
                                  Vector<double>     &solution)
   {
@@ -200,6 +231,14 @@ namespace Contact
           solution[tangential_index(k)] = between(state.shear);
         points[k].tresca_bound = between(state.bound);
         points[k].decision     = state.decisions[x < 0.5 ? a : b];
+        const bool a_is_open   = state.decisions[a].status == Status::open;
+        const bool b_is_open   = state.decisions[b].status == Status::open;
+        if (a_is_open != b_is_open)
+          {
+            const double end   = b_is_open ? end_of_contact(state, a, b)
+                                           : end_of_contact(state, b, a);
+            points[k].decision = state.decisions[all_places[i] < end ? a : b];
+          }
         if (!points[k].facing)
           points[k].decision = Decision();
         else if (points[k].decision.status == Status::stick &&

@@ -215,7 +215,7 @@ namespace Contact
         TrilinosWrappers::PreconditionAMG::AdditionalData data;
         data.elliptic              = true;
         data.smoother_sweeps       = 2;
-        data.aggregation_threshold = 0.02;
+        data.aggregation_threshold = 0;
         Teuchos::ParameterList              parameters;
         std::unique_ptr<Epetra_MultiVector> no_modes;
         data.set_parameters(parameters, no_modes, *matrix);
@@ -223,6 +223,7 @@ namespace Contact
         null_space.clear();
         for (const auto &mode : modes)
           null_space.insert(null_space.end(), mode.begin(), mode.end());
+        if (getenv("AMGX")) { std::istringstream in(getenv("AMGX")); std::string k,t,v; while (in>>t>>k>>v) { for(auto&c:k) if(c=='_') c=' '; for(auto&c:v) if(c=='_') c=' '; if(t=="i") parameters.set(k,std::stoi(v)); else if (t=="d") parameters.set(k,std::stod(v)); else parameters.set(k,v);} }
         parameters.set("PDE equations", 2);
         parameters.set("null space: type", "pre-computed");
         parameters.set("null space: add default vectors", false);
