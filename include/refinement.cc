@@ -78,12 +78,14 @@ namespace Contact
       mesh.triangulation.execute_coarsening_and_refinement();
       discretization.redistribute();
 
-      const IndexSet                  &owned = dof_handler.locally_owned_dofs();
+      // Cells write on what neighbors own, too.
+      const IndexSet &owned = dof_handler.locally_owned_dofs();
+      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
       std::vector<DistributedVector>   refined(solutions.size());
       std::vector<DistributedVector *> refined_pointers;
       for (DistributedVector &vector : refined)
         {
-          vector.reinit(owned, communicator);
+          vector.reinit(owned, relevant, communicator);
           refined_pointers.push_back(&vector);
         }
       transfer.interpolate(refined_pointers);
