@@ -463,8 +463,10 @@ namespace Contact
   // @sect4{ContactProblem::solve_with_geometry_loop}
   //
   // Pair, freeze projections and normals, solve, pair again. The first turn is
-  // never accepted: it knows the geometry of the increment's start only. The
-  // criterion is the one of the reference solution: the largest change of a
+  // never accepted, for it knows the geometry of the increment's start only;
+  // unless that is already the solution of a coarser mesh: then the change of
+  // the surfaces is asked for, not that under a nodal force, which never ends.
+  // The criterion is the one of the reference solution: the largest change of a
   // displacement against the largest displacement of the increment before.
   void ContactProblem::solve_with_geometry_loop()
   {
@@ -488,8 +490,10 @@ namespace Contact
         pair_bodies();
         solve_with_friction_loop();
 
-        change = largest_change(last) / last_increment;
-        if (turn > 1)
+        change = (level > 0 ? interface->largest_change(solution, last)
+                            : largest_change(last)) /
+                 last_increment;
+        if (turn > 1 || level > 0)
           {
             screen << "    change of the displacement " << change << std::endl;
             if (change < parameters.solution.geometry_tolerance)

@@ -31,8 +31,7 @@ namespace Contact
                                      const Elasticity          &elasticity,
                                      const Parameters::Contact &parameters)
     : tied(parameters.tied)
-    , law{tied ? std::numeric_limits<double>::max()
-               : parameters.tresca_limit,
+    , law{tied ? std::numeric_limits<double>::max() : parameters.tresca_limit,
           parameters.friction_coefficient}
     , slave(discretization,
             discretization.mesh.boundary(parameters.slave, "Contact/Slave"),
@@ -131,6 +130,19 @@ namespace Contact
 
 
 
+  double ContactInterface::largest_change(const Vector<double> &u,
+                                          const Vector<double> &from) const
+  {
+    double change = 0;
+    for (const Surface *surface : {&slave, &master})
+      for (const Surface::Node &node : surface->nodes)
+        for (const auto dof : node.dofs)
+          change = std::max(change, std::abs(u[dof] - from[dof]));
+    return change;
+  }
+
+
+
   std::vector<double> ContactInterface::places() const
   {
     std::vector<Point<2>> X;
@@ -171,28 +183,40 @@ namespace Contact
   {
     /**
      * Where between a point @p last in contact and an open one beside it,
-     * @p open, the contact ends. Between smooth bodies p^2 falls linearly
-     * there, as in Hertz' solution; it is extrapolated from two points that are
-     * not at the end themselves.
+     * @p open, the contact ends. Between smooth bodies p^2 falls to zero there
+     * with a finite slope, as in Hertz' solution: the parabola of p^2 through
+     * three points is extrapolated. They are two apart, so that with elements
+     * of degree 2 they are of one kind, and not the very last ones, which the
+     * end within their support disturbs. Without as many points: the middle.
      */
     double end_of_contact(const ContactInterface::SurfaceState &state,
                           const unsigned int                    last,
                           const unsigned int                    open)
     {
-      const int inward = last < open ? -1 : 1;
-      const int a = static_cast<int>(last) + inward, b = a + inward;
-      const int n   = state.place.size();
-      double    end = 0.5 * (state.place[last] + state.place[open]);
-      if (std::min(a, b) >= 0 && std::max(a, b) < n &&
-          state.pressure[b] > state.pressure[a] && state.pressure[a] > 0)
+      const int             inward = last < open ? -2 : 2;
+      const int             n      = state.place.size();
+      std::array<double, 3> s{}, f{};
+      double                end = 0.5 * (state.place[last] + state.place[open]);
+      for (int k = 0; k < 3; ++k)
         {
-          const double p2 = std::pow(state.pressure[a], 2);
-          end = state.place[a] + (state.place[a] - state.place[b]) * p2 /
-                                   (std::pow(state.pressure[b], 2) - p2);
+          const int i = static_cast<int>(last) + (k + 1) * inward;
+          if (i < 0 || i >= n || !(state.pressure[i] > 0))
+            return end;
+          s[k] = state.place[i];
+          f[k] = std::pow(state.pressure[i], 2);
         }
+
+      // Newton's form of the parabola, and Newton's method for its root.
+      const double d01  = (f[1] - f[0]) / (s[1] - s[0]);
+      const double d12  = (f[2] - f[1]) / (s[2] - s[1]);
+      const double d012 = (d12 - d01) / (s[2] - s[0]);
+      for (unsigned int iteration = 0; iteration < 10; ++iteration)
+        end -= (f[0] + (end - s[0]) * (d01 + d012 * (end - s[1]))) /
+               (d01 + d012 * (2 * end - s[0] - s[1]));
+
       const auto [low, high] =
         std::minmax({state.place[last], state.place[open]});
-      return std::max(low, std::min(high, end));
+      return end >= low && end <= high ? end : (end < low ? low : high);
     }
   } // namespace
 

@@ -96,6 +96,10 @@ namespace Contact
      */
     bool pair(const Vector<double> &u);
 
+    /// The largest change of a displacement of the surfaces [mm].
+    double largest_change(const Vector<double> &u,
+                          const Vector<double> &from) const;
+
     /**
      * The first guess of the active set: points that touch, penetrate, or are
      * closer than a hundredth of the length of their slave edge. What it misses

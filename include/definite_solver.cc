@@ -223,7 +223,6 @@ namespace Contact
         null_space.clear();
         for (const auto &mode : modes)
           null_space.insert(null_space.end(), mode.begin(), mode.end());
-        if (getenv("AMGX")) { std::istringstream in(getenv("AMGX")); std::string k,t,v; while (in>>t>>k>>v) { for(auto&c:k) if(c=='_') c=' '; for(auto&c:v) if(c=='_') c=' '; if(t=="i") parameters.set(k,std::stoi(v)); else if (t=="d") parameters.set(k,std::stod(v)); else parameters.set(k,v);} }
         parameters.set("PDE equations", 2);
         parameters.set("null space: type", "pre-computed");
         parameters.set("null space: add default vectors", false);
