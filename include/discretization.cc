@@ -13,6 +13,7 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_fe.h>
 #include <deal.II/fe/mapping_q.h>
+#include <deal.II/hp/fe_values.h>
 #include <deal.II/numerics/vector_tools.h>
 
 #include "errors.h"
@@ -85,6 +86,14 @@ namespace Contact
   bool Discretization::is_fixed(const types::global_dof_index dof) const
   {
     return prescribed.count(dof) > 0;
+  }
+
+
+
+  bool
+  Discretization::carries_nodal_force(const types::global_dof_index dof) const
+  {
+    return nodal_forces.count(dof) > 0;
   }
 
 
@@ -195,12 +204,69 @@ namespace Contact
   void Discretization::collect_loads()
   {
     dead_load.reinit(dof_handler.n_dofs());
-    for (const auto &[name, force] : boundary.force_x)
-      dead_load[vertex_dofs[mesh.point(name, "Boundary conditions/Force x")]
-                           [0]] += force;
-    for (const auto &[name, force] : boundary.force_y)
-      dead_load[vertex_dofs[mesh.point(name, "Boundary conditions/Force y")]
-                           [1]] += force;
+    spread_force(boundary.spread_force_x, 0);
+    spread_force(boundary.spread_force_y, 1);
+    Utilities::MPI::sum(dead_load, communicator, dead_load);
+
+    nodal_forces.clear();
+    const auto add = [&](const auto &forces, const unsigned int c) {
+      const std::string entry =
+        std::string("Boundary conditions/Force ") + "xy"[c];
+      for (const auto &[name, force] : forces)
+        {
+          const auto dof = vertex_dofs[mesh.point(name, entry)][c];
+          dead_load[dof] += force;
+          nodal_forces.insert(dof);
+        }
+    };
+    add(boundary.force_x, 0);
+    add(boundary.force_y, 1);
+  }
+
+
+
+  // The integral of force/length times the shape functions, on the faces of
+  // this rank.
+  void Discretization::spread_force(const std::map<std::string, double> &forces,
+                                    const unsigned int component)
+  {
+    const std::string entry =
+      std::string("Boundary conditions/Spread force ") + "xy"[component];
+    for (const auto &[name, force] : forces)
+      {
+        const auto         &ids = mesh.boundary(name, entry);
+        const QGauss<1>     edge_quadrature(degree + 1);
+        hp::FEFaceValues<2> hp_values(mapping,
+                                      fe,
+                                      hp::QCollection<1>(edge_quadrature,
+                                                         edge_quadrature),
+                                      update_values | update_JxW_values);
+        std::map<types::global_dof_index, double> shares;
+        std::vector<types::global_dof_index>      dofs;
+        double                                    length = 0;
+        for (const auto &cell : dof_handler.active_cell_iterators())
+          for (const unsigned int f : cell->face_indices())
+            if (cell->is_locally_owned() && cell->face(f)->at_boundary() &&
+                ids.count(cell->face(f)->boundary_id()) > 0)
+              {
+                hp_values.reinit(cell, f);
+                const auto &values = hp_values.get_present_fe_values();
+                dofs.resize(values.dofs_per_cell);
+                cell->get_dof_indices(dofs);
+                for (const unsigned int q : values.quadrature_point_indices())
+                  {
+                    length += values.JxW(q);
+                    for (unsigned int i = 0; i < dofs.size(); ++i)
+                      if (values.get_fe().system_to_component_index(i).first ==
+                          component)
+                        shares[dofs[i]] +=
+                          values.JxW(q) * values.shape_value(i, q);
+                  }
+              }
+        length = Utilities::MPI::sum(length, communicator);
+        for (const auto &[dof, share] : shares)
+          dead_load[dof] += force * share / length;
+      }
   }
 
 

@@ -65,6 +65,9 @@ namespace Contact
     /// The dead forces at full load [N per mm of thickness].
     Vector<double> dead_load;
 
+    /// Whether a nodal force acts on this unknown.
+    bool carries_nodal_force(const types::global_dof_index dof) const;
+
     /// The unknowns of each vertex of the triangulation; invalid where no cell
     /// of this rank or its neighbors has it.
     std::vector<NodeDoFs> vertex_dofs;
@@ -97,6 +100,8 @@ namespace Contact
     void collect_supports();
     void collect_ties();
     void collect_loads();
+    void spread_force(const std::map<std::string, double> &forces,
+                      const unsigned int                   component);
     void
     make_constraints(const std::map<types::global_dof_index, double> &updates);
     void bind_centres();
@@ -104,6 +109,7 @@ namespace Contact
     const Parameters::Boundary                                 boundary;
     std::map<types::global_dof_index, double>                  prescribed;
     std::map<types::global_dof_index, types::global_dof_index> ties;
+    std::set<types::global_dof_index>                          nodal_forces;
     bool updates_vanish = true;
   };
 } // namespace Contact

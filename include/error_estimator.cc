@@ -429,8 +429,7 @@ namespace Contact
   {
     const auto carries_force = [this](const unsigned int vertex) {
       for (const auto dof : discretization.vertex_dofs[vertex])
-        if (dof != numbers::invalid_dof_index &&
-            discretization.dead_load[dof] != 0)
+        if (discretization.carries_nodal_force(dof))
           return true;
       return false;
     };

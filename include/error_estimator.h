@@ -41,8 +41,9 @@ namespace Contact
    * quadrangles) to 0.65 (triangles) of it. It still tells where to refine.
    *
    * Nodal forces: in two dimensions their energy is infinite, and no mesh
-   * resolves them. Cells that touch a vertex with a dead load have the
-   * indicator zero; the next ones keep theirs. The force of a tie is no
+   * resolves them. Cells of the coarse mesh that touch a vertex with a nodal
+   * force, and all that they are refined to, have the indicator zero. The
+   * edges of a spread force are left out. The force of a tie is no
    * multiplier: edges with a tied node are left out.
    */
   class ErrorEstimator

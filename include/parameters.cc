@@ -266,6 +266,16 @@ namespace Contact
       prm.add_parameter("Force y",
                         force_y,
                         "As Force x, in direction y [N per mm of thickness].");
+      prm.add_parameter("Spread force x",
+                        spread_force_x,
+                        "'boundary: value' [N per mm of thickness], separated "
+                        "by ','; a boundary group and its dead force at full "
+                        "load, spread evenly over its undeformed length. Of a "
+                        "nodal force the finer mesh sees the singularity.");
+      prm.add_parameter("Spread force y",
+                        spread_force_y,
+                        "As Spread force x, in direction y [N per mm of "
+                        "thickness].");
       prm.leave_subsection();
     }
 

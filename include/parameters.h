@@ -108,6 +108,11 @@ namespace Contact
       std::map<std::string, double> force_x;
       std::map<std::string, double> force_y;
 
+      /// Boundary group -> dead force at full load [N per mm of thickness],
+      /// spread evenly over its undeformed length.
+      std::map<std::string, double> spread_force_x;
+      std::map<std::string, double> spread_force_y;
+
       void add_parameters(ParameterHandler &prm);
       void check() const;
     };

@@ -204,6 +204,8 @@ Physical Curve("Encast", 5) = {5};                 // y = -depth
 Physical Curve("Top_B", 6) = {1};                  // master
 Physical Curve("Bottom_C", 7) = {21, 22};          // slave
 
+Physical Curve("Cap", 10) = {24};                  // for a spread force
+
 Physical Surface("Block", 8) = {1, 2, 3, 4};
 Physical Surface("Cylinder", 9) = {11, 12, 13, 14};
 
