@@ -29,26 +29,44 @@
 // Here the search for the decisions happens inside the linear problem of one
 // Newton step, see ActiveSetSearch, so that few steps are needed.
 //
-// Around Newton's method there are up to three loops, and each is there only if
+// Around Newton's method there are up to four loops, and each is there only if
 // the scene asks for it:
 //
-//   load increments        because friction depends on the history;
-//     geometry loop        which master edge faces which slave point, and with
+//   levels                 nested iteration: the solution on one mesh is the
+//                          start on the next finer one;
+//     load increments      because friction depends on the history;
+//       geometry loop      which master edge faces which slave point, and with
 //                          what normal; absent if Newton's method does it;
-//       friction loop      the bound mu p is frozen: a problem of Tresca's
+//         friction loop    the bound mu p is frozen: a problem of Tresca's
 //                          friction; absent without Coulomb friction, or if
 //                          Newton's method does it;
-//         Newton's method.
+//           Newton's method.
+//
+// The linear system of a Newton step comes in two forms. With the multipliers
+// it is a saddle point, solved by a sparse direct solver on one process: every
+// contact rule can have it. Where the points of contact belong to one slave
+// node each (nodal and mortar rule), the active ones can be eliminated instead,
+// in the manner of step-42: CondensedSystem, symmetric and positive definite,
+// for conjugate gradients with algebraic multigrid, many unknowns and several
+// processes. There the active set of step-41 and step-42 is searched from step
+// to step, which is cheap because a level starts where the one before ended.
+//
+// With several processes each has a part of the mesh and of the matrix. The
+// vectors of the solution and the surfaces are small beside these, and every
+// process has them in full: what the points of contact decide is computed by
+// all alike.
 //
 // The classes behind this file, from the bottom up: Parameters, Mesh,
 // Discretization, Elasticity (the bodies), Surface and ContactPoint (where they
-// meet), ContactInterface (the equations of contact), ActiveSetSearch,
-// DirectSolver, and for the results StressRecovery, ResultFiles, RunSummary.
+// meet; MortarRule), ContactInterface (the equations of contact),
+// ActiveSetSearch and DirectSolver, or CondensedSystem and DefiniteSolver; then
+// ErrorEstimator, and for the results StressRecovery, ResultFiles, RunSummary.
 //
 // References: P. Alart and A. Curnier, Comput. Methods Appl. Mech. Engrg. 92
 // (1991) 353-375; M. Hintermueller, K. Ito and K. Kunisch, SIAM J. Optim. 13
 // (2003) 865-888; S. Hueeber and B. Wohlmuth, Comput. Methods Appl. Mech.
-// Engrg. 194 (2005) 3147-3166; the benchmark: A. W. A. Konter, Advanced Finite
+// Engrg. 194 (2005) 3147-3166; A. Popp, M. W. Gee and W. A. Wall, Int. J. Numer.
+// Meth. Engng. 79 (2009) 1354-1391; the benchmark: A. W. A. Konter, Advanced Finite
 // Element Contact Benchmarks, NAFEMS 2006, and SSNP154 of Code_Aster's
 // validation manual.
 
@@ -105,6 +123,7 @@ namespace Contact
     void   make_linear_system();
     void   print_scene();
     void   solve_level();
+    void   record_level();
     void   refine();
     void   solve_increment(const unsigned int k);
     void   solve_with_geometry_loop();
@@ -310,7 +329,7 @@ namespace Contact
                                                   interface.get(),
                                                   name,
                                                   timer);
-    summary.effects["linear solver"] = name;
+    summary.effects["system"] = "condensed, " + name;
   }
 
 
@@ -324,6 +343,8 @@ namespace Contact
         ? "linear"
         : (discretization->bound_centre ? "quadratic, 8 nodes"
                                         : "quadratic, 9 nodes");
+    if (!condensed)
+      effects["system"] = "saddle point, UMFPACK";
     effects["contact"] = "none";
     if (interface)
       {
@@ -382,6 +403,38 @@ namespace Contact
       }
     level_solutions = std::move(solutions);
     level_states    = std::move(states);
+    record_level();
+  }
+
+
+
+  // What this level took: the time since the level before.
+  void ContactProblem::record_level()
+  {
+    LevelRecord record;
+    record.n_cells         = mesh->triangulation.n_global_active_cells();
+    record.n_displacements = summary.n_displacements;
+    record.n_multipliers   = summary.n_multipliers;
+    for (const IncrementRecord &increment : summary.increments)
+      if (increment.level == level)
+        {
+          record.newton_iterations += increment.newton_iterations;
+          record.linear_iterations += increment.linear_iterations;
+        }
+    for (const auto &[phase, time] :
+         timer.get_summary_data(TimerOutput::total_cpu_time))
+      record.time[phase].cpu = time;
+    for (const auto &[phase, time] :
+         timer.get_summary_data(TimerOutput::total_wall_time))
+      record.time[phase].wall = time;
+    for (const LevelRecord &before : summary.levels)
+      for (const auto &[phase, time] : before.time)
+        {
+          record.time[phase].cpu -= time.cpu;
+          record.time[phase].wall -= time.wall;
+        }
+    record.peak_memory_mb = Utilities::MPI::sum(peak_memory_mb(), communicator);
+    summary.levels.push_back(record);
   }
 
 
@@ -418,7 +471,7 @@ namespace Contact
            << mesh->triangulation.n_global_active_cells() << " cells, "
            << summary.n_displacements << " displacements, "
            << summary.n_multipliers << " multipliers, "
-           << summary.effects["linear solver"] << std::endl;
+           << summary.effects["system"] << std::endl;
   }
 
 
@@ -902,7 +955,8 @@ namespace Contact
     for (const auto &[phase, time] :
          timer.get_summary_data(TimerOutput::total_wall_time))
       summary.time[phase].wall = time;
-    summary.peak_memory_mb = peak_memory_mb();
+    summary.peak_memory_mb =
+      Utilities::MPI::sum(peak_memory_mb(), communicator);
     files->write_first("summary.json", [this](std::ostream &out) {
       write_summary(summary, out);
     });
@@ -910,11 +964,8 @@ namespace Contact
       prm.print_parameters(out, ParameterHandler::ShortText);
     });
 
-    screen << "Time in seconds (CPU / wall):" << std::fixed
-           << std::setprecision(3);
-    for (const auto &[phase, time] : summary.time)
-      screen << "  " << phase << " " << time.cpu << " / " << time.wall;
-    screen << std::defaultfloat << std::setprecision(6) << std::endl;
+    if (screen.is_active())
+      print_levels(screen.get_stream(), summary);
   }
 
 

@@ -260,6 +260,6 @@ namespace Contact
   std::string DefiniteSolver::choose(const std::size_t  n_unknowns,
                                      const unsigned int n_ranks)
   {
-    return n_ranks == 1 && n_unknowns < 200000 ? "CHOLMOD" : "AMG";
+    return n_ranks == 1 && n_unknowns < 100000 ? "CHOLMOD" : "AMG";
   }
 } // namespace Contact

@@ -50,9 +50,9 @@ namespace Contact
                                                   const Modes       &modes);
 
     /**
-     * What "automatic" stands for. In two dimensions CHOLMOD is faster up to
-     * some hundred thousand unknowns, the more so the more often a
-     * factorization serves; beyond, its memory grows faster than AMG's.
+     * What "automatic" stands for. In two dimensions CHOLMOD is as fast as AMG
+     * at a hundred thousand unknowns, and faster the more often an analysis or
+     * a factorization serves; beyond, its time and memory grow faster.
      */
     static std::string choose(const std::size_t  n_unknowns,
                               const unsigned int n_ranks);

@@ -483,7 +483,7 @@ namespace Contact
                         "UMFPACK for saddle point systems; for condensed ones "
                         "CHOLMOD, AMG (conjugate gradients with smoothed "
                         "aggregation) or MUMPS [-]; automatic: UMFPACK, or "
-                        "CHOLMOD below 200000 unknowns on one rank and AMG "
+                        "CHOLMOD below 100000 unknowns on one rank and AMG "
                         "beyond.",
                         Patterns::Selection("automatic|UMFPACK|CHOLMOD|AMG|"
                                             "MUMPS"));

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <set>
 
 namespace Contact
 {
@@ -93,23 +94,47 @@ namespace Contact
 
 
 
+    Json to_json(const std::map<std::string, PhaseTime> &times)
+    {
+      Json json = Json::object();
+      for (const auto &[phase, time] : times)
+        json[phase] = {{"cpu", time.cpu}, {"wall", time.wall}};
+      return json;
+    }
+
+
+
+    Json to_json(const LevelRecord &level)
+    {
+      return {{"cells", level.n_cells},
+              {"displacements", level.n_displacements},
+              {"multipliers", level.n_multipliers},
+              {"newton_iterations", level.newton_iterations},
+              {"linear_iterations", level.linear_iterations},
+              {"time", to_json(level.time)},
+              {"peak_memory_mb", level.peak_memory_mb}};
+    }
+
+
+
     Json to_json(const RunSummary &summary)
     {
       Json json{{"converged", summary.converged},
                 {"probes", Json::array()},
                 {"increments", Json::array()},
+                {"levels", Json::array()},
                 {"unknowns",
                  {{"displacement", summary.n_displacements},
                   {"multipliers", summary.n_multipliers}}},
-                {"time", Json::object()},
+                {"time", to_json(summary.time)},
                 {"peak_memory_mb", summary.peak_memory_mb},
                 {"effects", Json::object()}};
       for (const ProbeResult &probe : summary.probes)
         json["probes"].push_back(to_json(probe));
       for (const IncrementRecord &increment : summary.increments)
         json["increments"].push_back(to_json(increment));
-      for (const auto &[phase, time] : summary.time)
-        json["time"][phase] = {{"cpu", time.cpu}, {"wall", time.wall}};
+      for (const LevelRecord &level : summary.levels)
+        json["levels"].push_back(to_json(level));
       for (const auto &[effect, value] : summary.effects)
         json["effects"][effect] = value;
       return json;
@@ -117,24 +142,17 @@ namespace Contact
 
 
 
-    // The columns of the final table.
-    constexpr unsigned int n_columns = 8;
-    using Line                       = std::array<std::string, n_columns>;
+    /// The fields of a line of a table, as many as its first line has.
+    using Line = std::vector<std::string>;
 
-    const Line header{{"case",
-                       "mesh",
-                       "probe",
-                       "computed",
-                       "reference",
-                       "deviation",
-                       "tolerance",
-                       "ok"}};
-
-    /// Numbers stand to the right.
-    bool is_number(const unsigned int column)
-    {
-      return column >= 3 && column <= 6;
-    }
+    const Line header{"case",
+                      "mesh",
+                      "probe",
+                      "computed",
+                      "reference",
+                      "deviation",
+                      "tolerance",
+                      "ok"};
 
 
 
@@ -168,14 +186,14 @@ namespace Contact
 
     Line make_line(const RunSummary &summary, const ProbeResult &probe)
     {
-      Line line{{summary.case_name,
-                 std::filesystem::path(summary.mesh_file).stem().string(),
-                 probe.name + " [" + probe.unit + "]",
-                 format_value(probe, probe.value),
-                 "-",
-                 "-",
-                 "-",
-                 "-"}};
+      Line line{summary.case_name,
+                std::filesystem::path(summary.mesh_file).stem().string(),
+                probe.name + " [" + probe.unit + "]",
+                format_value(probe, probe.value),
+                "-",
+                "-",
+                "-",
+                "-"};
       if (probe.reference && probe.tolerance)
         {
           line[4] = format_value(probe, *probe.reference);
@@ -188,6 +206,38 @@ namespace Contact
 
 
 
+    /// Print lines as a table, the first one as its head; the columns that are
+    /// @p numbers to the right.
+    void print_lines(std::ostream                 &out,
+                     const std::vector<Line>      &lines,
+                     const std::set<unsigned int> &numbers)
+    {
+      const unsigned int       n_columns = lines.front().size();
+      std::vector<std::size_t> width(n_columns, 0);
+      for (const Line &line : lines)
+        for (unsigned int c = 0; c < n_columns; ++c)
+          width[c] = std::max(width[c], line[c].size());
+
+      for (unsigned int l = 0; l < lines.size(); ++l)
+        {
+          std::string text, rule;
+          for (unsigned int c = 0; c < n_columns; ++c)
+            {
+              const std::string fill(width[c] - lines[l][c].size(), ' ');
+              text += c == 0 ? "" : " | ";
+              text +=
+                numbers.count(c) > 0 ? fill + lines[l][c] : lines[l][c] + fill;
+              rule += c == 0 ? "" : "-+-";
+              rule += std::string(width[c], '-');
+            }
+          out << text.substr(0, text.find_last_not_of(' ') + 1) << '\n';
+          if (l == 0)
+            out << rule << '\n';
+        }
+    }
+
+
+
     std::vector<Line> make_lines(const RunSummary &summary)
     {
       std::vector<Line> lines;
@@ -196,17 +246,68 @@ namespace Contact
           lines.push_back(make_line(summary, probe));
       else
         lines.push_back(
-          {{summary.case_name,
-            std::filesystem::path(summary.mesh_file).stem().string(),
-            "-",
-            "-",
-            "-",
-            "-",
-            "-",
-            "NO"}});
+          {summary.case_name,
+           std::filesystem::path(summary.mesh_file).stem().string(),
+           "-",
+           "-",
+           "-",
+           "-",
+           "-",
+           "NO"});
       return lines;
     }
   } // namespace
+
+
+
+  void print_levels(std::ostream &out, const RunSummary &summary)
+  {
+    std::set<std::string> phases;
+    for (const LevelRecord &level : summary.levels)
+      for (const auto &[phase, time] : level.time)
+        phases.insert(phase);
+
+    Line header{"cells", "unknowns", "Newton", "linear"};
+    header.insert(header.end(), phases.begin(), phases.end());
+    for (const char *name : {"total", "growth", "MB"})
+      header.push_back(name);
+
+    std::vector<Line> lines{header};
+    double            last_total = 0, last_unknowns = 0;
+    for (const LevelRecord &level : summary.levels)
+      {
+        Line   line{std::to_string(level.n_cells),
+                  std::to_string(level.n_displacements),
+                  std::to_string(level.newton_iterations),
+                  std::to_string(level.linear_iterations)};
+        double total = 0;
+        for (const std::string &phase : phases)
+          {
+            const auto   found = level.time.find(phase);
+            const double wall =
+              found == level.time.end() ? 0. : found->second.wall;
+            line.push_back(format("%.3f", wall));
+            total += wall;
+          }
+        const double unknowns = level.n_displacements;
+        line.push_back(format("%.3f", total));
+        line.push_back(last_total > 0
+                         ? format("%.2f",
+                                  std::log(total / last_total) /
+                                    std::log(unknowns / last_unknowns))
+                         : "-");
+        line.push_back(format("%.0f", level.peak_memory_mb));
+        lines.push_back(line);
+        last_total    = total;
+        last_unknowns = unknowns;
+      }
+
+    std::set<unsigned int> numbers;
+    for (unsigned int column = 0; column < header.size(); ++column)
+      numbers.insert(column);
+    out << "Wall time in seconds:\n";
+    print_lines(out, lines, numbers);
+  }
 
 
 
@@ -224,26 +325,8 @@ namespace Contact
       for (const Line &line : make_lines(summary))
         lines.push_back(line);
 
-    std::array<std::size_t, n_columns> width{};
-    for (const Line &line : lines)
-      for (unsigned int c = 0; c < n_columns; ++c)
-        width[c] = std::max(width[c], line[c].size());
-
-    for (unsigned int l = 0; l < lines.size(); ++l)
-      {
-        std::string text, rule;
-        for (unsigned int c = 0; c < n_columns; ++c)
-          {
-            const std::string fill(width[c] - lines[l][c].size(), ' ');
-            text += c == 0 ? "" : " | ";
-            text += is_number(c) ? fill + lines[l][c] : lines[l][c] + fill;
-            rule += c == 0 ? "" : "-+-";
-            rule += std::string(width[c], '-');
-          }
-        out << text.substr(0, text.find_last_not_of(' ') + 1) << '\n';
-        if (l == 0)
-          out << rule << '\n';
-      }
+    // Names to the left, numbers to the right.
+    print_lines(out, lines, {3, 4, 5, 6});
 
     for (const RunSummary &summary : summaries)
       if (!summary.converged)

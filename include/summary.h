@@ -61,6 +61,21 @@ namespace Contact
 
 
 
+  /// What a mesh of nested iteration took; without, there is one.
+  struct LevelRecord
+  {
+    std::size_t  n_cells           = 0;
+    std::size_t  n_displacements   = 0; // unknowns
+    std::size_t  n_multipliers     = 0;
+    unsigned int newton_iterations = 0;
+    unsigned int linear_iterations = 0; // 1 for each direct solve
+
+    std::map<std::string, PhaseTime> time;               // by phase
+    double                           peak_memory_mb = 0; // of all so far
+  };
+
+
+
   /// How the run of one case went.
   struct RunSummary
   {
@@ -73,6 +88,7 @@ namespace Contact
 
     std::vector<ProbeResult>     probes;
     std::vector<IncrementRecord> increments;
+    std::vector<LevelRecord>     levels;
 
     std::size_t n_displacements = 0; // unknowns
     std::size_t n_multipliers   = 0;
@@ -91,6 +107,13 @@ namespace Contact
 
   /// The largest resident memory of this process so far [MB = 2^20 bytes].
   double peak_memory_mb();
+
+  /**
+   * Print the wall time [s] by phase and level, with unknowns, iterations and
+   * memory, and how the total grows: its slope over the unknowns on logarithmic
+   * scales, from each level to the next.
+   */
+  void print_levels(std::ostream &out, const RunSummary &summary);
 
   /// Write a summary as JSON.
   void write_summary(const RunSummary &summary, std::ostream &out);
