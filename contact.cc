@@ -65,10 +65,10 @@
 // References: P. Alart and A. Curnier, Comput. Methods Appl. Mech. Engrg. 92
 // (1991) 353-375; M. Hintermueller, K. Ito and K. Kunisch, SIAM J. Optim. 13
 // (2003) 865-888; S. Hueeber and B. Wohlmuth, Comput. Methods Appl. Mech.
-// Engrg. 194 (2005) 3147-3166; A. Popp, M. W. Gee and W. A. Wall, Int. J. Numer.
-// Meth. Engng. 79 (2009) 1354-1391; the benchmark: A. W. A. Konter, Advanced Finite
-// Element Contact Benchmarks, NAFEMS 2006, and SSNP154 of Code_Aster's
-// validation manual.
+// Engrg. 194 (2005) 3147-3166; A. Popp, M. W. Gee and W. A. Wall, Int. J.
+// Numer. Meth. Engng. 79 (2009) 1354-1391; the benchmark: A. W. A. Konter,
+// Advanced Finite Element Contact Benchmarks, NAFEMS 2006, and SSNP154 of
+// Code_Aster's validation manual.
 
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/mpi.h>
@@ -1096,7 +1096,9 @@ int main(int argc, char **argv)
     }
   catch (const Contact::InputError &error)
     {
-      std::cerr << error.what() << std::endl;
+      // All processes read the same.
+      if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        std::cerr << error.what() << std::endl;
       return 2;
     }
   catch (const std::exception &error)

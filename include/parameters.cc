@@ -709,6 +709,18 @@ namespace Contact
         throw EntryError(problem, entries, remedy);
       };
 
+      if (n_ranks > 1 && !contact.slave.empty() && contact.rule == "Gauss")
+        clash("The rule Gauss is solved by one process, here are " +
+                std::to_string(n_ranks) + ".",
+              {rule},
+              "run it without mpirun, or set 'Rule = mortar' or 'Rule = "
+              "nodal'");
+      if (n_ranks > 1 && solution.linear_solver == "CHOLMOD")
+        clash("CHOLMOD works in one process, here are " +
+                std::to_string(n_ranks) + ".",
+              {solver},
+              "set 'Linear solver = AMG' or 'Linear solver = MUMPS'");
+
       if (!is_condensed())
         {
           if (n_ranks > 1)
