@@ -173,12 +173,13 @@ namespace Contact
 
     // The linear system, with the multipliers or without. The unknowns are the
     // displacements, then the multipliers; every rank has all of them.
-    std::unique_ptr<CondensedSystem> condensed; // none: saddle point
-    SparsityPattern                  sparsity_pattern;
-    SparseMatrix<double>             system_matrix;
-    Vector<double>                   system_rhs;
-    Vector<double>                   update; // of the displacements
-    DirectSolver                     solver;
+    std::unique_ptr<ContactElimination> elimination;
+    std::unique_ptr<CondensedSystem>    condensed; // none: saddle point
+    SparsityPattern                     sparsity_pattern;
+    SparseMatrix<double>                system_matrix;
+    Vector<double>                      system_rhs;
+    Vector<double>                      update; // of the displacements
+    DirectSolver                        solver;
 
     // The decisions of the points under which the matrix was factorized.
     std::vector<signed char> factorized_decisions;
@@ -324,9 +325,12 @@ namespace Contact
       name =
         DefiniteSolver::choose(summary.n_displacements,
                                Utilities::MPI::n_mpi_processes(communicator));
+    elimination =
+      std::make_unique<ContactElimination>(*discretization, interface.get());
     condensed = std::make_unique<CondensedSystem>(*discretization,
                                                   *elasticity,
                                                   interface.get(),
+                                                  *elimination,
                                                   name,
                                                   timer);
     summary.effects["system"] = "condensed, " + name;
@@ -459,6 +463,7 @@ namespace Contact
     // The old ones go first: two meshes at a time would take their memory.
     timer.enter_subsection("setup");
     condensed.reset();
+    elimination.reset();
     interface.reset();
     elasticity.reset();
     refine_and_carry_over(*mesh, *discretization, level_solutions);
@@ -734,10 +739,10 @@ namespace Contact
   // the nodes in contact. A bound that follows the pressure does so in between.
   void ContactProblem::recover_multipliers()
   {
-    condensed->recover_pressures(system_rhs, solution);
+    elimination->recover_pressures(system_rhs, solution);
     if (has_friction() && parameters.solution.friction == "each step")
       interface->update_bounds(solution, start);
-    condensed->recover_shears(system_rhs, solution);
+    elimination->recover_shears(system_rhs, solution);
   }
 
 

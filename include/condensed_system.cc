@@ -17,11 +17,13 @@ namespace Contact
   CondensedSystem::CondensedSystem(const Discretization   &discretization,
                                    const Elasticity       &elasticity,
                                    const ContactInterface *interface,
+                                   ContactElimination     &elimination,
                                    const std::string      &solver_name,
                                    TimerOutput            &timer)
     : discretization(discretization)
     , elasticity(elasticity)
     , interface(interface)
+    , elimination(elimination)
     , timer(timer)
     , owned(discretization.dof_handler.locally_owned_dofs())
     , solver(DefiniteSolver::create(solver_name, rigid_modes()))
@@ -91,20 +93,16 @@ namespace Contact
   // the active set, too.
   void CondensedSystem::collect_interface()
   {
-    if (interface != nullptr)
-      for (const ContactPoint &point : interface->points)
-        slave_dofs.insert(point.dofs[0].begin(), point.dofs[0].end());
-
     const auto &base    = discretization.constraints;
     const auto  sees_it = [&](const types::global_dof_index dof) {
-      if (slave_dofs.count(dof) > 0 || discretization.is_moved(dof))
+      if (elimination.slave_dofs.count(dof) > 0 || discretization.is_moved(dof))
         return true;
       const auto *entries = base.get_constraint_entries(dof);
       return entries != nullptr &&
              std::any_of(entries->begin(),
                          entries->end(),
                          [&](const auto &entry) {
-                           return slave_dofs.count(entry.first) > 0;
+                           return elimination.slave_dofs.count(entry.first) > 0;
                          });
     };
     for (unsigned int c = 0; c < elasticity.n_cells(); ++c)
@@ -254,96 +252,6 @@ namespace Contact
 
 
 
-  // The forces of the bodies on the slave nodes are
-  //   sum over the points of w C_k (p n + q t) = f_k.
-  // Most points see no slave node but their own; the others are solved for
-  // together.
-  std::vector<Tensor<1, 2>>
-  CondensedSystem::tractions(const Vector<double> &residual) const
-  {
-    const auto                                     &points = interface->points;
-    std::map<types::global_dof_index, unsigned int> point_of_dof;
-    for (unsigned int q = 0; q < points.size(); ++q)
-      if (points[q].decision.status != Status::open)
-        point_of_dof[points[q].dofs[0][0]] = q;
-
-    std::vector<Tensor<1, 2>> tractions(points.size());
-    std::set<unsigned int>    coupled;
-    for (const auto &[dof, q] : point_of_dof)
-      {
-        for (unsigned int i = 0; i < 2; ++i)
-          tractions[q][i] = -residual[points[q].dofs[0][i]] /
-                            (points[q].weight * points[q].C[0]);
-        for (unsigned int a = 1; a < points[q].n_slave_nodes; ++a)
-          if (const auto other = point_of_dof.find(points[q].dofs[a][0]);
-              other != point_of_dof.end())
-            coupled.insert({q, other->second});
-      }
-    if (coupled.empty())
-      return tractions;
-
-    const std::vector<unsigned int> set(coupled.begin(), coupled.end());
-    FullMatrix<double>              shares(set.size(), set.size());
-    for (unsigned int k = 0; k < set.size(); ++k)
-      for (unsigned int l = 0; l < set.size(); ++l)
-        for (unsigned int a = 0; a < points[set[l]].n_slave_nodes; ++a)
-          if (points[set[l]].dofs[a] == points[set[k]].dofs[0])
-            shares(k, l) += points[set[l]].weight * points[set[l]].C[a];
-    shares.gauss_jordan();
-    for (unsigned int k = 0; k < set.size(); ++k)
-      {
-        tractions[set[k]] = Tensor<1, 2>();
-        for (unsigned int l = 0; l < set.size(); ++l)
-          for (unsigned int i = 0; i < 2; ++i)
-            tractions[set[k]][i] -=
-              shares(k, l) * residual[points[set[l]].dofs[0][i]];
-      }
-    return tractions;
-  }
-
-
-
-  void CondensedSystem::recover_pressures(const Vector<double> &residual,
-                                          Vector<double>       &solution) const
-  {
-    const auto tractions = this->tractions(residual);
-    for (unsigned int k = 0; k < tractions.size(); ++k)
-      {
-        // Where a support takes a part of the force, the component that is
-        // free tells the whole.
-        const ContactPoint &point = interface->points[k];
-        double              free  = 0;
-        for (unsigned int i = 0; i < 2; ++i)
-          if (!discretization.is_fixed(point.dofs[0][i]))
-            free += point.normal[i] * point.normal[i];
-        solution[interface->normal_index(point.multipliers[0])] =
-          tractions[k] * point.normal / free;
-      }
-  }
-
-
-
-  void CondensedSystem::recover_shears(const Vector<double> &residual,
-                                       Vector<double>       &solution) const
-  {
-    if (interface->law.is_frictionless())
-      return;
-    const auto tractions = this->tractions(residual);
-    for (unsigned int k = 0; k < tractions.size(); ++k)
-      {
-        const ContactPoint &point = interface->points[k];
-        double &q = solution[interface->tangential_index(point.multipliers[0])];
-        if (point.decision.status == Status::stick)
-          q = tractions[k] * point.tangent;
-        else if (point.decision.slip_direction != 0)
-          q = point.decision.slip_direction * point.tresca_bound;
-        else
-          q = 0;
-      }
-  }
-
-
-
   unsigned int CondensedSystem::solve(const Vector<double> &solution,
                                       const Vector<double> &u_start,
                                       const Vector<double> &residual,
@@ -355,8 +263,8 @@ namespace Contact
     bool is_new = true;
     {
       TimerOutput::Scope scope(timer, "assembly");
-      make_lines(solution, u_start);
-      condense(rhs);
+      elimination.make(solution, u_start, interface_dofs);
+      elimination.condense(rhs);
       is_new = assemble(solution, rhs);
     }
     if (is_new)
@@ -369,8 +277,9 @@ namespace Contact
     TimerOutput::Scope     scope(timer, "solution");
     const MPI_Comm         communicator = discretization.communicator;
     DefiniteSolver::Vector b(owned, communicator), x(owned, communicator);
-    const auto            &base = discretization.constraints;
-    unsigned int           row  = 0;
+    const auto            &base  = discretization.constraints;
+    const auto            &lines = elimination.constraints();
+    unsigned int           row   = 0;
     for (const auto i : owned)
       b.begin()[row++] =
         base.is_constrained(i) || lines.is_constrained(i) ? 0. : rhs[i];
@@ -382,185 +291,9 @@ namespace Contact
     for (const auto i : owned)
       rhs[i] = x.begin()[row++];
     Utilities::MPI::sum(rhs, communicator, rhs);
-    for (const auto &line : lines.get_lines())
-      {
-        double value = line.inhomogeneity;
-        for (const auto &[dof, coefficient] : line.entries)
-          value += coefficient * rhs[dof];
-        rhs[line.index] = value;
-      }
-    base.distribute(rhs);
+    elimination.distribute(rhs);
     std::copy_n(rhs.begin(), rhs.size(), update.begin());
     return n_iterations;
-  }
-
-
-
-  void CondensedSystem::add_base_line(const types::global_dof_index dof)
-  {
-    const auto &base = discretization.constraints;
-    if (!base.is_constrained(dof) || lines.is_constrained(dof))
-      return;
-    lines.add_line(dof);
-    if (const auto *entries = base.get_constraint_entries(dof))
-      lines.add_entries(dof, *entries);
-    lines.set_inhomogeneity(dof, base.get_inhomogeneity(dof));
-  }
-
-
-
-  void CondensedSystem::make_lines(const Vector<double> &solution,
-                                   const Vector<double> &u_start)
-  {
-    lines.clear();
-    eliminated.clear();
-    contact_lines.clear();
-    users_of_slave_dofs.clear();
-    if (interface == nullptr)
-      return;
-
-    for (const auto dof : interface_dofs)
-      add_base_line(dof);
-    for (const ContactPoint &point : interface->points)
-      {
-        if (point.decision.status == Status::open)
-          continue;
-        const ContactState now = interface->state(point, solution, u_start);
-        if (point.decision.status == Status::stick)
-          add_stick_lines(point, now.gap, now.slip);
-        else
-          add_normal_line(point, now.gap);
-      }
-
-    for (const auto &[dof, line] : contact_lines)
-      {
-        eliminated.push_back(dof);
-        lines.add_line(dof);
-        lines.set_inhomogeneity(dof, line.constant);
-        for (const auto &[other, coefficient] : line.entries)
-          lines.add_entry(dof, other, coefficient);
-      }
-    lines.close();
-  }
-
-
-
-  void CondensedSystem::add_normal_line(const ContactPoint &point,
-                                        const double        gap)
-  {
-    const auto fixed = [&](const unsigned int i) {
-      return discretization.is_fixed(point.dofs[0][i]);
-    };
-    const unsigned int i =
-      fixed(0) ||
-          (!fixed(1) && std::abs(point.normal[1]) >= std::abs(point.normal[0]))
-        ? 1
-        : 0;
-    const double scale = point.C[0] * point.normal[i];
-    const auto   dof   = point.dofs[0][i];
-
-    Line line;
-    line.constant = -gap / scale;
-    for (unsigned int a = 0; a < point.n_nodes; ++a)
-      for (unsigned int j = 0; j < 2; ++j)
-        if (point.dofs[a][j] != dof && point.normal[j] != 0)
-          line.entries[point.dofs[a][j]] -=
-            point.C[a] * point.normal[j] / scale;
-    eliminate(dof, line);
-  }
-
-
-
-  void CondensedSystem::add_stick_lines(const ContactPoint &point,
-                                        const double        gap,
-                                        const double        slip)
-  {
-    for (unsigned int i = 0; i < 2; ++i)
-      {
-        Line line;
-        line.constant =
-          -(gap * point.normal[i] + slip * point.tangent[i]) / point.C[0];
-        for (unsigned int a = 1; a < point.n_nodes; ++a)
-          line.entries[point.dofs[a][i]] -= point.C[a] / point.C[0];
-        eliminate(point.dofs[0][i], line);
-      }
-  }
-
-
-
-  // Where the mortar rule faces the master in part, points see the nodes of
-  // each other: Gauss' elimination, of few lines.
-  void CondensedSystem::eliminate(const types::global_dof_index dof, Line line)
-  {
-    const auto substitute =
-      [](Line &in, const types::global_dof_index what, const Line &by) {
-        const double c = in.entries.at(what);
-        in.entries.erase(what);
-        in.constant += c * by.constant;
-        for (const auto &[other, coefficient] : by.entries)
-          in.entries[other] += c * coefficient;
-      };
-
-    const auto entries = line.entries;
-    for (const auto &entry : entries)
-      if (const auto known = contact_lines.find(entry.first);
-          known != contact_lines.end())
-        substitute(line, entry.first, known->second);
-
-    if (const auto own = line.entries.find(dof); own != line.entries.end())
-      {
-        const double factor = 1 / (1 - own->second);
-        line.entries.erase(own);
-        line.constant *= factor;
-        for (auto &entry : line.entries)
-          entry.second *= factor;
-      }
-
-    const auto users = users_of_slave_dofs.equal_range(dof);
-    for (auto user = users.first; user != users.second; ++user)
-      substitute(contact_lines.at(user->second), dof, line);
-    for (const auto &entry : line.entries)
-      if (slave_dofs.count(entry.first) > 0)
-        {
-          users_of_slave_dofs.emplace(entry.first, dof);
-          for (auto user = users.first; user != users.second; ++user)
-            users_of_slave_dofs.emplace(entry.first, user->second);
-        }
-    contact_lines[dof] = line;
-  }
-
-
-
-  // The transpose of the elimination: the force on an eliminated unknown goes
-  // to those that move it.
-  void CondensedSystem::condense(Vector<double> &rhs) const
-  {
-    for (const auto line : eliminated)
-      {
-        for (const auto &[dof, coefficient] :
-             *lines.get_constraint_entries(line))
-          rhs[dof] += coefficient * rhs[line];
-        rhs[line] = 0;
-      }
-  }
-
-
-
-  // The lines as numbers, to see whether they are others than before.
-  std::vector<double> CondensedSystem::signature_of_lines() const
-  {
-    std::vector<double> signature;
-    for (const auto line : eliminated)
-      {
-        signature.push_back(line);
-        for (const auto &[dof, coefficient] :
-             *lines.get_constraint_entries(line))
-          {
-            signature.push_back(dof);
-            signature.push_back(coefficient);
-          }
-      }
-    return signature;
   }
 
 
@@ -569,7 +302,7 @@ namespace Contact
                                  Vector<double>       &rhs)
   {
     const bool bulk_serves = bulk_is_assembled && elasticity.is_linear();
-    const auto signature   = signature_of_lines();
+    const auto signature   = elimination.signature();
     const bool is_new      = !bulk_serves || signature != assembled_lines;
     assembled_lines        = signature;
     if (!bulk_serves)
@@ -579,8 +312,7 @@ namespace Contact
 
     // With what the eliminated unknowns are to move by themselves: -K h.
     Vector<double> moved_forces(rhs.size()), h, force;
-    const auto    &constraints =
-      interface == nullptr ? discretization.constraints : lines;
+    const auto    &constraints = elimination.constraints();
     elasticity.visit_cells(
       solution,
       true,
