@@ -244,6 +244,7 @@ namespace Contact
                                                  owned,
                                                  communicator,
                                                  rows);
+    solver->release();
     matrix.clear();
     matrix.reinit(owned, owned, pattern, communicator);
     bulk_is_assembled = false;

@@ -51,6 +51,12 @@ namespace Contact
                        const double          tolerance,
                        Vector<double>       &update);
 
+    /// The matrix of the last solve.
+    const DefiniteSolver::Matrix &system_matrix() const
+    {
+      return matrix;
+    }
+
   private:
     using Dofs = std::vector<types::global_dof_index>;
 

@@ -95,6 +95,11 @@ namespace Contact
                              "memory");
       }
 
+      // It keeps a factor of its own.
+      void release() override
+      {
+      }
+
       unsigned int solve(const Vector &b, const double, Vector &x) override
       {
         cholmod_dense view{};
@@ -133,6 +138,11 @@ namespace Contact
         solver->initialize(matrix);
       }
 
+      void release() override
+      {
+        solver.reset();
+      }
+
       unsigned int solve(const Vector &b, const double, Vector &x) override
       {
         solver->solve(x, b);
@@ -165,6 +175,11 @@ namespace Contact
         this->matrix = &matrix;
         if (change == Change::pattern || per_digit > 1.3 * per_digit_when_new)
           build();
+      }
+
+      void release() override
+      {
+        preconditioner.clear();
       }
 
       unsigned int

@@ -63,6 +63,10 @@ namespace Contact
     /// NotConverged if it is not positive definite.
     virtual void set_matrix(const Matrix &matrix, const Change change) = 0;
 
+    /// Let go of the matrix, which is about to become another one: MUMPS looks
+    /// at it when it is destroyed (dealii issue 13686).
+    virtual void release() = 0;
+
     /**
      * Solve A x = b from x = 0 until the residual is below @p tolerance, an
      * absolute one which direct solvers do not need. Returns the number of

@@ -98,6 +98,14 @@ namespace Contact
 
 
 
+  bool
+  Discretization::carries_spread_force(const types::boundary_id id) const
+  {
+    return loaded.count(id) > 0;
+  }
+
+
+
   bool Discretization::is_moved(const types::global_dof_index dof) const
   {
     const auto value = prescribed.find(dof);
@@ -264,6 +272,7 @@ namespace Contact
                   }
               }
         length = Utilities::MPI::sum(length, communicator);
+        loaded.insert(ids.begin(), ids.end());
         for (const auto &[dof, share] : shares)
           dead_load[dof] += force * share / length;
       }

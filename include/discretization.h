@@ -68,6 +68,9 @@ namespace Contact
     /// Whether a nodal force acts on this unknown.
     bool carries_nodal_force(const types::global_dof_index dof) const;
 
+    /// Whether a spread force acts on a boundary.
+    bool carries_spread_force(const types::boundary_id id) const;
+
     /// The unknowns of each vertex of the triangulation; invalid where no cell
     /// of this rank or its neighbors has it.
     std::vector<NodeDoFs> vertex_dofs;
@@ -110,6 +113,7 @@ namespace Contact
     std::map<types::global_dof_index, double>                  prescribed;
     std::map<types::global_dof_index, types::global_dof_index> ties;
     std::set<types::global_dof_index>                          nodal_forces;
+    std::set<types::boundary_id>                               loaded;
     bool updates_vanish = true;
   };
 } // namespace Contact

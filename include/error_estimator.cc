@@ -257,7 +257,8 @@ namespace Contact
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const auto &face : cell->face_iterators())
-          if (face->at_boundary())
+          if (face->at_boundary() &&
+              !discretization.carries_spread_force(face->boundary_id()))
             {
               std::array<unsigned int, 2> ends{
                 {face->vertex_index(0), face->vertex_index(1)}};

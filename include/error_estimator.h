@@ -76,7 +76,7 @@ namespace Contact
     struct Neighborhood
     {
       /// The cell, or numbers::invalid_unsigned_int if it is of another
-      /// process.
+      /// process or the edge is left out.
       unsigned int cell = numbers::invalid_unsigned_int;
 
       /// First and last vertex of the triangulation.

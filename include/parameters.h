@@ -207,6 +207,9 @@ namespace Contact
       /// Name -> {quantity, point group}; see the entry's documentation.
       std::map<std::string, std::vector<std::string>> probes;
 
+      /// The quantities there are.
+      static const std::vector<std::string> quantities;
+
       /// Name -> reference value, and its relative tolerance.
       std::map<std::string, double> references;
       std::map<std::string, double> tolerances;

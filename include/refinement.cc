@@ -5,13 +5,14 @@
 
 #include "refinement.h"
 
-#include <deal.II/distributed/grid_refinement.h>
 #include <deal.II/distributed/solution_transfer.h>
-#include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/grid/grid_refinement.h>
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/numerics/solution_transfer.h>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
 
 #include "errors.h"
 
@@ -19,7 +20,6 @@ namespace Contact
 {
   namespace
   {
-    using Distributed       = parallel::distributed::Triangulation<2>;
     using DistributedVector = LinearAlgebra::distributed::Vector<double>;
 
 
@@ -114,20 +114,33 @@ namespace Contact
 
 
 
+  // deal.II's GridRefinement knows this marking, but the one of distributed
+  // meshes marks other cells than the one of a single process: results would
+  // depend on the number of processes.
   void
   flag_cells(Mesh &mesh, const Vector<float> &indicators, const double fraction)
   {
-    if (auto *distributed = dynamic_cast<Distributed *>(&mesh.triangulation))
-      parallel::distributed::GridRefinement::refine_and_coarsen_fixed_fraction(
-        *distributed,
-        indicators,
-        fraction,
-        0.);
-    else
-      GridRefinement::refine_and_coarsen_fixed_fraction(mesh.triangulation,
-                                                        indicators,
-                                                        fraction,
-                                                        0.);
+    const auto        &triangulation = mesh.triangulation;
+    std::vector<float> own, all;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        own.push_back(indicators[cell->active_cell_index()]);
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(triangulation.get_communicator(), own))
+      all.insert(all.end(), of_rank.begin(), of_rank.end());
+
+    std::sort(all.begin(), all.end(), std::greater<float>());
+    const double share = fraction * std::accumulate(all.begin(), all.end(), 0.);
+    double       sum   = 0;
+    auto         smallest = all.begin();
+    while (sum < share)
+      sum += *smallest++;
+    if (smallest == all.begin())
+      return;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() &&
+          indicators[cell->active_cell_index()] >= *(smallest - 1))
+        cell->set_refine_flag();
   }
 
 
@@ -147,7 +160,5 @@ namespace Contact
       carry_over_complete(mesh, discretization, solutions);
     else
       carry_over_distributed(mesh, discretization, solutions);
-    for (Vector<double> &solution : solutions)
-      discretization.constraints.distribute(solution);
   }
 } // namespace Contact

@@ -1,0 +1,427 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// What the entries of a case have to be, beyond their patterns.
+
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <set>
+
+#include "parameters.h"
+
+namespace Contact
+{
+  namespace
+  {
+    using Names = std::vector<std::string>;
+
+
+
+    std::string in_quotes(const std::string &name)
+    {
+      return "'" + name + "'";
+    }
+
+
+
+    // Patterns know closed intervals only, and a tolerance of zero is never
+    // reached.
+    void check_positive(const double value, const std::string &entry)
+    {
+      if (!(value > 0))
+        throw EntryError(entry + " is " + Utilities::to_string(value) +
+                           ", but has to be positive.",
+                         {entry},
+                         "set a value greater than 0");
+    }
+
+
+
+    // The keys of one map have to be keys of another one as well.
+    template<typename A, typename B>
+    void check_keys(const std::map<std::string, A> &map,
+                    const std::string              &entry,
+                    const std::map<std::string, B> &other,
+                    const std::string              &other_entry)
+    {
+      for (const auto &[key, value] : map)
+        if (other.count(key) == 0)
+          throw EntryError(in_quotes(key) + " is in " + entry +
+                             ", but not in " + other_entry + ".",
+                           {entry, other_entry},
+                           "add " + in_quotes(key) + " to " + other_entry +
+                             " or remove it from " + entry);
+    }
+
+
+
+    // Two entries that act on the same group although only one of them can.
+    template<typename A, typename B>
+    void check_disjoint(const std::map<std::string, A> &map,
+                        const std::string              &entry,
+                        const std::map<std::string, B> &other,
+                        const std::string              &other_entry)
+    {
+      for (const auto &[key, value] : map)
+        if (other.count(key) > 0)
+          throw EntryError(in_quotes(key) + " is in " + entry + " and in " +
+                             other_entry + ", which contradict each other.",
+                           {entry, other_entry},
+                           "remove " + in_quotes(key) + " from one of the two");
+    }
+  } // namespace
+
+
+
+  EntryError::EntryError(const std::string              &problem,
+                         const std::vector<std::string> &entries,
+                         const std::string              &remedy)
+    : InputError(problem, Patterns::Tools::to_string(entries), remedy)
+    , problem(problem)
+    , entries(entries)
+    , remedy(remedy)
+  {
+  }
+
+
+
+  namespace Parameters
+  {
+    void Mesh::check() const
+    {
+      const std::string entry = "Mesh/Arcs";
+      if (file.empty())
+        throw EntryError("There is no mesh.",
+                         {"Mesh/File"},
+                         "set 'File' in section 'Mesh' to a gmsh file");
+      for (const auto &[group, arc] : arcs)
+        if (arc.size() != 3 || !(arc[2] > 0))
+          throw EntryError("The arc " + in_quotes(group) + " is not a circle.",
+                           {entry},
+                           "write '" + group +
+                             ": centre x, centre y, radius' with a positive "
+                             "radius");
+    }
+
+
+
+    void Element::check() const
+    {
+      if (degree == 1 && centre_node == "free")
+        throw EntryError("An element of degree 1 has no centre node to free.",
+                         {"Element/Centre node", "Element/Degree"},
+                         "set 'Degree = 2' for the 9-node element, or "
+                         "'Centre node = bound'");
+    }
+
+
+
+    void Solids::check() const
+    {
+      const std::string E  = "Solids/Young's modulus";
+      const std::string nu = "Solids/Poisson's ratio";
+      check_keys(young, E, poisson, nu);
+      check_keys(poisson, nu, young, E);
+      if (young.empty())
+        throw EntryError("No body has a material.",
+                         {E, nu},
+                         "set both, as in 'set Young's modulus = Block: "
+                         "70000'");
+      for (const auto &[body, value] : young)
+        if (!(value > 0))
+          throw EntryError("Young's modulus of " + in_quotes(body) +
+                             " is not positive.",
+                           {E},
+                           "set a positive value in MPa");
+      for (const auto &[body, value] : poisson)
+        if (!(value > -1 && value < 0.5))
+          throw EntryError("Poisson's ratio of " + in_quotes(body) +
+                             " is not between -1 and 0.5.",
+                           {nu},
+                           "set a value greater than -1 and less than 0.5");
+    }
+
+
+
+    void Boundary::check() const
+    {
+      const std::string section = "Boundary conditions/";
+      check_disjoint(force_x,
+                     section + "Force x",
+                     displacement_x,
+                     section + "Displacement x");
+      check_disjoint(force_y,
+                     section + "Force y",
+                     displacement_y,
+                     section + "Displacement y");
+      check_disjoint(tied_y,
+                     section + "Tied y",
+                     displacement_y,
+                     section + "Displacement y");
+      for (const auto &[follower, leader] : tied_y)
+        if (tied_y.count(leader) > 0)
+          throw EntryError(in_quotes(follower) + " is tied to " +
+                             in_quotes(leader) + ", which is tied itself.",
+                           {section + "Tied y"},
+                           "tie points to one that is not tied");
+    }
+
+
+
+    void Contact::check() const
+    {
+      const Names surfaces = {"Contact/Slave", "Contact/Master"};
+      if (slave.empty() != master.empty())
+        throw EntryError("Contact takes two surfaces, but there is only one.",
+                         surfaces,
+                         "set both, or none for a case without contact");
+      if (!slave.empty() && slave == master)
+        throw EntryError("The slave and the master are both " +
+                           in_quotes(slave) + ".",
+                         surfaces,
+                         "set two different boundary groups");
+      check_friction();
+      check_excluded_points();
+    }
+
+
+
+    void Contact::check_friction() const
+    {
+      const std::string coulomb = "Contact/Friction coefficient";
+      const std::string tresca  = "Contact/Tresca limit";
+      if (slave.empty() && frictional())
+        throw EntryError("There is friction, but no contact.",
+                         {friction_coefficient > 0 ? coulomb : tresca,
+                          "Contact/Slave",
+                          "Contact/Master"},
+                         "set slave and master, or no friction");
+      if (friction_coefficient > 0 && tresca_limit > 0)
+        throw EntryError("There are two laws of friction.",
+                         {coulomb, tresca},
+                         "set one of the two to 0");
+    }
+
+
+
+    void Contact::check_excluded_points() const
+    {
+      const std::string entry = "Contact/Excluded points";
+      if (excluded_points.empty())
+        return;
+      if (slave.empty())
+        throw EntryError("Points are excluded from contact, but there is "
+                         "none.",
+                         {entry, "Contact/Slave"},
+                         "set slave and master, or leave the points empty");
+      if (rule == "Gauss")
+        throw EntryError("Gauss points are inside the faces: there is none to "
+                         "exclude at a point group.",
+                         {entry, "Contact/Rule"},
+                         "set 'Rule = nodal', or leave the points empty");
+      if (std::set<std::string>(excluded_points.begin(), excluded_points.end())
+              .size() < excluded_points.size() ||
+          std::count(excluded_points.begin(), excluded_points.end(), "") > 0)
+        throw EntryError("A point group is excluded twice or has no name.",
+                         {entry},
+                         "write each group once, separated by ','");
+    }
+
+
+
+    void Refinement::check() const
+    {
+      check_positive(fraction, "Refinement/Fraction");
+      check_positive(tolerance, "Refinement/Tolerance");
+    }
+
+
+
+    void Solution::check() const
+    {
+      check_positive(geometry_tolerance, "Solution/Geometry tolerance");
+      check_positive(friction_tolerance, "Solution/Friction tolerance");
+      check_positive(newton_tolerance, "Solution/Newton tolerance");
+    }
+
+
+
+    void Probes::check() const
+    {
+      check_quantities();
+      check_references();
+      if (hertz.empty())
+        return;
+      if (hertz.size() != 2 || !(hertz[0] > 0) || !(hertz[1] > 0))
+        throw EntryError("A Hertz contact takes two positive values.",
+                         {"Probes/Hertz"},
+                         "write 'radius, force per mm', or leave it empty");
+    }
+
+
+
+    void Probes::check_quantities() const
+    {
+      for (const auto &[name, probe] : probes)
+        {
+          if (probe.size() != 2 || probe[1].empty())
+            throw EntryError("The probe " + in_quotes(name) +
+                               " is not a quantity and a point.",
+                             {"Probes/Probes"},
+                             "write '" + name + ": quantity, point'");
+          if (std::count(quantities.begin(), quantities.end(), probe[0]) == 0)
+            throw EntryError("The probe " + in_quotes(name) +
+                               " looks at an unknown quantity, " +
+                               in_quotes(probe[0]) + ".",
+                             {"Probes/Probes"},
+                             "choose one of: " +
+                               Patterns::Tools::to_string(quantities));
+        }
+    }
+
+
+
+    void Probes::check_references() const
+    {
+      const std::string reference = "Probes/References";
+      const std::string tolerance = "Probes/Tolerances";
+      check_keys(references, reference, probes, "Probes/Probes");
+      check_keys(references, reference, tolerances, tolerance);
+      check_keys(tolerances, tolerance, references, reference);
+      for (const auto &[name, value] : references)
+        if (value == 0)
+          throw EntryError("The reference of " + in_quotes(name) +
+                             " is 0: nothing can be compared relatively to it.",
+                           {reference},
+                           "probe a value that is not 0");
+      for (const auto &[name, value] : tolerances)
+        if (!(value > 0))
+          throw EntryError("The tolerance of " + in_quotes(name) +
+                             " is not positive.",
+                           {tolerance},
+                           "set a value greater than 0");
+    }
+
+
+
+    void All::check() const
+    {
+      mesh.check();
+      element.check();
+      solids.check();
+      boundary.check();
+      contact.check();
+      solution.check();
+      refinement.check();
+      probes.check();
+
+      if (!probes.hertz.empty() && contact.slave.empty())
+        throw EntryError("There is no contact pressure to compare with Hertz.",
+                         {"Probes/Hertz", "Contact/Slave"},
+                         "set slave and master, or leave Hertz empty");
+      check_system();
+    }
+
+
+
+    bool All::is_condensed() const
+    {
+      if (solution.system != "automatic")
+        return solution.system == "condensed";
+      if (solution.linear_solver != "automatic")
+        return solution.linear_solver != "UMFPACK";
+      return contact.slave.empty() || contact.rule == "mortar" ||
+             contact.tied || refinement.n_levels > 0 || n_ranks > 1;
+    }
+
+
+
+    // What goes with which linear system.
+    void All::check_system() const
+    {
+      const std::string system = "Solution/System";
+      const std::string solver = "Solution/Linear solver";
+      const std::string rule   = "Contact/Rule";
+      const auto        clash  = [](const std::string &problem,
+                            const Names       &entries,
+                            const std::string &remedy) {
+        throw EntryError(problem, entries, remedy);
+      };
+
+      if (n_ranks > 1 && !contact.slave.empty() && contact.rule == "Gauss")
+        clash("The rule Gauss is solved by one process, here are " +
+                std::to_string(n_ranks) + ".",
+              {rule},
+              "run it without mpirun, or set 'Rule = mortar' or 'Rule = "
+              "nodal'");
+      if (n_ranks > 1 && solution.linear_solver == "CHOLMOD")
+        clash("CHOLMOD works in one process, here are " +
+                std::to_string(n_ranks) + ".",
+              {solver},
+              "set 'Linear solver = AMG' or 'Linear solver = MUMPS'");
+
+      if (!is_condensed())
+        {
+          if (n_ranks > 1)
+            clash("A saddle point system is solved by one process.",
+                  {system},
+                  "run it without mpirun, or set 'System = condensed'");
+          if (contact.frictional() && solution.friction == "each step")
+            clash("With multipliers the bound follows in a loop or in the "
+                  "tangent.",
+                  {"Solution/Friction", system},
+                  "set 'Friction = Newton', or 'System = condensed'");
+          if (solution.linear_solver != "automatic" &&
+              solution.linear_solver != "UMFPACK")
+            clash("A saddle point system is not positive definite: " +
+                    solution.linear_solver + " can not solve it.",
+                  {solver, system},
+                  "set 'Linear solver = UMFPACK', or 'System = condensed'");
+          if (contact.tied)
+            clash("Tied surfaces have no saddle point system.",
+                  {"Contact/Tied", system},
+                  "set 'System = condensed'");
+          if (refinement.n_levels > 0)
+            clash("Nested iteration needs the condensed system.",
+                  {"Refinement/Levels", system},
+                  "set 'System = condensed', with the rule nodal or mortar, or "
+                  "refine the first mesh with Mesh/Refinements");
+          if (contact.rule == "mortar" && solution.geometry == "Newton")
+            clash("The tangent does not know how mortar segments move.",
+                  {"Solution/Geometry", rule},
+                  "set 'Geometry = each step'");
+          return;
+        }
+
+      if (solution.linear_solver == "UMFPACK")
+        clash("UMFPACK is for saddle point systems.",
+              {solver, system},
+              "set 'Linear solver = CHOLMOD'");
+      if (!contact.slave.empty() && contact.rule == "Gauss")
+        clash("The multipliers of the rule Gauss can not be eliminated: " +
+                (solution.linear_solver == "automatic"
+                   ? "a condensed system"
+                   : solution.linear_solver) +
+                " is not for it.",
+              {rule,
+               solution.system != "automatic"          ? system
+               : solution.linear_solver != "automatic" ? solver
+                                                       : "Refinement/Levels"},
+              "set 'Rule = mortar' or 'Rule = nodal'; the rule Gauss takes "
+              "'System = saddle point' and UMFPACK");
+      if (!contact.slave.empty() && solution.geometry == "Newton")
+        clash("The condensed system does not know how projections move.",
+              {"Solution/Geometry", system},
+              "set 'Geometry = each step'");
+      if (contact.frictional() && solution.friction == "Newton")
+        clash("With the bound in the tangent the condensed system would not be "
+              "symmetric.",
+              {"Solution/Friction", system},
+              "set 'Friction = each step'");
+    }
+  } // namespace Parameters
+} // namespace Contact
