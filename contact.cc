@@ -858,12 +858,13 @@ namespace Contact
   //
   // Inexact Newton: a step that others follow is not solved further than it is
   // good for, a thousandth of the residual, and well enough for the points to
-  // decide on. Linear bodies under the right decisions are solved in one.
+  // decide on. Linear bodies under decisions that stay are solved in one.
   void ContactProblem::update_solution_condensed(const unsigned int step,
                                                  const double       residual)
   {
+    const bool decided = step > 0 || !interface || interface->tied;
     const bool one_solve_is_all =
-      elasticity->is_linear() && step > 0 &&
+      elasticity->is_linear() && decided &&
       parameters.solution.geometry == "fixed point" &&
       parameters.solution.friction == "fixed point";
     const double scale   = reference_force > 0 ? reference_force : residual;

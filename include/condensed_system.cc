@@ -284,7 +284,14 @@ namespace Contact
     for (const auto i : owned)
       b.begin()[row++] =
         base.is_constrained(i) || lines.is_constrained(i) ? 0. : rhs[i];
-    const unsigned int n_iterations = solver->solve(b, tolerance, x);
+
+    // In any case a digit is gained: else a point with a pressure below the
+    // tolerance might open and close for ever, and nothing move.
+    const unsigned int n_iterations =
+      solver->solve(b,
+                    std::min(tolerance,
+                             std::max(0.1 * b.l2_norm(), 1e-3 * tolerance)),
+                    x);
 
     // Everybody gets everything.
     row = 0;

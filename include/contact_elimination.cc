@@ -7,8 +7,29 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include "errors.h"
+
 namespace Contact
 {
+  namespace
+  {
+    /// What holds a slave node can not be eliminated with it: the node would
+    /// hold the master.
+    [[noreturn]] void refuse_held(const ContactPoint &point,
+                                  const std::string  &how)
+    {
+      throw InputError("the node of the slave at (" +
+                         std::to_string(point.X[0][0]) + ", " +
+                         std::to_string(point.X[0][1]) +
+                         ") is held by a support " + how,
+                       "Boundary conditions, Contact/Slave",
+                       "exchange slave and master, set 'Rule = mortar', or "
+                       "'System = saddle point'");
+    }
+  } // namespace
+
+
+
   ContactElimination::ContactElimination(const Discretization   &discretization,
                                          const ContactInterface *interface)
     : discretization(discretization)
@@ -80,6 +101,8 @@ namespace Contact
           (!fixed(1) && std::abs(point.normal[1]) >= std::abs(point.normal[0]))
         ? 1
         : 0;
+    if (fixed(i))
+      refuse_held(point, "in both directions");
     const double scale = point.C[0] * point.normal[i];
     const auto   dof   = point.dofs[0][i];
 
@@ -101,6 +124,8 @@ namespace Contact
   {
     for (unsigned int i = 0; i < 2; ++i)
       {
+        if (discretization.is_fixed(point.dofs[0][i]))
+          refuse_held(point, "and sticks");
         Line line;
         line.constant =
           -(gap * point.normal[i] + slip * point.tangent[i]) / point.C[0];

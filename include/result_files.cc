@@ -205,8 +205,11 @@ namespace Contact
   void
   VertexFields::set(const std::vector<SymmetricTensor<2, 3>> &vertex_stresses)
   {
+    // A vertex of another rank may have cells that this one does not know.
+    const IndexSet &owned = dof_handler.locally_owned_dofs();
     for (unsigned int v = 0; v < dof_of_vertex.size(); ++v)
-      if (dof_of_vertex[v] != numbers::invalid_dof_index)
+      if (dof_of_vertex[v] != numbers::invalid_dof_index &&
+          owned.is_element(dof_of_vertex[v]))
         {
           const SymmetricTensor<2, 3> &stress = vertex_stresses[v];
           unsigned int                 c      = 0;
@@ -282,9 +285,11 @@ namespace Contact
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
     const Vector<double>                     &solution)
   {
-    // The solution may go on with multipliers.
+    // Every rank hands over what it owns: the hanging nodes of others it does
+    // not know.
     Vector<double> u(discretization.dof_handler.n_dofs());
-    std::copy_n(solution.begin(), u.size(), u.begin());
+    for (const auto i : discretization.dof_handler.locally_owned_dofs())
+      u[i] = solution[i];
 
     const auto    &triangulation = discretization.mesh.triangulation;
     Vector<double> body(triangulation.n_active_cells());

@@ -120,6 +120,7 @@ namespace Contact
     Json to_json(const RunSummary &summary)
     {
       Json json{{"converged", summary.converged},
+                {"message", summary.message},
                 {"probes", Json::array()},
                 {"increments", Json::array()},
                 {"levels", Json::array()},

@@ -17,11 +17,12 @@ good=$parameters/ssnp154_e.prm
 failures=0
 
 # expect TEXT ARGUMENT...: the message contains TEXT
+launcher=
 expect() {
   text=$1
   shift
   status=0
-  "$contact" "$@" --quiet >out 2>err || status=$?
+  $launcher "$contact" "$@" --quiet >out 2>err || status=$?
   if [ "$status" -ne 2 ]; then
     echo "FAILED: exit status $status instead of 2 for: $*"
   elif ! grep -qiF -- "$text" err; then
@@ -29,6 +30,9 @@ expect() {
     cat err
   elif ! grep -q '^where: ' err || ! grep -q '^remedy: ' err; then
     echo "FAILED: the message lacks place or remedy for: $*"
+    cat err
+  elif [ "$(grep -c '^error: ' err)" -ne 1 ]; then
+    echo "FAILED: more than one message for: $*"
     cat err
   else
     echo "ok: $text"
@@ -98,6 +102,51 @@ expect_entry "Encast" "Boundary conditions/Displacement y=Base: 0"
 expect_entry "Cylinder" "Solids/Young's modulus=Block: 70000, Cylinder: 1, X: 1"
 expect_entry "are both" "Contact/Master=Bottom_C"
 expect_entry "Middle" "Probes/Probes=DY(B): displacement y, Middle; SIYY(B): stress yy, B"
+
+# What does not go together with a linear system
+gauss=$parameters/ssnp154_a.prm
+friction=$parameters/ssnp154_g.prm
+condensed=Solution/System=condensed
+saddle="Solution/System=saddle point"
+expect "has triangles" "$good" --set Refinement/Strategy=adaptive \
+  --set Refinement/Levels=1
+expect "multipliers of the rule Gauss" "$gauss" \
+  --set "Solution/Linear solver=AMG"
+expect "multipliers of the rule Gauss" "$gauss" --set "$condensed"
+expect "Refinement/Levels" "$gauss" --set Refinement/Levels=1
+expect "Nested iteration" "$good" --set Refinement/Levels=1 --set "$saddle"
+expect "CHOLMOD can not solve it" "$good" --set "$saddle" \
+  --set "Solution/Linear solver=CHOLMOD"
+expect "UMFPACK is for saddle point" "$good" --set "$condensed" \
+  --set "Solution/Linear solver=UMFPACK"
+expect "Tied surfaces" "$good" --set Contact/Tied=true --set "$saddle"
+expect "mortar segments" "$good" --set Contact/Rule=mortar --set "$saddle" \
+  --set Solution/Geometry=Newton
+expect "projections move" "$good" --set Contact/Rule=mortar \
+  --set Solution/Geometry=Newton
+expect "projections move" "$good" --set "$condensed" \
+  --set Solution/Geometry=Newton
+expect "not be symmetric" "$friction" --set "$condensed" \
+  --set Solution/Friction=Newton
+expect "in a loop or in the tangent" "$friction" \
+  --set "Solution/Friction=each step"
+
+# Several processes, one message
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+export OMPI_MCA_rmaps_base_oversubscribe=1
+launcher="mpirun -np 2"
+expect "rule Gauss" "$gauss"
+expect "by one process" "$good" --set "$saddle"
+expect "CHOLMOD" "$good" --set "$condensed" \
+  --set "Solution/Linear solver=CHOLMOD"
+expect "has triangles" "$good" --set Refinement/Strategy=adaptive \
+  --set Refinement/Levels=1
+expect_entry "Degree" "Element/Degree=3"
+expect_entry "Top_B" "Contact/Slave=Botom_C"
+expect "body 'Cylinder' against: displacement in y" "$good" \
+  --set "Contact/Slave=" --set "Contact/Master=" --set "Probes/Hertz=" \
+  --set "Contact/Excluded points=" --set "Boundary conditions/Tied y="
+launcher=
 
 # Bodies that nothing holds
 expect "body 'Cylinder' against: displacement in y" "$good" \

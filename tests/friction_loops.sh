@@ -15,7 +15,8 @@ values() {
 
 # steps FILE: Newton steps and friction turns of all increments
 steps() {
-  awk -F'[:,]' '/"newton_iterations"/ { n += $2 }
+  awk -F'[:,]' '/"levels"/ { exit } # sums of the same
+                /"newton_iterations"/ { n += $2 }
                 /"friction_iterations"/ { f += $2 }
                 END { print n " Newton steps, " f " friction turns" }' "$1"
 }

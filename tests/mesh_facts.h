@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "mesh.h"
+#include "mpi_session.h"
 
 using namespace dealii;
 

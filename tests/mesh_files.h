@@ -11,6 +11,7 @@
 #include <fstream>
 #include <string>
 
+#include "mpi_session.h"
 #include "parameters.h"
 
 // Two bodies, drawn with the numbers of the nodes. Nodes 4 and 7 lie at the

@@ -23,6 +23,7 @@
 #include "elasticity.h"
 #include "linear_solver.h"
 #include "mesh.h"
+#include "mpi_session.h"
 #include "parameters.h"
 
 /**
@@ -34,17 +35,6 @@ namespace Tests
 {
   using namespace dealii;
   using namespace Contact;
-
-  /// MPI, from before main() until after it.
-  struct MpiSession
-  {
-    int                              argc = 0;
-    char                           **argv = nullptr;
-    Utilities::MPI::MPI_InitFinalize session{argc, argv, 1};
-  };
-  inline const MpiSession mpi_session;
-
-
 
   inline void check(const std::string &what, const bool holds)
   {
@@ -303,7 +293,7 @@ namespace Tests
       return u;
     }
 
-    const Mesh                  mesh;
+    Mesh                        mesh;
     Discretization              discretization;
     std::unique_ptr<Elasticity> elasticity;
   };

@@ -1,0 +1,455 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Proves that the system without multipliers has the solution of the one with
+// them, displacements, pressures and shears: for both rules, both degrees and
+// both kinematics, without friction and with both laws of it while points are
+// open, stick and slip, where a slave faces the master in part, and on a
+// symmetry line. Proves that its matrix is symmetric and positive definite,
+// that its solvers agree, and that tied surfaces move as one.
+
+#include "condensed_model.h"
+
+using namespace Tests;
+
+namespace
+{
+  const double young = 1000;
+
+  /// What is pressed: a block with a convex bottom onto one with other nodes.
+  struct Case
+  {
+    std::string  rule;
+    unsigned int degree;
+    std::string  kinematics = "small strain";
+    double       coulomb = 0, tresca = 0; // [-], [MPa]
+    Chart        lower         = rectangle({-0.2, -1}, {2.3, 0});
+    double       rise          = 0.04; // of the convex bottom at its ends
+    bool         symmetry      = false;
+    bool         lower_is_free = false; // on the line of symmetry
+  };
+
+
+
+  /// From x = -1 to 1 about @p center, or only the half to the right.
+  Chart convex(const double center, const double rise, const bool half)
+  {
+    return [=](const double s, const double t) {
+      const double x = half ? s : 2 * s - 1;
+      return Point<2>(center + x, rise * x * x * (1 - t) + t);
+    };
+  }
+
+
+
+  Parameters::All make_case(const Case &c)
+  {
+    MeshText mesh;
+    mesh.block("lower", 9, 2, c.lower);
+    mesh.block("upper", 7, 2, convex(c.symmetry ? 0 : 1, c.rise, c.symmetry));
+    Parameters::All parameters =
+      make_parameters(mesh, {"lower", "upper"}, c.degree, c.kinematics, young);
+    parameters.solids.young["lower"]        = 2 * young;
+    parameters.contact.slave                = "upper bottom";
+    parameters.contact.master               = "lower top";
+    parameters.contact.rule                 = c.rule;
+    parameters.contact.friction_coefficient = c.coulomb;
+    parameters.contact.tresca_limit         = c.tresca;
+    parameters.boundary.displacement_x      = {{"lower bottom", 0}};
+    parameters.boundary.displacement_y      = {{"lower bottom", 0},
+                                               {"upper top", -0.03}};
+    if (c.symmetry)
+      parameters.boundary.displacement_x = {
+        {c.lower_is_free ? "lower bottom" : "lower left", 0},
+        {"upper left", 0}};
+    else
+      parameters.boundary.displacement_x["upper top"] = 0.003;
+    return parameters;
+  }
+
+
+
+  /// The largest difference of a part of two vectors, by the largest value.
+  double difference(const Vector<double> &a,
+                    const Vector<double> &b,
+                    const unsigned int    from,
+                    const unsigned int    to)
+  {
+    double difference = 0, largest = 0;
+    for (unsigned int i = from; i < to; ++i)
+      {
+        difference = std::max(difference, std::abs(a[i] - b[i]));
+        largest    = std::max(largest, std::abs(a[i]));
+      }
+    return difference / largest;
+  }
+
+
+
+  std::string counts(const ContactInterface &interface)
+  {
+    const StatusCount count = interface.count();
+    return std::to_string(interface.points.size() - count.active) + " open, " +
+           std::to_string(count.stick) + " stick, " +
+           std::to_string(count.active - count.stick) + " slip";
+  }
+
+
+
+  /// Two increments, the second with a history, by both systems.
+  void compare(const std::string &name, const Case &c)
+  {
+    const Parameters::All parameters = make_case(c);
+    ContactModel          saddle(parameters);
+    CondensedModel        condensed(parameters);
+    bool                  converged = true;
+    for (const double load_factor : {0.6, 1.})
+      {
+        converged = converged && saddle.solve(load_factor, false) > 0;
+        converged = converged && condensed.solve(load_factor);
+      }
+    std::cout << "  " << name << ": " << counts(saddle.interface) << std::endl;
+    check("both converge to the same decisions",
+          converged &&
+            saddle.interface.signature() == condensed.interface->signature());
+
+    const auto  &one = saddle.solution, &other = condensed.solution;
+    const auto   n   = saddle.n_dofs();
+    const auto   n_k = saddle.interface.multipliers.n_multipliers;
+    const double u   = difference(one, other, 0, n);
+    const double p   = difference(one, other, n, n + n_k);
+    const double q =
+      one.size() > n + n_k ? difference(one, other, n + n_k, one.size()) : 0.;
+    check_small("displacements", u, 1e-9);
+    check_small("multipliers", std::max(p, q), 1e-9);
+  }
+
+
+
+  void same_solutions(const std::string &rule)
+  {
+    headline("the same solution, " + rule + " rule");
+    for (const unsigned int degree : {1, 2})
+      for (const std::string kinematics :
+           {"small strain", "large displacement"})
+        {
+          const std::string name =
+            "degree " + std::to_string(degree) + ", " + kinematics;
+          compare(name + ", Coulomb", {rule, degree, kinematics, 0.08});
+          if (kinematics == "large displacement")
+            continue;
+          compare(name + ", no friction", {rule, degree, kinematics});
+          compare(name + ", Tresca", {rule, degree, kinematics, 0, 1.});
+        }
+  }
+
+
+
+  // The master ends under the slave, at both sides, and stays pressed there.
+  void facing_in_part(const std::string &rule)
+  {
+    headline("the slave faces the master in part, " + rule + " rule");
+    for (const unsigned int degree : {1, 2})
+      for (const double friction : {0., 0.08})
+        {
+          Case c{rule, degree};
+          c.coulomb = friction;
+          c.lower   = rectangle({0.37, -1}, {1.71, 0});
+          c.rise    = 0.005;
+          compare("degree " + std::to_string(degree) +
+                    (friction > 0 ? ", Coulomb" : ", no friction"),
+                  c);
+        }
+  }
+
+
+
+  // Half of the bodies: the first node of the slave is on the line x = 0.
+  void symmetry_line(const std::string &rule)
+  {
+    headline("symmetry line, " + rule + " rule");
+    for (const unsigned int degree : {1, 2})
+      for (const double friction : {0., 0.08})
+        {
+          Case c{rule, degree};
+          c.coulomb  = friction;
+          c.lower    = rectangle({0, -1}, {1.2, 0});
+          c.symmetry = true;
+          compare("degree " + std::to_string(degree) +
+                    (friction > 0 ? ", Coulomb" : ", no friction"),
+                  c);
+        }
+  }
+
+
+
+  // The same line, but the master goes on beyond it, and is not held there. A
+  // mortar point of a node that is held does without friction; with the nodal
+  // rule it would have to hold the master, which takes multipliers.
+  void beyond_the_line(const std::string &rule)
+  {
+    headline("master beyond the symmetry line, " + rule + " rule");
+    for (const unsigned int degree : {1, 2})
+      for (const double friction : {0., 0.08})
+        {
+          const std::string name =
+            "degree " + std::to_string(degree) +
+            (friction > 0 ? ", Coulomb" : ", no friction");
+          Case c{rule, degree};
+          c.coulomb       = friction;
+          c.lower         = rectangle({-0.25, -1}, {1.2, 0});
+          c.symmetry      = true;
+          c.lower_is_free = true;
+          try
+            {
+              compare(name, c);
+            }
+          catch (const InputError &error)
+            {
+              const std::string text = error.what();
+              std::cout << "  " << name
+                        << ", refused: " << text.substr(0, text.find('\n'))
+                        << std::endl;
+            }
+        }
+  }
+
+
+
+  /// The largest |a_ij - a_ji| of a matrix by its largest entry, and whether
+  /// random vectors x give x.Ax > 0.
+  void check_matrix(const DefiniteSolver::Matrix &matrix)
+  {
+    double asymmetry = 0, largest = 0;
+    for (const auto &entry : matrix)
+      {
+        asymmetry = std::max(asymmetry,
+                             std::abs(entry.value() -
+                                      matrix.el(entry.column(), entry.row())));
+        largest   = std::max(largest, std::abs(entry.value()));
+      }
+    check_small("asymmetry", asymmetry / largest, 1e-14);
+
+    Random                 random;
+    DefiniteSolver::Vector x(matrix.locally_owned_domain_indices(),
+                             matrix.get_mpi_communicator());
+    bool                   positive = true;
+    for (unsigned int k = 0; k < 10; ++k)
+      {
+        for (double &value : x)
+          value = random(-1, 1);
+        positive = positive && matrix.matrix_norm_square(x) > 0;
+      }
+    check("positive for ten vectors", positive);
+  }
+
+
+
+  /// In the middle of an increment, with friction and moving supports.
+  void matrices_and_solvers(const Case &c)
+  {
+    headline(c.rule + " rule, degree " + std::to_string(c.degree) + ", " +
+             c.kinematics);
+    const Parameters::All parameters = make_case(c);
+    CondensedModel        model(parameters);
+    check("converges", model.solve(0.6));
+    model.start = model.solution;
+    model.discretization.constrain_update(model.solution, 1);
+    model.assemble(1, false);
+
+    const double   tolerance = 1e-12 * model.rhs.linfty_norm();
+    Vector<double> reference;
+    for (const std::string name : {"CHOLMOD", "MUMPS", "AMG"})
+      {
+        model.make_system(name);
+        model.pair();
+        model.condensed->solve(model.solution,
+                               model.start,
+                               model.rhs,
+                               tolerance,
+                               model.update);
+        if (name == "CHOLMOD")
+          {
+            check_matrix(model.condensed->system_matrix());
+            reference = model.update;
+          }
+        else
+          check_small(name + " and CHOLMOD",
+                      difference(reference, model.update, 0, reference.size()),
+                      1e-9);
+
+        // The same decisions: only the right-hand side is another one.
+        Vector<double> again(model.update.size());
+        model.condensed->solve(model.solution,
+                               model.start,
+                               model.rhs,
+                               tolerance,
+                               again);
+        check_small(name + ", the same once more",
+                    difference(model.update, again, 0, again.size()),
+                    1e-9);
+      }
+  }
+
+
+
+  // Other decisions on the same system: what is kept of the matrix serves.
+  void other_decisions(const Case &c)
+  {
+    const Parameters::All parameters = make_case(c);
+    CondensedModel        model(parameters);
+    model.solve(0.6);
+    model.start = model.solution;
+    model.discretization.constrain_update(model.solution, 1);
+
+    // With every third point in another state, and back again.
+    const auto old_decisions = [&]() {
+      std::vector<Decision> decisions;
+      for (const ContactPoint &point : model.interface->points)
+        decisions.push_back(point.decision);
+      return decisions;
+    }();
+    double worst = 0;
+    for (unsigned int round = 0; round < 4; ++round)
+      {
+        for (unsigned int q = 0; q < old_decisions.size(); ++q)
+          {
+            ContactPoint &point = model.interface->points[q];
+            point.decision      = old_decisions[q];
+            if (q % 3 != round || !point.facing)
+              continue;
+            if (point.decision.status == Status::slip)
+              point.decision = Decision();
+            else
+              point.decision = {Status::slip, round == 0 ? 1 : -1};
+          }
+        model.assemble(1, false);
+        model.condensed->solve(model.solution,
+                               model.start,
+                               model.rhs,
+                               0,
+                               model.update);
+
+        ContactElimination elimination(model.discretization,
+                                       model.interface.get());
+        CondensedSystem    fresh(model.discretization,
+                              *model.elasticity,
+                              model.interface.get(),
+                              elimination,
+                              "CHOLMOD",
+                              model.timer);
+        fresh.update_pattern();
+        Vector<double> update(model.update.size());
+        fresh.solve(model.solution, model.start, model.rhs, 0, update);
+        worst =
+          std::max(worst, difference(update, model.update, 0, update.size()));
+      }
+    check_small(c.rule + " rule, degree " + std::to_string(c.degree) +
+                  ", a system that was used before and a new one",
+                worst,
+                1e-10);
+  }
+
+
+
+  // Two blocks stretched and sheared as one. The stress is uniform where
+  // nothing else than the top and the bottom is held in y.
+  void
+  tied(const std::string &rule, const unsigned int degree, const bool shear)
+  {
+    MeshText mesh;
+    mesh.block("lower", 4, 2, rectangle({0, -1}, {2, 0}));
+    mesh.block("upper", rule == "nodal" ? 4 : 7, 2, rectangle({0, 0}, {2, 1}));
+    Parameters::All parameters =
+      make_parameters(mesh,
+                      {"lower", "upper"},
+                      degree,
+                      shear ? "large displacement" : "small strain",
+                      young);
+    parameters.contact.slave           = "upper bottom";
+    parameters.contact.master          = "lower top";
+    parameters.contact.rule            = rule;
+    parameters.contact.tied            = true;
+    parameters.boundary.displacement_y = {{"lower bottom", 0},
+                                          {"upper top", 0.02}};
+    if (shear)
+      parameters.boundary.displacement_x = {{"lower bottom", 0},
+                                            {"upper top", 0.3}};
+    else
+      parameters.boundary.displacement_x = {{"lower bottom left", 0},
+                                            {"upper top left", 0}};
+    CondensedModel model(parameters);
+    headline("tied, " + rule + " rule, degree " + std::to_string(degree) +
+             (shear ? ", stretched and sheared" : ", stretched"));
+    check("converges, all points stick",
+          model.solve(1) &&
+            model.interface->count().stick == model.interface->points.size());
+
+    double relative = 0;
+    for (const ContactPoint &point : model.interface->points)
+      {
+        const auto now =
+          model.interface->state(point,
+                                 model.solution,
+                                 Vector<double>(model.solution.size()));
+        relative = std::max({relative, std::abs(now.gap), std::abs(now.slip)});
+      }
+    check_small("relative displacement", relative / 0.02, 1e-12);
+
+    const Vector<double> forces = model.elasticity->forces(model.solution, 1);
+    const auto           on     = [&](const std::string &name) {
+      Tensor<1, 2> sum;
+      for (const auto &node : model.surface(name).nodes)
+        for (unsigned int i = 0; i < 2; ++i)
+          sum[i] += forces[node.dofs[i]];
+      return sum;
+    };
+    const Tensor<1, 2> below = on("lower bottom"), above = on("upper top"),
+                       slave = on("upper bottom"), master = on("lower top");
+    check_small("reactions", (below + above).norm() / below.norm(), 1e-10);
+    check_small("forces between the bodies",
+                ((slave + master).norm() + (above + slave).norm()) /
+                  below.norm(),
+                1e-10);
+    if (shear)
+      return;
+
+    double       deviation = 0;
+    const double stress    = young / (1 - 0.09) * 0.01;
+    for (const auto &cell : model.elasticity->stresses(model.solution))
+      for (const auto &s : cell)
+        deviation = std::max({deviation,
+                              std::abs(s[1][1] - stress),
+                              std::abs(s[0][0]),
+                              std::abs(s[0][1])});
+    check_small("uniform stress", deviation / stress, 1e-10);
+  }
+} // namespace
+
+
+
+int main()
+{
+  for (const std::string rule : {"nodal", "mortar"})
+    {
+      same_solutions(rule);
+      facing_in_part(rule);
+      symmetry_line(rule);
+      beyond_the_line(rule);
+    }
+  for (const std::string rule : {"nodal", "mortar"})
+    {
+      matrices_and_solvers({rule, 1, "small strain", 0.08});
+      matrices_and_solvers({rule, 2, "large displacement", 0.08});
+    }
+  headline("decisions that change");
+  for (const std::string rule : {"nodal", "mortar"})
+    for (const unsigned int degree : {1, 2})
+      other_decisions({rule, degree, "small strain", 0.08});
+  for (const std::string rule : {"nodal", "mortar"})
+    for (const unsigned int degree : {1, 2})
+      for (const bool shear : {false, true})
+        tied(rule, degree, shear);
+}

@@ -1,0 +1,93 @@
+#!/bin/sh
+# Several processes compute what one does: the probes agree to 1e-8, all points
+# of contact do the same, and every process writes its piece of the bodies.
+#   ranks.sh CONTACT PARAMETERS
+# SPDX-License-Identifier: LGPL-2.1-or-later
+set -eu
+
+contact=$1
+parameters=$2
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1
+
+# values FILE: the probes of a summary, one a line
+values() {
+  awk -F'[:,]' '/"value"/ { print $2 }' "$1"
+}
+
+# decisions DIRECTORY: what the points do, counted in all increments, and one by
+# one in the last
+decisions() {
+  grep -E '"(level|active|stick|slip)":' "$1/summary.json"
+  awk -F, '
+    NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /^status/) column = i }
+    { print $column }' "$1/profile.csv"
+}
+
+# pieces DIRECTORY RANKS: whether each process has written its part
+pieces() {
+  last=$1/bodies_0002
+  if [ "$2" -eq 1 ]; then
+    [ -s "$last.vtu" ]
+  else
+    [ -s "$last.pvtu" ] && [ "$(find "$1" -name 'bodies_0002.*.vtu' \
+      -size +0 | wc -l)" -eq "$2" ]
+  fi && [ -s "$1/contact_0002.vtu" ]
+}
+
+failures=0
+fail() {
+  echo "  FAILED: $1"
+  failures=$((failures + 1))
+}
+
+# compare NAME FILE ARGUMENT...: a case with 1, 2, 3 and 4 processes. Conjugate
+# gradients depend on the number of processes through their preconditioner, and
+# the geometry loop ends with an error that depends on its start: to agree to
+# 1e-8, Newton's method has to be pushed far below the default tolerance on all
+# levels.
+compare() {
+  name=$1
+  file=$2
+  shift 2
+  echo "$name:"
+  stem=$(basename "$file" .prm)
+  for n in 1 2 3 4; do
+    mpirun -np $n "$contact" "$parameters/$file" --quiet \
+      --set "Solution/Newton tolerance=1e-11" \
+      --set Refinement/Tolerance=1e-11 \
+      --set "Solution/Linear solver=AMG" --set Solution/Increments=2 \
+      --set Probes/References= --set Probes/Tolerances= \
+      --set Output/Screen=none --set Output/VTU=true \
+      --set "Output/Directory=$name/$n" "$@" ||
+      fail "exit status $? with $n processes"
+    directory=$name/$n/$stem
+    values "$directory/summary.json" >probes.$n
+    decisions "$directory" >decisions.$n
+    pieces "$directory" $n || fail "a file is missing with $n processes"
+    cmp -s decisions.1 decisions.$n ||
+      fail "other decisions with $n processes: $(diff decisions.1 decisions.$n |
+        head -n 6 | tr '\n' ' ')"
+    paste probes.1 probes.$n | awk -v ranks=$n '
+      { d = $1 / $2 - 1; if (d < 0) d = -d; if (d > worst) worst = d; n++ }
+      END {
+        printf "  %d processes: largest relative difference %.1e\n", ranks, worst
+        exit !(n == 2 && worst <= 1e-8)
+      }' || fail "other probes with $n processes"
+  done
+}
+
+compare "uniform levels, friction" nested_friction.prm \
+  --set Refinement/Levels=2 --set Element/Degree=1 \
+  --set "Element/Centre node=bound"
+compare "adaptive levels, friction" nested_friction.prm \
+  --set Refinement/Levels=5 --set Refinement/Strategy=adaptive
+compare "adaptive levels, degree 1, large displacement" nested.prm \
+  --set Refinement/Levels=4 --set Refinement/Strategy=adaptive \
+  --set Element/Degree=1 --set "Element/Centre node=bound" \
+  --set "Solids/Kinematics=large displacement"
+compare "triangles and quadrangles, nodal rule, friction" ssnp154_c.prm \
+  --set Solution/System=condensed
+compare "MUMPS" ssnp154_c.prm \
+  --set Solution/System=condensed --set "Solution/Linear solver=MUMPS"
+[ $failures -eq 0 ]
