@@ -88,6 +88,4 @@ compare "adaptive levels, degree 1, large displacement" nested.prm \
   --set "Solids/Kinematics=large displacement"
 compare "triangles and quadrangles, nodal rule, friction" ssnp154_c.prm \
   --set Solution/System=condensed
-compare "MUMPS" ssnp154_c.prm \
-  --set Solution/System=condensed --set "Solution/Linear solver=MUMPS"
 [ $failures -eq 0 ]
