@@ -56,7 +56,7 @@ compare() {
     mpirun -np $n "$contact" "$parameters/$file" --quiet \
       --set "Solution/Newton tolerance=1e-11" \
       --set Refinement/Tolerance=1e-11 \
-      --set "Solution/Linear solver=AMG" --set Solution/Increments=2 \
+      --set "Solution/Linear solver=$solver" --set Solution/Increments=2 \
       --set Probes/References= --set Probes/Tolerances= \
       --set Output/Screen=none --set Output/VTU=true \
       --set "Output/Directory=$name/$n" "$@" ||
@@ -77,6 +77,7 @@ compare() {
   done
 }
 
+solver=AMG
 compare "uniform levels, friction" nested_friction.prm \
   --set Refinement/Levels=2 --set Element/Degree=1 \
   --set "Element/Centre node=bound"
@@ -88,4 +89,6 @@ compare "adaptive levels, degree 1, large displacement" nested.prm \
   --set "Solids/Kinematics=large displacement"
 compare "triangles and quadrangles, nodal rule, friction" ssnp154_c.prm \
   --set Solution/System=condensed
+solver=MUMPS
+compare "MUMPS" ssnp154_c.prm --set Solution/System=condensed
 [ $failures -eq 0 ]
