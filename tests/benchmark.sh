@@ -44,7 +44,9 @@ for modeling in a b c d e f g h; do
       /^  "peak_memory_mb"/ { in_time = 0; memory = $2 }
       in_time && /{/ { phase = $1; gsub(/[ "]/, "", phase) }
       in_time && /"cpu"/ { all += $2; if (phase == "output") output = $2 }
-      /"newton_iterations"/ { newton += $2 }
+      /^  "increments"/ { in_increments = 1 }
+      /^  "levels"/ { in_increments = 0 }
+      in_increments && /"newton_iterations"/ { newton += $2 }
       /"friction_iterations"/ { friction += $2 }
       END { printf "%-9s %8.2f %7.2f %9.2f %7.0f  %d, %d\n", modeling, all,
             all - output, output, memory, newton, friction }' \
