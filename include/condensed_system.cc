@@ -119,7 +119,7 @@ namespace Contact
 
   void CondensedSystem::update_pattern()
   {
-    if (change != Change::pattern && pattern_serves())
+    if (has_pattern && pattern_serves())
       return;
     TimerOutput::Scope scope(timer, "setup");
     make_pattern();
@@ -194,7 +194,6 @@ namespace Contact
 
     IndexSet rows;
     DoFTools::extract_locally_relevant_dofs(dof_handler, rows);
-    const IndexSet relevant = rows;
     rows.add_indices(all.begin(), all.end());
     rows.compress();
 
@@ -248,7 +247,8 @@ namespace Contact
     matrix.clear();
     matrix.reinit(owned, owned, pattern, communicator);
     bulk_is_assembled = false;
-    change            = Change::pattern;
+    has_pattern       = true;
+    pattern_is_new    = true;
   }
 
 
@@ -271,8 +271,8 @@ namespace Contact
     if (is_new)
       {
         TimerOutput::Scope scope(timer, "factorization");
-        solver->set_matrix(matrix, change);
-        change = Change::rows;
+        solver->set_matrix(matrix, pattern_is_new);
+        pattern_is_new = false;
       }
 
     TimerOutput::Scope     scope(timer, "solution");
@@ -385,8 +385,6 @@ namespace Contact
       kept_rows.emplace_back(values, values + n);
     });
     bulk_is_assembled = true;
-    if (change == Change::rows)
-      change = Change::values;
   }
 
 

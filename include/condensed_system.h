@@ -93,8 +93,9 @@ namespace Contact
     DefiniteSolver::Matrix           matrix;
     std::vector<double>              assembled_lines; // their signature
     std::vector<std::vector<double>> kept_rows; // by owned interface unknown
+    bool                             has_pattern       = false;
     bool                             bulk_is_assembled = false;
-    Change                           change            = Change::pattern;
+    bool                             pattern_is_new    = true; // to the solver
 
     std::unique_ptr<DefiniteSolver> solver;
   };

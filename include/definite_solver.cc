@@ -63,7 +63,7 @@ namespace Contact
         cholmod_finish(&common);
       }
 
-      void set_matrix(const Matrix &matrix, const Change change) override
+      void set_matrix(const Matrix &matrix, const bool new_pattern) override
       {
         const Columns  columns(matrix);
         cholmod_sparse view{};
@@ -80,7 +80,7 @@ namespace Contact
         view.sorted = 0;
         view.packed = 1;
 
-        if (factor == nullptr || change == Change::pattern)
+        if (factor == nullptr || new_pattern)
           {
             cholmod_free_factor(&factor, &common);
             factor = cholmod_analyze(&view, &common);
@@ -129,7 +129,7 @@ namespace Contact
     class Mumps : public DefiniteSolver
     {
     public:
-      void set_matrix(const Matrix &matrix, const Change) override
+      void set_matrix(const Matrix &matrix, const bool) override
       {
         solver = std::make_unique<TrilinosWrappers::SolverDirect>(
           control,
@@ -170,10 +170,10 @@ namespace Contact
       {
       }
 
-      void set_matrix(const Matrix &matrix, const Change change) override
+      void set_matrix(const Matrix &matrix, const bool new_pattern) override
       {
         this->matrix = &matrix;
-        if (change == Change::pattern || per_digit > 1.3 * per_digit_when_new)
+        if (new_pattern || per_digit > 1.3 * per_digit_when_new)
           build();
       }
 

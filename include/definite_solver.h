@@ -17,16 +17,6 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// What of a matrix is not as it was when a solver saw it last.
-  enum class Change
-  {
-    rows,   // the values of few rows
-    values, // any value
-    pattern // anything
-  };
-
-
-
   /**
    * A solver for symmetric positive definite systems, distributed by rows.
    * What can be kept from one matrix to the next is its own business.
@@ -59,9 +49,10 @@ namespace Contact
 
     virtual ~DefiniteSolver() = default;
 
-    /// Take the matrix, which has to live until it is replaced. Throws
-    /// NotConverged if it is not positive definite.
-    virtual void set_matrix(const Matrix &matrix, const Change change) = 0;
+    /// Take the matrix, which has to live until it is replaced; say whether it
+    /// has another pattern than the last one. Throws NotConverged if it is not
+    /// positive definite.
+    virtual void set_matrix(const Matrix &matrix, const bool new_pattern) = 0;
 
     /// Let go of the matrix, which is about to become another one: MUMPS looks
     /// at it when it is destroyed (dealii issue 13686).

@@ -20,6 +20,24 @@
 
 namespace Contact
 {
+  void distribute_dofs(const Mesh                &mesh,
+                       const hp::FECollection<2> &fe,
+                       DoFHandler<2>             &dof_handler)
+  {
+    if (mesh.is_all_quadrilateral())
+      dof_handler.distribute_dofs(fe[0]);
+    else
+      {
+        for (const auto &cell : dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            cell->set_active_fe_index(
+              cell->reference_cell().is_hyper_cube() ? 0 : 1);
+        dof_handler.distribute_dofs(fe);
+      }
+  }
+
+
+
   Discretization::Discretization(const Mesh            &mesh,
                                  const Parameters::All &parameters,
                                  const MPI_Comm         communicator)
@@ -41,16 +59,7 @@ namespace Contact
 
   void Discretization::redistribute()
   {
-    if (mesh.is_all_quadrilateral())
-      dof_handler.distribute_dofs(fe[0]);
-    else
-      {
-        for (const auto &cell : dof_handler.active_cell_iterators())
-          if (cell->is_locally_owned())
-            cell->set_active_fe_index(
-              cell->reference_cell().is_hyper_cube() ? 0 : 1);
-        dof_handler.distribute_dofs(fe);
-      }
+    distribute_dofs(mesh, fe, dof_handler);
 
     prescribed.clear();
     ties.clear();
@@ -98,8 +107,7 @@ namespace Contact
 
 
 
-  bool
-  Discretization::carries_spread_force(const types::boundary_id id) const
+  bool Discretization::carries_spread_force(const types::boundary_id id) const
   {
     return loaded.count(id) > 0;
   }

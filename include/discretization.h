@@ -25,6 +25,14 @@ namespace Contact
   /// The two displacement unknowns of a node.
   using NodeDoFs = std::array<types::global_dof_index, 2>;
 
+  /// Number the unknowns of a collection {for quadrangles, for triangles}. A
+  /// mesh of quadrangles alone takes the first element for all cells.
+  void distribute_dofs(const Mesh                &mesh,
+                       const hp::FECollection<2> &fe,
+                       DoFHandler<2>             &dof_handler);
+
+
+
   /**
    * The finite element spaces of all bodies: quadrangles are FE_Q, triangles
    * FE_SimplexP of the same degree, the geometry is isoparametric.

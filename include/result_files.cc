@@ -178,16 +178,7 @@ namespace Contact
     , dof_of_vertex(discretization.mesh.triangulation.n_vertices(),
                     numbers::invalid_dof_index)
   {
-    if (discretization.mesh.is_all_quadrilateral())
-      dof_handler.distribute_dofs(fe[0]);
-    else
-      {
-        for (const auto &cell : dof_handler.active_cell_iterators())
-          if (cell->is_locally_owned())
-            cell->set_active_fe_index(
-              cell->reference_cell().is_hyper_cube() ? 0 : 1);
-        dof_handler.distribute_dofs(fe);
-      }
+    distribute_dofs(discretization.mesh, fe, dof_handler);
 
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (!cell->is_artificial())

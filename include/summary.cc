@@ -292,7 +292,7 @@ namespace Contact
           }
         const double unknowns = level.n_displacements;
         line.push_back(format("%.3f", total));
-        line.push_back(last_total > 0
+        line.push_back(last_total > 0 && unknowns > 1.5 * last_unknowns
                          ? format("%.2f",
                                   std::log(total / last_total) /
                                     std::log(unknowns / last_unknowns))

@@ -111,7 +111,7 @@ namespace Contact
   /**
    * Print the wall time [s] by phase and level, with unknowns, iterations and
    * memory, and how the total grows: its slope over the unknowns on logarithmic
-   * scales, from each level to the next.
+   * scales, from each level to the next where that is clearly larger.
    */
   void print_levels(std::ostream &out, const RunSummary &summary);
 
