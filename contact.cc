@@ -91,6 +91,7 @@
 #include "elasticity.h"
 #include "error_estimator.h"
 #include "errors.h"
+#include "exact_solution.h"
 #include "linear_solver.h"
 #include "parameters.h"
 #include "postprocessing.h"
@@ -145,13 +146,16 @@ namespace Contact
     void   update_solution_condensed(const unsigned int step,
                                      const double       residual);
     void   output_increment(const unsigned int k);
-    void   probe(const std::vector<SymmetricTensor<2, 3>> &vertex_stresses);
+    void   compare_with_theory();
+    double probe(const std::vector<std::string> &definition);
+    void   report_probes();
     void   finish();
 
     bool   has_friction() const;
+    bool   pairs_each_step() const;
     bool   is_last_level() const;
     double largest_change(const Vector<double> &from) const;
-    std::optional<HertzLineContact> hertz() const;
+    const std::vector<SymmetricTensor<2, 3>> &recovered_stresses();
     std::string
     chattering_points(const std::vector<signed char> &decisions) const;
 
@@ -195,6 +199,10 @@ namespace Contact
 
     double load_factor     = 0;
     double reference_force = 0;
+
+    // At the vertices, if somebody has asked for them since the last increment.
+    std::vector<SymmetricTensor<2, 3>> stresses;
+    std::optional<ExactSolution>       exact;
 
     ContactInterface::Linearization linearization{};
   };
@@ -278,7 +286,8 @@ namespace Contact
       interface->initialize_status(solution);
     check_supports(*discretization, interface.get());
     for (const auto &[name, probe] : parameters.probes.probes)
-      mesh->point(probe[1], "Probes/Probes");
+      for (unsigned int i = 1; i < probe.size(); ++i)
+        mesh->point(probe[i], "Probes/Probes");
 
     // From here on the results of an earlier run are replaced; until this one
     // ends, its summary says that it has not converged.
@@ -309,7 +318,7 @@ namespace Contact
     start.reinit(n_unknowns);
     system_rhs.reinit(n_unknowns);
     update.reinit(summary.n_displacements);
-    reference_force = discretization->dead_load.l1_norm(); // the whole load
+    reference_force = discretization->whole_load();
   }
 
 
@@ -415,6 +424,11 @@ namespace Contact
   void ContactProblem::record_level()
   {
     LevelRecord record;
+    {
+      TimerOutput::Scope scope(timer, "output");
+      for (const auto &[name, definition] : parameters.probes.probes)
+        record.probes[name] = probe(definition);
+    }
     record.n_cells         = mesh->triangulation.n_global_active_cells();
     record.n_displacements = summary.n_displacements;
     record.n_multipliers   = summary.n_multipliers;
@@ -438,6 +452,8 @@ namespace Contact
         }
     record.peak_memory_mb = Utilities::MPI::sum(peak_memory_mb(), communicator);
     summary.levels.push_back(record);
+    if (is_last_level())
+      report_probes();
   }
 
 
@@ -451,9 +467,7 @@ namespace Contact
         flag_cells(
           *mesh,
           ErrorEstimator(*discretization, *elasticity, *stress_recovery)
-            .indicators(stress_recovery->vertex_stresses(*elasticity, solution),
-                        interface.get(),
-                        solution),
+            .indicators(recovered_stresses(), interface.get(), solution),
           parameters.refinement.fraction);
       }
     else
@@ -485,6 +499,7 @@ namespace Contact
   {
     load_factor = static_cast<double>(k) / parameters.solution.n_increments;
     start       = solution;
+    stresses.clear();
     if (level > 0)
       {
         // From the same increment of the level before.
@@ -619,7 +634,7 @@ namespace Contact
     double                   last_residual = std::numeric_limits<double>::max();
     for (unsigned int step = 0;; ++step)
       {
-        if (interface && !interface->tied && limits.geometry != "fixed point")
+        if (interface && !interface->tied && pairs_each_step())
           pair_bodies();
         assemble_forces_of_bodies();
 
@@ -689,12 +704,16 @@ namespace Contact
   // @sect4{ContactProblem::pair_bodies}
   //
   // When a point faces another edge than before, the matrix couples other
-  // unknowns than before: a new pattern, and a new analysis in the solver.
+  // unknowns than before: a new pattern, and a new analysis in the solver. The
+  // theory of small displacements knows the undeformed bodies only.
   void ContactProblem::pair_bodies()
   {
     timer.enter_subsection("search");
-    const bool is_new  = sparsity_pattern.empty();
-    const bool changed = interface && interface->pair(solution);
+    const bool is_new = sparsity_pattern.empty();
+    const bool changed =
+      interface && interface->pair(parameters.solution.geometry == "undeformed"
+                                     ? Vector<double>(solution.size())
+                                     : solution);
     timer.leave_subsection();
     if (condensed)
       {
@@ -862,13 +881,13 @@ namespace Contact
   void ContactProblem::update_solution_condensed(const unsigned int step,
                                                  const double       residual)
   {
-    const bool decided = step > 0 || !interface || interface->tied;
-    const bool one_solve_is_all =
-      elasticity->is_linear() && decided &&
-      parameters.solution.geometry == "fixed point" &&
-      parameters.solution.friction == "fixed point";
-    const double scale   = reference_force > 0 ? reference_force : residual;
-    const double forcing = std::min(1e-5, 1e-3 * residual);
+    const bool decided          = step > 0 || !interface || interface->tied;
+    const bool one_solve_is_all = elasticity->is_linear() && decided &&
+                                  !pairs_each_step() &&
+                                  parameters.solution.friction == "fixed point";
+    const double scale = reference_force > 0 ? reference_force : residual;
+    const double forcing =
+      std::min(1e-5, parameters.solution.linear_tolerance * residual);
     const double relative =
       std::max(0.1 * newton_tolerance(), one_solve_is_all ? 0. : forcing);
     const unsigned int n =
@@ -890,56 +909,101 @@ namespace Contact
   void ContactProblem::output_increment(const unsigned int k)
   {
     const bool is_last = k == parameters.solution.n_increments;
-    if (!is_last && !parameters.output.vtu)
+    if (is_last && interface)
+      compare_with_theory();
+    if (!parameters.output.vtu && !(is_last && parameters.output.profile))
       return;
     TimerOutput::Scope scope(timer, "output");
 
-    const auto stresses =
-      stress_recovery->vertex_stresses(*elasticity, solution);
     std::vector<ProfileRow> slave_rows;
-    if (interface && (parameters.output.vtu || parameters.output.profile))
+    if (interface)
       slave_rows = slave_profile(*interface,
                                  *discretization,
-                                 stresses,
+                                 recovered_stresses(),
                                  solution,
                                  start,
-                                 hertz());
+                                 exact);
 
     if (parameters.output.vtu)
       {
-        files->write_bodies(k, load_factor, stresses, solution);
+        files->write_bodies(k, load_factor, recovered_stresses(), solution);
         if (interface)
           files->write_contact(k, load_factor, interface->slave, slave_rows);
       }
-    if (!is_last)
-      return;
 
-    if (interface && parameters.output.profile)
+    if (is_last && interface && parameters.output.profile)
       files->write_profile(slave_rows,
                            master_profile(*interface,
                                           *discretization,
-                                          stresses,
+                                          recovered_stresses(),
                                           solution,
                                           slave_rows,
-                                          hertz()));
-    probe(stresses);
+                                          exact));
   }
 
 
 
-  void ContactProblem::probe(
-    const std::vector<SymmetricTensor<2, 3>> &vertex_stresses)
+  const std::vector<SymmetricTensor<2, 3>> &ContactProblem::recovered_stresses()
   {
-    for (const auto &[name, probe] : parameters.probes.probes)
+    if (stresses.empty())
+      stresses = stress_recovery->vertex_stresses(*elasticity, solution);
+    return stresses;
+  }
+
+
+
+  // What the contact is like in a few numbers, and what it should be like where
+  // theory has an answer.
+  void ContactProblem::compare_with_theory()
+  {
+    const ContactResults results = contact_results(*interface, solution, start);
+    summary.contact              = {{"normal_force", results.normal_force},
+                                    {"tangential_force", results.tangential_force},
+                                    {"max_pressure", results.max_pressure},
+                                    {"max_shear", results.max_shear},
+                                    {"width", results.width},
+                                    {"stick_width", results.stick_width}};
+
+    exact =
+      make_exact_solution(parameters, *discretization, *interface, results);
+    if (!exact)
+      return;
+    TimerOutput::Scope scope(timer, "verification");
+    summary.exact  = exact->values;
+    summary.errors = solution_errors(*exact,
+                                     *discretization,
+                                     *elasticity,
+                                     *interface,
+                                     solution);
+  }
+
+
+
+  // @sect4{ContactProblem::report_probes}
+  double ContactProblem::probe(const std::vector<std::string> &definition)
+  {
+    const bool is_stress = !is_displacement(definition[0]);
+    const auto value     = [&](const std::string &point) {
+      return probe_value(definition[0],
+                         mesh->point(point, "Probes/Probes"),
+                         *discretization,
+                         is_stress ? recovered_stresses() : stresses,
+                         solution);
+    };
+    return definition.size() == 2 ? value(definition[1])
+                                  : value(definition[1]) - value(definition[2]);
+  }
+
+
+
+  void ContactProblem::report_probes()
+  {
+    for (const auto &[name, definition] : parameters.probes.probes)
       {
         ProbeResult result;
         result.name  = name;
-        result.unit  = probe[0].rfind("displacement", 0) == 0 ? "mm" : "MPa";
-        result.value = probe_value(probe[0],
-                                   mesh->point(probe[1], "Probes/Probes"),
-                                   *discretization,
-                                   vertex_stresses,
-                                   solution);
+        result.unit  = is_displacement(definition[0]) ? "mm" : "MPa";
+        result.value = summary.levels.back().probes.at(name);
         if (parameters.probes.references.count(name) > 0)
           {
             result.reference = parameters.probes.references.at(name);
@@ -947,6 +1011,7 @@ namespace Contact
           }
         summary.probes.push_back(result);
       }
+    estimate_errors(summary);
   }
 
 
@@ -989,6 +1054,14 @@ namespace Contact
 
 
 
+  bool ContactProblem::pairs_each_step() const
+  {
+    return parameters.solution.geometry == "each step" ||
+           parameters.solution.geometry == "Newton";
+  }
+
+
+
   /// The largest change of a displacement [mm].
   double ContactProblem::largest_change(const Vector<double> &from) const
   {
@@ -996,24 +1069,6 @@ namespace Contact
     for (unsigned int i = 0; i < discretization->dof_handler.n_dofs(); ++i)
       change = std::max(change, std::abs(solution[i] - from[i]));
     return Utilities::MPI::max(change, communicator);
-  }
-
-
-
-  /// The Hertz contact of the two bodies of the contact zone.
-  std::optional<HertzLineContact> ContactProblem::hertz() const
-  {
-    if (!interface || parameters.probes.hertz.empty())
-      return {};
-    const auto &solids = parameters.solids;
-    const auto  slave  = mesh->body_name(interface->slave.edges[0].body);
-    const auto  master = mesh->body_name(interface->master.edges[0].body);
-    return HertzLineContact{parameters.probes.hertz[0],
-                            parameters.probes.hertz[1],
-                            solids.young.at(slave),
-                            solids.poisson.at(slave),
-                            solids.young.at(master),
-                            solids.poisson.at(master)};
   }
 
 
@@ -1047,6 +1102,36 @@ namespace Contact
 // is wrong, 3 a case did not converge.
 namespace
 {
+  // The discretization error of a run on one mesh is asked for by another one
+  // on the mesh refined once, which leaves no files but its summary.
+  Contact::RunSummary run_case(const Contact::Parameters::All &parameters,
+                               const dealii::ParameterHandler &prm,
+                               const bool                      verbose)
+  {
+    using namespace Contact;
+
+    RunSummary summary = ContactProblem(parameters, prm, verbose).run();
+    if (!parameters.probes.estimate_errors || !summary.converged ||
+        parameters.refinement.n_levels > 0)
+      return summary;
+
+    Parameters::All finer = parameters;
+    finer.name += "_refined";
+    finer.mesh.refinements += 1;
+    finer.output.vtu = finer.output.profile = false;
+    const RunSummary refined = ContactProblem(finer, prm, verbose).run();
+    if (refined.converged)
+      estimate_errors(summary, refined.probes);
+    else
+      std::cerr << parameters.name
+                << ": no error estimate, because the case does not converge on "
+                   "the mesh refined once: "
+                << refined.message << std::endl;
+    return summary;
+  }
+
+
+
   // All files are read before the first one is computed: a wrong entry in the
   // last one should not cost the time of the others.
   int run(const Contact::CommandLine &line)
@@ -1067,8 +1152,7 @@ namespace
 
     std::vector<RunSummary> summaries;
     for (unsigned int i = 0; i < cases.size(); ++i)
-      summaries.push_back(
-        ContactProblem(cases[i], handlers[i], !line.quiet).run());
+      summaries.push_back(run_case(cases[i], handlers[i], !line.quiet));
 
     if (cases.front().output.screen != "none" && is_first_rank)
       print_table(std::cout, summaries);

@@ -17,6 +17,7 @@
 #include <deal.II/numerics/vector_tools.h>
 
 #include "errors.h"
+#include "formula.h"
 
 namespace Contact
 {
@@ -52,6 +53,8 @@ namespace Contact
     , dof_handler(mesh.triangulation)
     , boundary(parameters.boundary)
   {
+    for (const auto &[entry, formula] : boundary.histories)
+      histories[entry] = parse_formula<1>(formula, "t");
     redistribute();
   }
 
@@ -79,10 +82,14 @@ namespace Contact
   {
     std::map<types::global_dof_index, double> updates;
     bool                                      vanish = true;
-    for (const auto &[dof, value] : prescribed)
+    const std::array<double, 2>               factors{
+      {factor("Displacement x", load_factor),
+                     factor("Displacement y", load_factor)}};
+    for (const auto &[dof, displacement] : prescribed)
       {
-        updates[dof] = load_factor * value - u[dof];
-        vanish       = vanish && updates[dof] == 0;
+        updates[dof] =
+          factors[displacement.component] * displacement.value - u[dof];
+        vanish = vanish && updates[dof] == 0;
       }
 
     if (!(vanish && updates_vanish))
@@ -107,7 +114,7 @@ namespace Contact
 
 
 
-  bool Discretization::carries_spread_force(const types::boundary_id id) const
+  bool Discretization::is_loaded(const types::boundary_id id) const
   {
     return loaded.count(id) > 0;
   }
@@ -117,7 +124,7 @@ namespace Contact
   bool Discretization::is_moved(const types::global_dof_index dof) const
   {
     const auto value = prescribed.find(dof);
-    return value != prescribed.end() && value->second != 0;
+    return value != prescribed.end() && value->second.value != 0;
   }
 
 
@@ -182,7 +189,8 @@ namespace Contact
                 component);
 
           for (const auto &[dof, dof_value] : values)
-            if (prescribed.emplace(dof, dof_value).first->second != dof_value)
+            if (const Prescribed here{dof_value, c};
+                prescribed.emplace(dof, here).first->second != here)
               throw InputError("'" + name +
                                  "' shares a node with another "
                                  "group that is moved differently",
@@ -219,71 +227,138 @@ namespace Contact
 
   void Discretization::collect_loads()
   {
-    dead_load.reinit(dof_handler.n_dofs());
-    spread_force(boundary.spread_force_x, 0);
-    spread_force(boundary.spread_force_y, 1);
-    Utilities::MPI::sum(dead_load, communicator, dead_load);
-
+    loads.clear();
+    loaded.clear();
     nodal_forces.clear();
-    const auto add = [&](const auto &forces, const unsigned int c) {
-      const std::string entry =
-        std::string("Boundary conditions/Force ") + "xy"[c];
-      for (const auto &[name, force] : forces)
-        {
-          const auto dof = vertex_dofs[mesh.point(name, entry)][c];
-          dead_load[dof] += force;
-          nodal_forces.insert(dof);
-        }
-    };
-    add(boundary.force_x, 0);
-    add(boundary.force_y, 1);
+    for (unsigned int c = 0; c < 2; ++c)
+      {
+        const std::string spread = std::string("Spread force ") + "xy"[c];
+        for (const auto &[name, force] :
+             c == 0 ? boundary.spread_force_x : boundary.spread_force_y)
+          {
+            Tensor<1, 2> direction;
+            direction[c] = 1;
+            const auto &ids =
+              mesh.boundary(name, "Boundary conditions/" + spread);
+            loaded.insert(ids.begin(), ids.end());
+            const Vector<double> shares =
+              integrate(ids, [&](const Point<2> &, const Tensor<1, 2> &) {
+                return direction;
+              });
+            // The shares add up to the length.
+            load_of(spread).add(force / (shares.mean_value() * shares.size()),
+                                shares);
+          }
+
+        const std::string nodal = std::string("Force ") + "xy"[c];
+        for (const auto &[name, force] :
+             c == 0 ? boundary.force_x : boundary.force_y)
+          {
+            const auto dof =
+              vertex_dofs[mesh.point(name, "Boundary conditions/" + nodal)][c];
+            load_of(nodal)[dof] += force;
+            nodal_forces.insert(dof);
+          }
+      }
+    collect_pressures();
   }
 
 
 
-  // The integral of force/length times the shape functions, on the faces of
-  // this rank.
-  void Discretization::spread_force(const std::map<std::string, double> &forces,
-                                    const unsigned int component)
+  void Discretization::collect_pressures()
   {
-    const std::string entry =
-      std::string("Boundary conditions/Spread force ") + "xy"[component];
-    for (const auto &[name, force] : forces)
+    for (const auto &[name, formula] : boundary.pressure)
       {
-        const auto         &ids = mesh.boundary(name, entry);
-        const QGauss<1>     edge_quadrature(degree + 1);
-        hp::FEFaceValues<2> hp_values(mapping,
-                                      fe,
-                                      hp::QCollection<1>(edge_quadrature,
-                                                         edge_quadrature),
-                                      update_values | update_JxW_values);
-        std::map<types::global_dof_index, double> shares;
-        std::vector<types::global_dof_index>      dofs;
-        double                                    length = 0;
-        for (const auto &cell : dof_handler.active_cell_iterators())
-          for (const unsigned int f : cell->face_indices())
-            if (cell->is_locally_owned() && cell->face(f)->at_boundary() &&
-                ids.count(cell->face(f)->boundary_id()) > 0)
-              {
-                hp_values.reinit(cell, f);
-                const auto &values = hp_values.get_present_fe_values();
-                dofs.resize(values.dofs_per_cell);
-                cell->get_dof_indices(dofs);
-                for (const unsigned int q : values.quadrature_point_indices())
-                  {
-                    length += values.JxW(q);
-                    for (unsigned int i = 0; i < dofs.size(); ++i)
-                      if (values.get_fe().system_to_component_index(i).first ==
-                          component)
-                        shares[dofs[i]] +=
-                          values.JxW(q) * values.shape_value(i, q);
-                  }
-              }
-        length = Utilities::MPI::sum(length, communicator);
+        const auto  pressure = parse_formula<2>(formula, "x,y");
+        const auto &ids = mesh.boundary(name, "Boundary conditions/Pressure");
         loaded.insert(ids.begin(), ids.end());
-        for (const auto &[dof, share] : shares)
-          dead_load[dof] += force * share / length;
+        load_of("Pressure") +=
+          integrate(ids, [&](const Point<2> &x, const Tensor<1, 2> &normal) {
+            return -pressure(x) * normal;
+          });
       }
+  }
+
+
+
+  // The integral of a traction times the shape functions, from all ranks.
+  Vector<double>
+  Discretization::integrate(const std::set<types::boundary_id> &ids,
+                            const TractionField                &traction) const
+  {
+    const QGauss<1>                      edge_quadrature(degree + 1);
+    hp::FEFaceValues<2>                  hp_values(mapping,
+                                  fe,
+                                  hp::QCollection<1>(edge_quadrature,
+                                                     edge_quadrature),
+                                  update_values | update_JxW_values |
+                                    update_quadrature_points |
+                                    update_normal_vectors);
+    Vector<double>                       integrals(dof_handler.n_dofs());
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->is_locally_owned() && cell->face(f)->at_boundary() &&
+            ids.count(cell->face(f)->boundary_id()) > 0)
+          {
+            hp_values.reinit(cell, f);
+            const auto &values = hp_values.get_present_fe_values();
+            const auto &fe     = values.get_fe();
+            dofs.resize(values.dofs_per_cell);
+            cell->get_dof_indices(dofs);
+            for (const unsigned int q : values.quadrature_point_indices())
+              {
+                const Tensor<1, 2> force =
+                  values.JxW(q) *
+                  traction(values.quadrature_point(q), values.normal_vector(q));
+                for (unsigned int i = 0; i < dofs.size(); ++i)
+                  integrals[dofs[i]] +=
+                    force[fe.system_to_component_index(i).first] *
+                    values.shape_value(i, q);
+              }
+          }
+    Utilities::MPI::sum(integrals, communicator, integrals);
+    return integrals;
+  }
+
+
+
+  double Discretization::factor(const std::string &entry,
+                                const double       load_factor) const
+  {
+    const auto history = histories.find(entry);
+    return history == histories.end() ? load_factor
+                                      : history->second(Point<1>(load_factor));
+  }
+
+
+
+  Vector<double> &Discretization::load_of(const std::string &entry)
+  {
+    Vector<double> &load = loads[entry];
+    if (load.size() == 0)
+      load.reinit(dof_handler.n_dofs());
+    return load;
+  }
+
+
+
+  Vector<double> Discretization::dead_load(const double load_factor) const
+  {
+    Vector<double> sum(dof_handler.n_dofs());
+    for (const auto &[entry, load] : loads)
+      sum.add(factor(entry, load_factor), load);
+    return sum;
+  }
+
+
+
+  double Discretization::whole_load() const
+  {
+    double sum = 0;
+    for (const auto &[entry, load] : loads)
+      sum += load.l1_norm();
+    return sum;
   }
 
 
@@ -294,7 +369,7 @@ namespace Contact
     constraints.clear();
     if (mesh.triangulation.has_hanging_nodes())
       DoFTools::make_hanging_node_constraints(dof_handler, constraints);
-    for (const auto &[dof, value] : prescribed)
+    for (const auto &[dof, displacement] : prescribed)
       {
         constraints.add_line(dof);
         const auto update = updates.find(dof);

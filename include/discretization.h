@@ -14,6 +14,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <array>
+#include <functional>
 
 #include "mesh.h"
 #include "parameters.h"
@@ -70,14 +71,18 @@ namespace Contact
     /// update.
     AffineConstraints<double> constraints;
 
-    /// The dead forces at full load [N per mm of thickness].
-    Vector<double> dead_load;
+    /// The dead forces under a load factor [N per mm of thickness].
+    Vector<double> dead_load(const double load_factor) const;
+
+    /// The sum of all their magnitudes at their full values [N per mm of
+    /// thickness]: what is small against it is small.
+    double whole_load() const;
 
     /// Whether a nodal force acts on this unknown.
     bool carries_nodal_force(const types::global_dof_index dof) const;
 
-    /// Whether a spread force acts on a boundary.
-    bool carries_spread_force(const types::boundary_id id) const;
+    /// Whether a spread force or a pressure acts on a boundary.
+    bool is_loaded(const types::boundary_id id) const;
 
     /// The unknowns of each vertex of the triangulation; invalid where no cell
     /// of this rank or its neighbors has it.
@@ -85,8 +90,8 @@ namespace Contact
 
     /**
      * Make the constraints such that the next update brings the supported
-     * unknowns from their value in @p u to @p load_factor times the prescribed
-     * displacement. Costs nothing where nothing changes.
+     * unknowns from their value in @p u to the displacement prescribed under
+     * @p load_factor. Costs nothing where nothing changes.
      */
     void constrain_update(const Vector<double> &u, const double load_factor);
 
@@ -106,20 +111,53 @@ namespace Contact
     bool is_tied(const types::global_dof_index dof) const;
 
   private:
+    /// A displacement at its full value [mm], of one component.
+    struct Prescribed
+    {
+      double       value;
+      unsigned int component;
+
+      bool operator!=(const Prescribed &other) const
+      {
+        return value != other.value || component != other.component;
+      }
+
+      template<class Archive>
+      void serialize(Archive &archive, const unsigned int)
+      {
+        archive &value &component;
+      }
+    };
+
     void collect_vertex_dofs();
     void share_named_points();
     void collect_supports();
     void collect_ties();
     void collect_loads();
-    void spread_force(const std::map<std::string, double> &forces,
-                      const unsigned int                   component);
+    void collect_pressures();
+
+    /// Traction [MPa] by place and outward normal.
+    using TractionField =
+      std::function<Tensor<1, 2>(const Point<2> &, const Tensor<1, 2> &)>;
+    Vector<double> integrate(const std::set<types::boundary_id> &ids,
+                             const TractionField &traction) const;
+
+    /// The factor of an entry of the boundary conditions under a load factor.
+    double factor(const std::string &entry, const double load_factor) const;
+
+    /// What the forces of an entry add up to.
+    Vector<double> &load_of(const std::string &entry);
     void
     make_constraints(const std::map<types::global_dof_index, double> &updates);
     void bind_centres();
 
+    using History = std::function<double(const Point<1> &)>;
+
     const Parameters::Boundary                                 boundary;
-    std::map<types::global_dof_index, double>                  prescribed;
+    std::map<std::string, History>                             histories;
+    std::map<types::global_dof_index, Prescribed>              prescribed;
     std::map<types::global_dof_index, types::global_dof_index> ties;
+    std::map<std::string, Vector<double>>                      loads;
     std::set<types::global_dof_index>                          nodal_forces;
     std::set<types::boundary_id>                               loaded;
     bool updates_vanish = true;

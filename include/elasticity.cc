@@ -321,11 +321,11 @@ namespace Contact
                                                            rhs);
                 });
 
-    const auto &load  = discretization.dead_load;
+    const auto  load  = discretization.dead_load(load_factor);
     const auto &owned = discretization.dof_handler.locally_owned_dofs();
     for (unsigned int i = 0; i < load.size(); ++i)
       if (load[i] != 0 && owned.is_element(i))
-        constraints.distribute_local_to_global(i, load_factor * load[i], rhs);
+        constraints.distribute_local_to_global(i, load[i], rhs);
   }
 
 
@@ -342,7 +342,7 @@ namespace Contact
                   forces.add(dofs, cell_forces);
                 });
     Utilities::MPI::sum(forces, discretization.communicator, forces);
-    forces.add(-load_factor, discretization.dead_load);
+    forces -= discretization.dead_load(load_factor);
     return forces;
   }
 

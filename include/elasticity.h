@@ -66,7 +66,7 @@ namespace Contact
     dofs_of_cell(const unsigned int number) const;
 
     /**
-     * Add minus the residual (@p load_factor times dead forces minus internal
+     * Add minus the residual (dead forces under @p load_factor minus internal
      * forces) to @p rhs and, unless @p matrix is null, the tangent to it;
      * constraints eliminated. Of several ranks each adds its own part.
      */

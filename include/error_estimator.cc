@@ -91,21 +91,6 @@ namespace Contact
           s[i][j] = stress[i][j];
       return s;
     }
-
-
-
-    /**
-     * s : D^-1 : s in plane strain [MPa], twice the energy of the stress s in
-     * the plane. From s = lambda tr(e) I + 2 mu e follow
-     *   tr(e) = tr(s) / (2 (lambda + mu)),
-     *   s : e = (s : s - lambda tr(s) tr(e)) / (2 mu).
-     */
-    double energy_density(const SymmetricTensor<2, 2> &s,
-                          const Material              &material)
-    {
-      const double tr = trace(s) / (2 * (material.lambda + material.mu));
-      return (s * s - material.lambda * trace(s) * tr) / (2 * material.mu);
-    }
   } // namespace
 
 
@@ -258,7 +243,7 @@ namespace Contact
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary() &&
-              !discretization.carries_spread_force(face->boundary_id()))
+              !discretization.is_loaded(face->boundary_id()))
             {
               std::array<unsigned int, 2> ends{
                 {face->vertex_index(0), face->vertex_index(1)}};
@@ -332,7 +317,7 @@ namespace Contact
                                 v) *
                               vertex_stresses[cell->vertex_index(v)];
               eta_square[cell->active_cell_index()] +=
-                energy_density(plane(difference), material) * fe_values.JxW(q);
+                material.energy_density(plane(difference)) * fe_values.JxW(q);
             }
         }
   }

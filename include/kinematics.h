@@ -39,6 +39,18 @@ namespace Contact
       return lambda * trace(strain);
     }
 
+    /**
+     * s : D^-1 : s in plane strain [MPa], twice the energy of the stress s in
+     * the plane. From s = lambda tr(e) I + 2 mu e follow
+     *   tr(e) = tr(s) / (2 (lambda + mu)),
+     *   s : e = (s : s - lambda tr(s) tr(e)) / (2 mu).
+     */
+    double energy_density(const SymmetricTensor<2, 2> &s) const
+    {
+      const double tr = trace(s) / (2 * (lambda + mu));
+      return (s * s - lambda * trace(s) * tr) / (2 * mu);
+    }
+
     const double lambda;
     const double mu;
   };

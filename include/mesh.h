@@ -40,6 +40,9 @@ namespace Contact
     /// digits an ASCII mesh may be short of, yet far less than an edge rises.
     static constexpr double tolerance = 1e-5;
 
+    /// How far from the circle a point lies, by the radius.
+    double misfit(const Point<2> &p) const;
+
     /// Whether a point lies on the circle.
     bool on_circle(const Point<2> &p) const;
 
@@ -153,9 +156,16 @@ namespace Contact
   // ------------------------------------------------------------------
   // Arc and ArcManifold, inline
 
+  inline double Arc::misfit(const Point<2> &p) const
+  {
+    return std::abs(p.distance(center) - radius) / radius;
+  }
+
+
+
   inline bool Arc::on_circle(const Point<2> &p) const
   {
-    return std::abs(p.distance(center) - radius) < tolerance * radius;
+    return misfit(p) < tolerance;
   }
 
 
@@ -210,13 +220,25 @@ namespace Contact
         }
 
     if (n_contributing == 2)
-      for (const Arc &arc : arcs)
-        if (arc.over_one_chord(surrounding_points[ends[0]],
-                               surrounding_points[ends[1]]))
+      {
+        // Where two arcs touch, a point can lie on both up to the tolerance:
+        // the one that fits better is meant.
+        const Point<2> &p      = surrounding_points[ends[0]];
+        const Point<2> &q      = surrounding_points[ends[1]];
+        const auto      misfit = [&](const Arc &arc) {
+          return std::max(arc.misfit(p), arc.misfit(q));
+        };
+        const Arc *best = nullptr;
+        for (const Arc &arc : arcs)
+          if (arc.over_one_chord(p, q) &&
+              (best == nullptr || misfit(arc) < misfit(*best)))
+            best = &arc;
+        if (best != nullptr)
           {
-            const Tensor<1, 2> ray = mean - arc.center;
-            return arc.center + arc.radius / ray.norm() * ray;
+            const Tensor<1, 2> ray = mean - best->center;
+            return best->center + best->radius / ray.norm() * ray;
           }
+      }
     return mean;
   }
 } // namespace Contact

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <set>
 
+#include "formula.h"
 #include "parameters.h"
 
 namespace Contact
@@ -73,6 +74,39 @@ namespace Contact
                            {entry, other_entry},
                            "remove " + in_quotes(key) + " from one of the two");
     }
+
+
+
+    template<int n_variables>
+    void check_formula(const std::string &formula,
+                       const std::string &variables,
+                       const std::string &entry)
+    {
+      try
+        {
+          parse_formula<n_variables>(formula, variables);
+        }
+      catch (const std::runtime_error &error)
+        {
+          throw EntryError(error.what(),
+                           {entry},
+                           "write a formula such as '2*" +
+                             variables.substr(0, 1) +
+                             " + 1'; there are ^, sin, min(a, b), "
+                             "if(condition, a, b), pi and others");
+        }
+    }
+
+
+
+    // Entries of the boundary conditions that grow with the load.
+    const Names entries_with_history = {"Displacement x",
+                                        "Displacement y",
+                                        "Force x",
+                                        "Force y",
+                                        "Spread force x",
+                                        "Spread force y",
+                                        "Pressure"};
   } // namespace
 
 
@@ -162,6 +196,19 @@ namespace Contact
                      section + "Tied y",
                      displacement_y,
                      section + "Displacement y");
+      for (const auto &[group, formula] : pressure)
+        check_formula<2>(formula, "x,y", section + "Pressure");
+      for (const auto &[entry, formula] : histories)
+        {
+          if (std::count(entries_with_history.begin(),
+                         entries_with_history.end(),
+                         entry) == 0)
+            throw EntryError(in_quotes(entry) + " has no history.",
+                             {section + "Histories"},
+                             "choose one of: " + Patterns::Tools::to_string(
+                                                   entries_with_history));
+          check_formula<1>(formula, "t", section + "Histories");
+        }
       for (const auto &[follower, leader] : tied_y)
         if (tied_y.count(leader) > 0)
           throw EntryError(in_quotes(follower) + " is tied to " +
@@ -246,6 +293,11 @@ namespace Contact
       check_positive(geometry_tolerance, "Solution/Geometry tolerance");
       check_positive(friction_tolerance, "Solution/Friction tolerance");
       check_positive(newton_tolerance, "Solution/Newton tolerance");
+      check_positive(linear_tolerance, "Solution/Linear tolerance");
+      if (linear_tolerance >= 1)
+        throw EntryError("The linear tolerance is not below 1.",
+                         {"Solution/Linear tolerance"},
+                         "a Newton step has to reduce the residual");
     }
 
 
@@ -254,12 +306,27 @@ namespace Contact
     {
       check_quantities();
       check_references();
-      if (hertz.empty())
-        return;
-      if (hertz.size() != 2 || !(hertz[0] > 0) || !(hertz[1] > 0))
-        throw EntryError("A Hertz contact takes two positive values.",
+      const std::string cylinders = "Probes/Concentric cylinders";
+      if (hertz.size() > 2 ||
+          std::any_of(hertz.begin(), hertz.end(), [](const double value) {
+            return !(value > 0);
+          }))
+        throw EntryError("A Hertz contact takes one or two positive values.",
                          {"Probes/Hertz"},
-                         "write 'radius, force per mm', or leave it empty");
+                         "write 'radius, force per mm' or 'radius', or leave "
+                         "it empty");
+      const auto &r = concentric_cylinders;
+      if (!r.empty() &&
+          !(r.size() == 5 && 0 <= r[0] && r[0] < r[1] && r[1] < r[2]))
+        throw EntryError("These are no concentric cylinders.",
+                         {cylinders},
+                         "write 'bore, radius of contact, outer radius, "
+                         "pressure, amplitude' with growing radii, or leave it "
+                         "empty");
+      if (!r.empty() && !hertz.empty())
+        throw EntryError("There are two solutions to compare with.",
+                         {"Probes/Hertz", cylinders},
+                         "leave one of the two empty");
     }
 
 
@@ -268,9 +335,10 @@ namespace Contact
     {
       for (const auto &[name, probe] : probes)
         {
-          if (probe.size() != 2 || probe[1].empty())
+          if (probe.size() < 2 || probe.size() > 3 || probe[1].empty() ||
+              probe.back().empty())
             throw EntryError("The probe " + in_quotes(name) +
-                               " is not a quantity and a point.",
+                               " is not a quantity and a point or two.",
                              {"Probes/Probes"},
                              "write '" + name + ": quantity, point'");
           if (std::count(quantities.begin(), quantities.end(), probe[0]) == 0)
@@ -323,6 +391,18 @@ namespace Contact
         throw EntryError("There is no contact pressure to compare with Hertz.",
                          {"Probes/Hertz", "Contact/Slave"},
                          "set slave and master, or leave Hertz empty");
+      if (!probes.concentric_cylinders.empty() && contact.slave.empty())
+        throw EntryError("Concentric cylinders are compared with contact, but "
+                         "there is none.",
+                         {"Probes/Concentric cylinders", "Contact/Slave"},
+                         "set slave and master, or leave the cylinders empty");
+      if (solution.geometry == "undeformed" &&
+          solids.kinematics != "small strain")
+        throw EntryError("Large displacements are not those of undeformed "
+                         "surfaces.",
+                         {"Solution/Geometry", "Solids/Kinematics"},
+                         "set 'Kinematics = small strain', or another "
+                         "geometry");
       check_system();
     }
 

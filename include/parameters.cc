@@ -139,6 +139,25 @@ namespace Contact
                         spread_force_y,
                         "As Spread force x, in direction y [N per mm of "
                         "thickness].");
+      const Patterns::Map formulas(Patterns::Anything(),
+                                   Patterns::Anything(),
+                                   0,
+                                   Patterns::Map::max_int_value,
+                                   ";");
+      prm.add_parameter("Pressure",
+                        pressure,
+                        "'boundary: formula' [MPa], separated by ';'; a "
+                        "boundary group and the pressure on it at full load, a "
+                        "formula in x and y [mm], positive in compression. It "
+                        "acts along the normal of the undeformed boundary.",
+                        formulas);
+      prm.add_parameter("Histories",
+                        histories,
+                        "'entry: formula' [-], separated by ';'; an entry of "
+                        "this section, and the factor of all its values as a "
+                        "formula in the load factor t from 0 to 1, as in "
+                        "'Force y: min(1, 2*t)'. Without: t.",
+                        formulas);
       prm.leave_subsection();
     }
 
@@ -194,7 +213,8 @@ namespace Contact
     {
       const Patterns::Integer   at_least_one(1);
       const Patterns::Selection loop("fixed point|each step|Newton");
-
+      const Patterns::Selection geometry_loop(
+        "undeformed|fixed point|each step|Newton");
 
       prm.enter_subsection("Solution");
       prm.add_parameter("Increments",
@@ -204,11 +224,13 @@ namespace Contact
       prm.add_parameter("Geometry",
                         geometry,
                         "How projections and normals follow the displacements "
-                        "[-]; fixed point: in a loop of their own; each step: "
+                        "[-]; undeformed: not at all, as theories of small "
+                        "displacements have it (kinematics small strain); "
+                        "fixed point: in a loop of their own; each step: "
                         "renewed before each Newton step; Newton: with the "
                         "displacements, in the tangent as well (rules nodal "
                         "and Gauss, saddle point system).",
-                        loop);
+                        geometry_loop);
       prm.add_parameter(
         "Geometry tolerance",
         geometry_tolerance,
@@ -244,6 +266,11 @@ namespace Contact
                         max_newton_iterations,
                         "Newton iterations before giving up [-].",
                         at_least_one);
+      prm.add_parameter("Linear tolerance",
+                        linear_tolerance,
+                        "How far conjugate gradients are driven in a Newton "
+                        "step, relative to the residual of that [-]; > 0, < "
+                        "1.");
       prm.add_parameter("System",
                         system,
                         "The linear system [-]; saddle point: with the "
@@ -304,7 +331,9 @@ namespace Contact
       prm.add_parameter("Probes",
                         probes,
                         "Values to report: 'name: quantity, point', separated "
-                        "by ';'; a point group and one of: " +
+                        "by ';'; with a second point group, as in 'name: "
+                        "quantity, point, point', the value at the first minus "
+                        "the value at the second. One of: " +
                           Patterns::Tools::to_string(quantities) +
                           " [displacements: mm, stresses: MPa].");
       prm.add_parameter("References",
@@ -318,9 +347,26 @@ namespace Contact
                         "> 0.");
       prm.add_parameter("Hertz",
                         hertz,
-                        "Line contact of Hertz to compare the pressure with: "
-                        "'radius, force' [mm, N per mm of thickness, of the "
-                        "full cylinder]; empty: none.");
+                        "Line contact of Hertz to compare with: 'radius, "
+                        "force' [mm, N per mm of thickness, of the full "
+                        "cylinder], or 'radius': under the force that is "
+                        "found. With Coulomb's friction the shear is compared "
+                        "as well: with Cattaneo and Mindlin's where the bodies "
+                        "are alike, otherwise with that of two half planes "
+                        "under the same increments. Empty: none.");
+      prm.add_parameter("Concentric cylinders",
+                        concentric_cylinders,
+                        "A cylinder in a ring about the origin to compare "
+                        "with: 'bore, radius of contact, outer radius, "
+                        "pressure, amplitude' [mm, MPa], under the pressure "
+                        "'pressure + amplitude cos(2 theta)' outside, small "
+                        "strain, no friction. Empty: none.");
+      prm.add_parameter("Estimate errors",
+                        estimate_errors,
+                        "Estimate the discretization error of the probes [-]. "
+                        "With several levels that costs nothing and is always "
+                        "done; without, the case is solved once more on the "
+                        "mesh refined once.");
       prm.leave_subsection();
     }
 

@@ -113,6 +113,14 @@ namespace Contact
       std::map<std::string, double> spread_force_x;
       std::map<std::string, double> spread_force_y;
 
+      /// Boundary group -> dead pressure at full load [MPa], a formula in x and
+      /// y; normal to the undeformed boundary, positive in compression.
+      std::map<std::string, std::string> pressure;
+
+      /// Entry of this section -> its factor, a formula in the load factor t.
+      /// Those without grow as t.
+      std::map<std::string, std::string> histories;
+
       void add_parameters(ParameterHandler &prm);
       void check() const;
     };
@@ -159,7 +167,7 @@ namespace Contact
     {
       unsigned int n_increments = 2;
 
-      /// "fixed point", "each step" or "Newton".
+      /// "undeformed", "fixed point", "each step" or "Newton".
       std::string  geometry                = "fixed point";
       double       geometry_tolerance      = 1e-2;
       unsigned int max_geometry_iterations = 30;
@@ -171,6 +179,9 @@ namespace Contact
 
       double       newton_tolerance      = 1e-8;
       unsigned int max_newton_iterations = 40;
+
+      /// Of iterative solvers, relative to the residual of the Newton step.
+      double linear_tolerance = 1e-3;
 
       /// "automatic", "saddle point" or "condensed".
       std::string system = "automatic";
@@ -204,7 +215,8 @@ namespace Contact
     /// Values to report, and to compare with a reference.
     struct Probes
     {
-      /// Name -> {quantity, point group}; see the entry's documentation.
+      /// Name -> {quantity, point group} or {quantity, point group, point
+      /// group}; see the entry's documentation.
       std::map<std::string, std::vector<std::string>> probes;
 
       /// The quantities there are.
@@ -214,9 +226,18 @@ namespace Contact
       std::map<std::string, double> references;
       std::map<std::string, double> tolerances;
 
-      /// Hertz line contact to compare the pressure with: {radius [mm], force
-      /// per length of the full cylinder [N/mm]}; empty: none.
+      /// Hertz line contact to compare with: {radius [mm], force per length of
+      /// the full cylinder [N/mm]} or {radius}: under the force that is found;
+      /// empty: none.
       std::vector<double> hertz;
+
+      /// Concentric cylinders to compare with: {bore, radius of contact, outer
+      /// radius [mm], mean pressure, amplitude of its cos(2 theta) [MPa]};
+      /// empty: none.
+      std::vector<double> concentric_cylinders;
+
+      /// Estimate the discretization error of the probes on a refined mesh.
+      bool estimate_errors = false;
 
       void add_parameters(ParameterHandler &prm);
       void check() const;

@@ -96,39 +96,17 @@ namespace Contact
 
 
 
-    /// The horizontal position of the slave node with the smallest initial gap.
-    double contact_axis(const ContactInterface &interface,
-                        const Discretization   &discretization)
+    void add_exact_values(const std::optional<ExactSolution> &exact,
+                          std::vector<ProfileRow>            &rows)
     {
-      const Vector<double> no_displacement(discretization.dof_handler.n_dofs());
-      const SurfaceSearch  search(interface.master, no_displacement);
-
-      double axis = 0, smallest = std::numeric_limits<double>::max();
-      for (const Surface::Node &node : interface.slave.nodes)
-        {
-          const double distance =
-            search.distance_square(node.X, search.closest_point(node.X));
-          if (distance < smallest)
-            {
-              smallest = distance;
-              axis     = node.X[0];
-            }
-        }
-      return axis;
-    }
-
-
-
-    void add_hertz_pressure(const ContactInterface &interface,
-                            const Discretization   &discretization,
-                            const std::optional<HertzLineContact> &hertz,
-                            std::vector<ProfileRow>               &rows)
-    {
-      if (!hertz)
+      if (!exact)
         return;
-      const double axis = contact_axis(interface, discretization);
       for (ProfileRow &row : rows)
-        row.hertz_pressure = hertz->pressure(row.X[0] - axis);
+        {
+          row.exact_pressure = exact->pressure(row.X);
+          if (exact->shear)
+            row.exact_shear = exact->shear(row.X);
+        }
     }
 
 
@@ -287,13 +265,13 @@ namespace Contact
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const Vector<double>                     &solution,
                 const Vector<double>                     &u_start,
-                const std::optional<HertzLineContact>    &hertz)
+                const std::optional<ExactSolution>       &exact)
   {
     auto rows =
       make_rows(interface.slave, discretization, vertex_stresses, solution);
     add_gap_and_slip(interface, discretization, solution, u_start, rows);
     add_contact_values(interface, solution, u_start, rows);
-    add_hertz_pressure(interface, discretization, hertz, rows);
+    add_exact_values(exact, rows);
     return rows;
   }
 
@@ -305,7 +283,7 @@ namespace Contact
                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                  const Vector<double>                     &solution,
                  const std::vector<ProfileRow>            &slave,
-                 const std::optional<HertzLineContact>    &hertz)
+                 const std::optional<ExactSolution>       &exact)
   {
     const Surface &master = interface.master;
     auto rows = make_rows(master, discretization, vertex_stresses, solution);
@@ -327,9 +305,16 @@ namespace Contact
         rows[node_of_dof.at(point.dofs[a][0])].nodal_force -=
           point.C[a] * normal_force(interface, point, solution);
 
-    add_hertz_pressure(interface, discretization, hertz, rows);
+    add_exact_values(exact, rows);
     reverse(rows);
     return rows;
+  }
+
+
+
+  bool is_displacement(const std::string &quantity)
+  {
+    return quantity.rfind("displacement", 0) == 0;
   }
 
 
@@ -340,8 +325,9 @@ namespace Contact
                      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                      const Vector<double>                     &u)
   {
-    const NodeDoFs              &dofs   = discretization.vertex_dofs[vertex];
-    const SymmetricTensor<2, 3> &stress = vertex_stresses[vertex];
+    const NodeDoFs &dofs   = discretization.vertex_dofs[vertex];
+    const auto      stress = vertex_stresses.empty() ? SymmetricTensor<2, 3>()
+                                                     : vertex_stresses[vertex];
     const std::map<std::string, double> values{{"displacement x", u[dofs[0]]},
                                                {"displacement y", u[dofs[1]]},
                                                {"stress xx", stress[0][0]},

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "contact_interface.h"
-#include "verification.h"
+#include "exact_solution.h"
 
 namespace Contact
 {
@@ -43,8 +43,9 @@ namespace Contact
     /// deformed outward normal n [MPa].
     double extrapolated_pressure = 0;
 
-    /// Of the analytic solution [MPa]; NaN where none was given.
-    double hertz_pressure = std::numeric_limits<double>::quiet_NaN();
+    /// Of the exact solution [MPa]; NaN where there is none.
+    double exact_pressure = std::numeric_limits<double>::quiet_NaN();
+    double exact_shear    = std::numeric_limits<double>::quiet_NaN();
   };
 
 
@@ -60,8 +61,7 @@ namespace Contact
    * among the points that its multiplier acts on.
    *
    * @p vertex_stresses are by vertex of the triangulation, @p u_start is the
-   * solution at the start of the increment. The axis of the Hertz contact is
-   * vertical through the slave node of the smallest initial gap.
+   * solution at the start of the increment.
    */
   std::vector<ProfileRow>
   slave_profile(const ContactInterface                   &interface,
@@ -69,7 +69,7 @@ namespace Contact
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const Vector<double>                     &solution,
                 const Vector<double>                     &u_start,
-                const std::optional<HertzLineContact>    &hertz);
+                const std::optional<ExactSolution>       &exact);
 
   /**
    * The profile of the master surface. A master node has no contact values of
@@ -89,12 +89,16 @@ namespace Contact
                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                  const Vector<double>                     &solution,
                  const std::vector<ProfileRow>            &slave,
-                 const std::optional<HertzLineContact>    &hertz);
+                 const std::optional<ExactSolution>       &exact);
+
+  /// Whether a quantity needs no stresses.
+  bool is_displacement(const std::string &quantity);
 
   /**
    * The value of a quantity at a vertex of the triangulation: "displacement x"
    * or "y" [mm], "stress xx", "yy", "zz", "xy" or "von Mises" [MPa]. Throws
-   * InputError for any other.
+   * InputError for any other. For a displacement @p vertex_stresses may be
+   * empty.
    */
   double probe_value(const std::string                        &quantity,
                      const unsigned int                        vertex,

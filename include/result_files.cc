@@ -120,9 +120,12 @@ namespace Contact
                                      row.gap,
                                      row.slip})
             out << ',' << value + 0.; // no "-0"
-          out << ',' << row.status << ',' << row.extrapolated_pressure << ',';
-          if (!std::isnan(row.hertz_pressure))
-            out << row.hertz_pressure;
+          out << ',' << row.status << ',' << row.extrapolated_pressure;
+          for (const double value : {row.exact_pressure, row.exact_shear})
+            if (std::isnan(value))
+              out << ',';
+            else
+              out << ',' << value;
           out << '\n';
         }
     }
@@ -364,7 +367,7 @@ namespace Contact
              "displacement_x_mm,displacement_y_mm,pressure_MPa,shear_MPa,"
              "nodal_force_N_per_mm,gap_mm,slip_mm,"
              "status_0_open_1_slip_2_stick,extrapolated_pressure_MPa,"
-             "hertz_pressure_MPa\n";
+             "exact_pressure_MPa,exact_shear_MPa\n";
       write_rows(out, "slave", slave);
       write_rows(out, "master", master);
     });

@@ -100,7 +100,7 @@ namespace Contact
                        const std::vector<ProfileRow> &rows);
 
     /// Write profile.csv: a line with names and units, then the rows of both
-    /// surfaces. Where there is no Hertz pressure its field is empty.
+    /// surfaces. Where there is no exact solution its fields are empty.
     void write_profile(const std::vector<ProfileRow> &slave,
                        const std::vector<ProfileRow> &master) const;
 

@@ -71,6 +71,7 @@ namespace Contact
     {
       return {{"name", probe.name},
               {"value", probe.value},
+              {"estimated_error", to_json(probe.error)},
               {"reference", to_json(probe.reference)},
               {"relative_deviation", to_json(probe.relative_deviation())},
               {"tolerance", to_json(probe.tolerance)}};
@@ -111,6 +112,7 @@ namespace Contact
               {"multipliers", level.n_multipliers},
               {"newton_iterations", level.newton_iterations},
               {"linear_iterations", level.linear_iterations},
+              {"probes", level.probes},
               {"time", to_json(level.time)},
               {"peak_memory_mb", level.peak_memory_mb}};
     }
@@ -127,6 +129,9 @@ namespace Contact
                 {"unknowns",
                  {{"displacement", summary.n_displacements},
                   {"multipliers", summary.n_multipliers}}},
+                {"contact", summary.contact},
+                {"exact", summary.exact},
+                {"errors", summary.errors},
                 {"time", to_json(summary.time)},
                 {"peak_memory_mb", summary.peak_memory_mb},
                 {"effects", Json::object()}};
@@ -150,6 +155,7 @@ namespace Contact
                       "mesh",
                       "probe",
                       "computed",
+                      "error est.",
                       "reference",
                       "deviation",
                       "tolerance",
@@ -191,16 +197,17 @@ namespace Contact
                 std::filesystem::path(summary.mesh_file).stem().string(),
                 probe.name + " [" + probe.unit + "]",
                 format_value(probe, probe.value),
+                probe.error ? format("%.1e", *probe.error) : "-",
                 "-",
                 "-",
                 "-",
                 "-"};
       if (probe.reference && probe.tolerance)
         {
-          line[4] = format_value(probe, *probe.reference);
-          line[5] = format_deviation(*probe.relative_deviation());
-          line[6] = format("%g %%", 100 * *probe.tolerance);
-          line[7] = probe.within() ? "yes" : "NO";
+          line[5] = format_value(probe, *probe.reference);
+          line[6] = format_deviation(*probe.relative_deviation());
+          line[7] = format("%g %%", 100 * *probe.tolerance);
+          line[8] = probe.within() ? "yes" : "NO";
         }
       return line;
     }
@@ -208,7 +215,7 @@ namespace Contact
 
 
     /// Print lines as a table, the first one as its head; the columns that are
-    /// @p numbers to the right.
+    /// @p numbers to the right, those that are empty not at all.
     void print_lines(std::ostream                 &out,
                      const std::vector<Line>      &lines,
                      const std::set<unsigned int> &numbers)
@@ -224,6 +231,8 @@ namespace Contact
           std::string text, rule;
           for (unsigned int c = 0; c < n_columns; ++c)
             {
+              if (width[c] == 0)
+                continue;
               const std::string fill(width[c] - lines[l][c].size(), ' ');
               text += c == 0 ? "" : " | ";
               text +=
@@ -249,6 +258,7 @@ namespace Contact
         lines.push_back(
           {summary.case_name,
            std::filesystem::path(summary.mesh_file).stem().string(),
+           "-",
            "-",
            "-",
            "-",
@@ -312,6 +322,32 @@ namespace Contact
 
 
 
+  void estimate_errors(RunSummary &summary)
+  {
+    const auto coarser =
+      std::find_if(summary.levels.rbegin(),
+                   summary.levels.rend(),
+                   [&](const LevelRecord &level) {
+                     return 2 * level.n_displacements <=
+                            summary.levels.back().n_displacements;
+                   });
+    if (coarser != summary.levels.rend())
+      for (ProbeResult &probe : summary.probes)
+        probe.error = std::abs(probe.value - coarser->probes.at(probe.name));
+  }
+
+
+
+  void estimate_errors(RunSummary                     &summary,
+                       const std::vector<ProbeResult> &finer)
+  {
+    for (unsigned int i = 0; i < summary.probes.size(); ++i)
+      summary.probes[i].error =
+        2 * std::abs(summary.probes[i].value - finer[i].value);
+  }
+
+
+
   void write_summary(const RunSummary &summary, std::ostream &out)
   {
     out << to_json(summary).dump(2) << '\n';
@@ -326,8 +362,16 @@ namespace Contact
       for (const Line &line : make_lines(summary))
         lines.push_back(line);
 
+    // Nothing was estimated: no column for it.
+    const unsigned int column = 4;
+    if (std::all_of(lines.begin() + 1, lines.end(), [&](const Line &line) {
+          return line[column] == "-";
+        }))
+      for (Line &line : lines)
+        line[column].clear();
+
     // Names to the left, numbers to the right.
-    print_lines(out, lines, {3, 4, 5, 6});
+    print_lines(out, lines, {3, 4, 5, 6, 7});
 
     for (const RunSummary &summary : summaries)
       if (!summary.converged)

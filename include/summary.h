@@ -26,6 +26,9 @@ namespace Contact
     std::optional<double> reference;
     std::optional<double> tolerance;
 
+    /// The estimated discretization error, in the unit of the value.
+    std::optional<double> error;
+
     /// value/reference - 1, if there is a reference.
     std::optional<double> relative_deviation() const;
 
@@ -70,6 +73,7 @@ namespace Contact
     unsigned int newton_iterations = 0;
     unsigned int linear_iterations = 0; // 1 for each direct solve
 
+    std::map<std::string, double>    probes;             // value by name
     std::map<std::string, PhaseTime> time;               // by phase
     double                           peak_memory_mb = 0; // of all so far
   };
@@ -93,6 +97,11 @@ namespace Contact
     std::size_t n_displacements = 0; // unknowns
     std::size_t n_multipliers   = 0;
 
+    /// The contact zone at full load, see ContactResults; what the exact
+    /// solution has instead, and the errors relative to that, see
+    /// ExactSolution. By name; empty where there is none.
+    std::map<std::string, double> contact, exact, errors;
+
     std::map<std::string, PhaseTime> time; // by phase
     double                           peak_memory_mb = 0;
 
@@ -104,6 +113,22 @@ namespace Contact
   };
 
 
+
+  /**
+   * Estimate the discretization errors of the probes by their differences from
+   * the values on a coarser level, the finest with at most half of the
+   * unknowns. That is no less than the error if from one to the other the error
+   * at least halves. Without such a level there is no estimate.
+   */
+  void estimate_errors(RunSummary &summary);
+
+  /**
+   * Estimate them from the values @p finer on the mesh refined once, as twice
+   * the difference: again no less than the error if refining at least halves
+   * it.
+   */
+  void estimate_errors(RunSummary                     &summary,
+                       const std::vector<ProbeResult> &finer);
 
   /// The largest resident memory of this process so far [MB = 2^20 bytes].
   double peak_memory_mb();

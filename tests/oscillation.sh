@@ -52,7 +52,7 @@ row() {
     NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
     $1 == "slave" && $column["X_mm"] < 8 {
       p = $column["pressure_MPa"]
-      hertz = $column["hertz_pressure_MPa"]
+      hertz = $column["exact_pressure_MPa"]
       if (hertz > p0) p0 = hertz
       if (p > largest) largest = p
       if (n++) { deviation += abs(p - hertz - last_d); own += abs(p - last_p) }

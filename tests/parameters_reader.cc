@@ -423,7 +423,7 @@ namespace
     report_lines("Probes", probe);
     report_lines("Probes", "set Probes = P: stress, B");
     report_lines("Probes", "set Probes = P: stress yy");
-    report_lines("Probes", "set Probes = P: stress yy, B, C");
+    report_lines("Probes", "set Probes = P: stress yy, B, C, D");
     report_lines("Probes", "set References = P: 1\nset Tolerances = P: 1");
     report_lines("Probes", probe + "set References = P: 1");
     report_lines("Probes", probe + "set Tolerances = P: 1");
@@ -431,7 +431,7 @@ namespace
                  probe + "set References = P: 1\nset Tolerances = P: 0");
     report_lines("Probes",
                  probe + "set References = P: 0\nset Tolerances = P: 1");
-    report_lines("Probes", "set Hertz = 50");
+    report_lines("Probes", "set Hertz = 50, 1, 1");
     report_lines("Probes", "set Hertz = 50, 0");
   }
 

@@ -81,10 +81,9 @@ namespace
 
 
   // The profiles of slave and master.
-  std::array<Rows, 2>
-  profiles(const ContactModel                    &model,
-           const Stresses                        &stresses,
-           const std::optional<HertzLineContact> &hertz = {})
+  std::array<Rows, 2> profiles(const ContactModel                 &model,
+                               const Stresses                     &stresses,
+                               const std::optional<ExactSolution> &exact = {})
   {
     const auto &disc  = model.discretization;
     const Rows  slave = slave_profile(model.interface,
@@ -92,14 +91,14 @@ namespace
                                      stresses,
                                      model.solution,
                                      model.start,
-                                     hertz);
+                                     exact);
     return {{slave,
              master_profile(model.interface,
                             disc,
                             stresses,
                             model.solution,
                             slave,
-                            hertz)}};
+                            exact)}};
   }
 
 
@@ -203,14 +202,22 @@ namespace
   void check_hertz_axis(const unsigned int degree)
   {
     headline("Hertz axis, degree " + std::to_string(degree));
-    const HertzLineContact hertz{5, 100, 1000, 0.3, 1000, 0.3};
-    const PlacedModel      model(two_blocks(degree, "nodal", true, 0.1), stay);
-    const Stresses         stresses(model.mesh.triangulation.n_vertices());
-    for (const Rows &rows : profiles(model, stresses, hertz))
+    Parameters::All parameters = two_blocks(degree, "nodal", true, 0.1);
+    parameters.probes.hertz    = {5, 100};
+    const PlacedModel model(parameters, stay);
+    const Stresses    stresses(model.mesh.triangulation.n_vertices());
+    const auto        exact = make_exact_solution(parameters,
+                                           model.discretization,
+                                           model.interface,
+                                           contact_results(model.interface,
+                                                           model.solution,
+                                                           model.start));
+    for (const Rows &rows : profiles(model, stresses, exact))
       for (const ProfileRow &row : rows)
-        if (row.hertz_pressure > 0)
+        if (row.exact_pressure > 0)
           std::cout << "  x " << row.X[0] << ", p/p0 "
-                    << row.hertz_pressure / hertz.max_pressure() << std::endl;
+                    << row.exact_pressure / exact->values.at("max_pressure")
+                    << std::endl;
   }
 
 

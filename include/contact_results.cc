@@ -1,0 +1,160 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact_results.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Contact
+{
+  namespace
+  {
+    /// A contact point as its zone looks from the side.
+    struct Sample
+    {
+      double s; // arc length [mm]
+      bool   touches, sticks;
+      double p;    // [MPa]
+      double slip; // magnitude [mm]
+    };
+
+    using Samples = std::vector<Sample>;
+    using Inside  = bool Sample::*;
+
+
+
+    /// Where a function that is linear in s and has the values f1 and f2 at s1
+    /// and s2 vanishes, but not outside of the two bounds.
+    double root(const double s1,
+                const double f1,
+                const double s2,
+                const double f2,
+                const double bound_1,
+                const double bound_2)
+    {
+      const double zero = f1 == f2 ? s1 : s1 - f1 * (s2 - s1) / (f2 - f1);
+      return std::clamp(zero,
+                        std::min(bound_1, bound_2),
+                        std::max(bound_1, bound_2));
+    }
+
+
+
+    /// p^2 falls to zero linearly.
+    double
+    end_of_contact(const Sample *before, const Sample &last, const Sample &next)
+    {
+      if (before == nullptr || !before->touches || before->p <= last.p)
+        return (last.s + next.s) / 2;
+      return root(last.s,
+                  last.p * last.p,
+                  before->s,
+                  before->p * before->p,
+                  last.s,
+                  next.s);
+    }
+
+
+
+    /// |slip|^(2/3) grows from zero linearly.
+    double
+    end_of_stick(const Sample &last, const Sample &next, const Sample *beyond)
+    {
+      if (next.slip == 0) // held by symmetry
+        return next.s;
+      if (beyond == nullptr || !beyond->touches || beyond->slip <= next.slip)
+        return (last.s + next.s) / 2;
+      return root(next.s,
+                  std::pow(next.slip, 2. / 3),
+                  beyond->s,
+                  std::pow(beyond->slip, 2. / 3),
+                  last.s,
+                  next.s);
+    }
+
+
+
+    /// From the first to the last end of a zone.
+    double width(const Samples &samples, const Inside inside)
+    {
+      const auto is_inside = [&](const Sample &a) { return a.*inside; };
+      const int  n         = samples.size();
+      const int  first =
+        std::find_if(samples.begin(), samples.end(), is_inside) -
+        samples.begin();
+      if (first == n)
+        return 0;
+      const int last =
+        samples.rend() -
+        std::find_if(samples.rbegin(), samples.rend(), is_inside) - 1;
+
+      const auto at = [&](const int i) {
+        return 0 <= i && i < n ? &samples[i] : nullptr;
+      };
+      const auto end = [&](const int i, const int outwards) {
+        const Sample *next = at(i + outwards);
+        if (next == nullptr)
+          return samples[i].s;
+        return inside == &Sample::touches
+                 ? end_of_contact(at(i - outwards), samples[i], *next)
+                 : end_of_stick(samples[i], *next, at(i + 2 * outwards));
+      };
+      return end(last, +1) - end(first, -1);
+    }
+  } // namespace
+
+
+
+  ContactResults contact_results(const ContactInterface &interface,
+                                 const Vector<double>   &solution,
+                                 const Vector<double>   &u_start)
+  {
+    const Surface        &slave = interface.slave;
+    std::vector<Point<2>> X;
+    for (const Surface::Node &node : slave.nodes)
+      X.push_back(node.X);
+    const auto s_of_node = slave.arc_length(X);
+
+    ContactResults results;
+    Samples        samples;
+    for (const ContactPoint &point : interface.points)
+      {
+        const EdgeShape shape(slave.degree, point.slave_xi);
+        double          s = 0;
+        for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+          s +=
+            shape.value[a] * s_of_node[slave.edges[point.slave_edge].nodes[a]];
+        if (!point.facing || point.decision.status == Status::open)
+          {
+            samples.push_back({s, false, false, 0, 0});
+            continue;
+          }
+
+        const ContactState now      = interface.state(point, solution, u_start);
+        const Traction     traction = interface.traction(point,
+                                                     point.decision,
+                                                     now.p_trial,
+                                                     now.q_trial,
+                                                     /*moving_bound=*/false);
+        results.normal_force += point.weight * traction.p;
+        results.tangential_force += point.weight * traction.q;
+        results.max_pressure = std::max(results.max_pressure, traction.p);
+        results.max_shear = std::max(results.max_shear, std::abs(traction.q));
+        samples.push_back({s,
+                           true,
+                           point.decision.status == Status::stick,
+                           traction.p,
+                           std::abs(now.slip)});
+      }
+    std::sort(samples.begin(),
+              samples.end(),
+              [](const Sample &a, const Sample &b) { return a.s < b.s; });
+
+    results.width       = width(samples, &Sample::touches);
+    results.stick_width = width(samples, &Sample::sticks);
+    return results;
+  }
+} // namespace Contact
