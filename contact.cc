@@ -964,11 +964,11 @@ namespace Contact
                                     {"width", results.width},
                                     {"stick_width", results.stick_width}};
 
+    TimerOutput::Scope scope(timer, "verification");
     exact =
       make_exact_solution(parameters, *discretization, *interface, results);
     if (!exact)
       return;
-    TimerOutput::Scope scope(timer, "verification");
     summary.exact  = exact->values;
     summary.errors = solution_errors(*exact,
                                      *discretization,

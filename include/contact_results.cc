@@ -17,8 +17,9 @@ namespace Contact
     {
       double s; // arc length [mm]
       bool   touches, sticks;
-      double p;    // [MPa]
-      double slip; // magnitude [mm]
+      bool   is_held; // by a support: it can not slip
+      double p;       // [MPa]
+      double slip;    // magnitude [mm]
     };
 
     using Samples = std::vector<Sample>;
@@ -63,7 +64,7 @@ namespace Contact
     double
     end_of_stick(const Sample &last, const Sample &next, const Sample *beyond)
     {
-      if (next.slip == 0) // held by symmetry
+      if (next.is_held)
         return next.s;
       if (beyond == nullptr || !beyond->touches || beyond->slip <= next.slip)
         return (last.s + next.s) / 2;
@@ -78,7 +79,8 @@ namespace Contact
 
 
     /// From the first to the last end of a zone.
-    double width(const Samples &samples, const Inside inside)
+    double
+    width(const Samples &samples, const double length, const Inside inside)
     {
       const auto is_inside = [&](const Sample &a) { return a.*inside; };
       const int  n         = samples.size();
@@ -97,8 +99,8 @@ namespace Contact
       const auto end = [&](const int i, const int outwards) {
         const Sample *next = at(i + outwards);
         if (next == nullptr)
-          return samples[i].s;
-        return inside == &Sample::touches
+          return outwards > 0 ? length : 0.;
+        return inside == &Sample::touches || !next->touches
                  ? end_of_contact(at(i - outwards), samples[i], *next)
                  : end_of_stick(samples[i], *next, at(i + 2 * outwards));
       };
@@ -129,7 +131,7 @@ namespace Contact
             shape.value[a] * s_of_node[slave.edges[point.slave_edge].nodes[a]];
         if (!point.facing || point.decision.status == Status::open)
           {
-            samples.push_back({s, false, false, 0, 0});
+            samples.push_back({s, false, false, false, 0, 0});
             continue;
           }
 
@@ -146,6 +148,7 @@ namespace Contact
         samples.push_back({s,
                            true,
                            point.decision.status == Status::stick,
+                           point.tangential_row_is_void,
                            traction.p,
                            std::abs(now.slip)});
       }
@@ -153,8 +156,8 @@ namespace Contact
               samples.end(),
               [](const Sample &a, const Sample &b) { return a.s < b.s; });
 
-    results.width       = width(samples, &Sample::touches);
-    results.stick_width = width(samples, &Sample::sticks);
+    results.width       = width(samples, s_of_node.back(), &Sample::touches);
+    results.stick_width = width(samples, s_of_node.back(), &Sample::sticks);
     return results;
   }
 } // namespace Contact

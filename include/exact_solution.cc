@@ -69,7 +69,7 @@ namespace Contact
       };
 
       const double mu = interface.law.coulomb_coefficient;
-      if (mu == 0)
+      if (mu == 0 || !parameters.probes.frictional_theory)
         return exact;
       if (std::abs(hertz.dundurs()) < 1e-12)
         {

@@ -37,11 +37,11 @@ namespace Contact
 
   /**
    * The solution that the parameters ask to compare with, if they do: that of
-   * Hertz (with friction, Cattaneo and Mindlin's for bodies of one material
-   * under a tangential force, or that of two half planes under the same
-   * increments), or of concentric cylinders. Its axis is vertical through the
-   * slave node with the smallest initial gap. Where the force is not given, it
-   * is the one in @p results.
+   * Hertz (on request with friction: Cattaneo and Mindlin's for bodies of one
+   * material, or that of two half planes under the same increments), or of
+   * concentric cylinders. Its axis is vertical through the slave node with the
+   * smallest initial gap. Where the force is not given, it is the one in @p
+   * results.
    */
   std::optional<ExactSolution>
   make_exact_solution(const Parameters::All  &parameters,

@@ -12,10 +12,32 @@
 
 namespace Contact
 {
+  namespace
+  {
+    /// A comma outside of parentheses makes two formulas, of which the parser
+    /// would take the last one: so of a decimal comma.
+    bool is_list(const std::string &formula)
+    {
+      int depth = 0;
+      for (const char c : formula)
+        {
+          depth += (c == '(') - (c == ')');
+          if (c == ',' && depth == 0)
+            return true;
+        }
+      return false;
+    }
+  } // namespace
+
+
+
   template<int n_variables>
   std::function<double(const Point<n_variables> &)>
   parse_formula(const std::string &formula, const std::string &variables)
   {
+    if (is_list(formula))
+      throw std::runtime_error("'" + formula + "' is no formula in " +
+                               variables);
     const auto parser = std::make_shared<FunctionParser<n_variables>>(1);
     try
       {

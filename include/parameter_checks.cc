@@ -315,6 +315,11 @@ namespace Contact
                          {"Probes/Hertz"},
                          "write 'radius, force per mm' or 'radius', or leave "
                          "it empty");
+      if (frictional_theory && hertz.empty())
+        throw EntryError("There is no contact of Hertz for a theory of "
+                         "friction.",
+                         {"Probes/Frictional theory", "Probes/Hertz"},
+                         "set 'Hertz = radius', or no frictional theory");
       const auto &r = concentric_cylinders;
       if (!r.empty() &&
           !(r.size() == 5 && 0 <= r[0] && r[0] < r[1] && r[1] < r[2]))

@@ -350,10 +350,14 @@ namespace Contact
                         "Line contact of Hertz to compare with: 'radius, "
                         "force' [mm, N per mm of thickness, of the full "
                         "cylinder], or 'radius': under the force that is "
-                        "found. With Coulomb's friction the shear is compared "
-                        "as well: with Cattaneo and Mindlin's where the bodies "
-                        "are alike, otherwise with that of two half planes "
-                        "under the same increments. Empty: none.");
+                        "found. Empty: none.");
+      prm.add_parameter("Frictional theory",
+                        frictional_theory,
+                        "Compare a contact of Hertz with Coulomb's friction "
+                        "with a theory that knows it [-]: Cattaneo and "
+                        "Mindlin's where the bodies are alike, otherwise two "
+                        "half planes under the same increments; right only if "
+                        "the contact is small beside the radius.");
       prm.add_parameter("Concentric cylinders",
                         concentric_cylinders,
                         "A cylinder in a ring about the origin to compare "

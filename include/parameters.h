@@ -231,6 +231,10 @@ namespace Contact
       /// empty: none.
       std::vector<double> hertz;
 
+      /// Compare the shear with theory as well, not only with the pressure of
+      /// Hertz without friction.
+      bool frictional_theory = false;
+
       /// Concentric cylinders to compare with: {bore, radius of contact, outer
       /// radius [mm], mean pressure, amplitude of its cos(2 theta) [MPa]};
       /// empty: none.

@@ -1,0 +1,172 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tables and pictures of the study, from DIR/study.csv alone.
+
+    report.py DIR                        study.md, *.svg and *.png in DIR
+    report.py DIR --readme FILE          tables into FILE, between their marks
+    report.py DIR --check-readme FILE    exit status 1 if they differ
+
+The marks are <!-- study:NAME:begin --> and <!-- study:NAME:end -->, NAME being
+one of those in TABLES of tables.py.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import re
+import sys
+from pathlib import Path
+
+import analysis
+import matrix
+import plots
+from tables import SSNP, TABLES, all_tables
+
+
+# ------------------------------------------------------------------- pictures
+
+def digits_per_second(e: float, r: dict) -> tuple[float, float]:
+    return r["seconds"], max(-math.log10(e), 0) / r["seconds"]
+
+
+PICTURES = {  # of a sequence: name, title, x, y, point of an error and a run
+    "error_wall": ("wall time [s]", "relative error of {}",
+                   lambda e, r: (r["seconds"], e)),
+    "error_unknowns": ("unknowns", "relative error of {}",
+                       lambda e, r: (r["unknowns"], e)),
+    "digits": ("wall time [s]", "digits of {} per second", digits_per_second),
+}
+
+
+def ssnp_panels(rows, problem, quantity, point) -> list[plots.Panel]:
+    """A panel an element. Points that the reference cannot judge are left
+    out, and a method has the same style in all panels."""
+    found = analysis.reference(rows, problem, quantity)
+    sequences = analysis.sequences(rows, problem)
+    names = list(dict.fromkeys(name for _, name in sequences))
+    panels = {element: plots.Panel(element) for element in matrix.ELEMENTS}
+    for (element, name), runs in sequences.items():
+        points = []
+        for r in runs:
+            e = abs(r[quantity] / found[0] - 1) if found else 1
+            if found and e < 2 * found[1]:
+                continue
+            points.append(point(e, r))
+        if points:
+            panels[element].curves.append(
+                plots.Curve(name, points, names.index(name)))
+    return list(panels.values())
+
+
+def ssnp_figures(rows) -> list[plots.Figure]:
+    figures = []
+    for problem, title in SSNP.items():
+        for quantity in ("dy", "max_pressure"):
+            if not analysis.reference(rows, problem, quantity):
+                continue
+            value = analysis.NAMES[quantity]
+            for name, (x, y, point) in PICTURES.items():
+                figures.append(plots.Figure(
+                    f"{problem}_{quantity}_{name}", title, x, y.format(value),
+                    ssnp_panels(rows, problem, quantity, point),
+                    name != "digits"))
+        figures.append(plots.Figure(
+            f"{problem}_time_unknowns", title, "unknowns", "wall time [s]",
+            ssnp_panels(rows, problem, "",
+                        lambda _, r: (r["unknowns"], r["seconds"]))))
+    return figures
+
+
+def order_figures(rows) -> list[plots.Figure]:
+    """Errors against refinements as the mesh size by that of the file."""
+    figures = []
+    for problem in ("rings", "disk", "rings_matching"):
+        panels = {q: plots.Panel(q) for q in ("displacement", "energy",
+                                              "pressure")}
+        sequences = analysis.sequences(rows, problem)
+        for style, ((element, rule), runs) in enumerate(sequences.items()):
+            for q, panel in panels.items():
+                points = [(2 ** r["level"], r[f"error_{q}"]) for r in runs
+                          if r[f"error_{q}"]]
+                if points:
+                    panel.curves.append(
+                        plots.Curve(f"{element}, {rule}", points, style))
+        figures.append(plots.Figure(
+            f"{problem}_orders", problem, "first mesh size by mesh size",
+            "relative error", list(panels.values())))
+    return figures
+
+
+# ----------------------------------------------------------------- what to do
+
+def write_all(directory: Path) -> None:
+    """study.md and the pictures."""
+    rows = read(directory)
+    start = next((r for r in rows if r["problem"] == "start-up"), None)
+    parts = ["# Accuracy against cost\n"]
+    if start:
+        parts.append("Seconds are wall seconds from reading the mesh to the last "
+                     "result, after a start of "
+                     f"{start['wall']:.2f} s ({start['cpu']:.2f} s of CPU) and "
+                     "without comparing with theory.\n")
+    for name, text in all_tables(rows).items():
+        if text:
+            parts.append(f"## {TABLES[name][0]}\n\n{text}\n")
+    drawn = plots.draw(ssnp_figures(rows) + order_figures(rows), directory)
+    parts += [f"![{name}]({name}.svg)\n" for name in drawn]
+    (directory / "study.md").write_text("\n".join(parts))
+
+
+def read(directory: Path) -> list[dict]:
+    path = directory / "study.csv"
+    if not path.is_file():
+        sys.exit(f"report.py: {path} does not exist: run study.py first, or give "
+                 "the directory that has it")
+    return analysis.read_csv(path)
+
+
+def replace_tables(text: str, tables: dict[str, str], file: Path) -> str:
+    """The text with the tables between their marks."""
+    marks = re.findall(r"<!-- study:(\w+):begin -->", text)
+    for name in marks:
+        if name not in tables:
+            sys.exit(f"report.py: {file}: there is no table '{name}': one of "
+                     f"{', '.join(tables)}")
+        pattern = (rf"(<!-- study:{name}:begin -->).*?"
+                   rf"(<!-- study:{name}:end -->)")
+        if not re.search(pattern, text, re.S):
+            sys.exit(f"report.py: {file}: <!-- study:{name}:begin --> has no "
+                     "end: add the line that closes it")
+        text = re.sub(pattern, lambda m: f"{m[1]}\n{tables[m[0].split(':')[1]]}"
+                      f"\n{m[2]}", text, flags=re.S)
+    if not marks:
+        sys.exit(f"report.py: {file} has no mark <!-- study:NAME:begin -->: add "
+                 f"one where a table shall be, NAME of {', '.join(tables)}")
+    return text
+
+
+def main(argv=None) -> int:
+    parser = argparse.ArgumentParser(description="Tables and pictures of a study.")
+    parser.add_argument("directory", type=Path, help="has study.csv")
+    parser.add_argument("--readme", type=Path, metavar="FILE")
+    parser.add_argument("--check-readme", type=Path, metavar="FILE")
+    options = parser.parse_args(argv)
+    file = options.readme or options.check_readme
+    if not file:
+        write_all(options.directory)
+        return 0
+    old = file.read_text()
+    new = replace_tables(old, all_tables(read(options.directory)), file)
+    if options.readme:
+        file.write_text(new)
+        return 0
+    if new != old:
+        print(f"{file}: its tables are not those of "
+              f"{options.directory / 'study.csv'}: report.py "
+              f"{options.directory} --readme {file} renews them")
+    return int(new != old)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
