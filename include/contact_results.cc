@@ -112,7 +112,8 @@ namespace Contact
 
   ContactResults contact_results(const ContactInterface &interface,
                                  const Vector<double>   &solution,
-                                 const Vector<double>   &u_start)
+                                 const Vector<double>   &u_start,
+                                 const bool              moving_bound)
   {
     const Surface        &slave = interface.slave;
     std::vector<Point<2>> X;
@@ -140,7 +141,7 @@ namespace Contact
                                                      point.decision,
                                                      now.p_trial,
                                                      now.q_trial,
-                                                     /*moving_bound=*/false);
+                                                     moving_bound);
         results.normal_force += point.weight * traction.p;
         results.tangential_force += point.weight * traction.q;
         results.max_pressure = std::max(results.max_pressure, traction.p);

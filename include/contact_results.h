@@ -37,10 +37,12 @@ namespace Contact
     double stick_width = 0;
   };
 
-  /// @p u_start is the solution at the start of the increment.
+  /// @p u_start is the solution at the start of the increment; with
+  /// @p moving_bound the bound of the shear is that of the present pressure.
   ContactResults contact_results(const ContactInterface &interface,
                                  const Vector<double>   &solution,
-                                 const Vector<double>   &u_start);
+                                 const Vector<double>   &u_start,
+                                 const bool              moving_bound = false);
 } // namespace Contact
 
 #endif

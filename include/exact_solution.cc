@@ -10,6 +10,7 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "half_plane.h"
@@ -39,10 +40,16 @@ namespace Contact
 
 
 
-    ExactSolution make_hertz(const Parameters::All  &parameters,
-                             const Discretization   &discretization,
-                             const ContactInterface &interface,
-                             const ContactResults   &results)
+    /// Elements over the half width of contact of the half planes: their ends
+    /// of contact and sticking are good to a tenth of one.
+    constexpr unsigned int n_half_plane_elements = 200;
+
+
+
+    HertzLineContact hertz_contact(const Parameters::All  &parameters,
+                                   const Discretization   &discretization,
+                                   const ContactInterface &interface,
+                                   const ContactResults   &results)
     {
       const auto &solids = parameters.solids;
       const auto &given  = parameters.probes.hertz;
@@ -50,48 +57,52 @@ namespace Contact
         discretization.mesh.body_name(interface.slave.edges[0].body);
       const auto master =
         discretization.mesh.body_name(interface.master.edges[0].body);
-      const HertzLineContact hertz{given[0],
-                                   given.size() > 1 ? given[1]
-                                                    : results.normal_force,
-                                   solids.young.at(slave),
-                                   solids.poisson.at(slave),
-                                   solids.young.at(master),
-                                   solids.poisson.at(master)};
+      return {given[0],
+              given.size() > 1 ? given[1] : results.normal_force,
+              solids.young.at(slave),
+              solids.poisson.at(slave),
+              solids.young.at(master),
+              solids.poisson.at(master)};
+    }
 
-      const unsigned int   node = first_touch(interface, discretization);
-      const double         axis = interface.slave.nodes[node].X[0];
-      const Vector<double> no_displacement(discretization.dof_handler.n_dofs());
-      ExactSolution        exact;
-      exact.values["half_width"]   = hertz.half_width();
-      exact.values["max_pressure"] = hertz.max_pressure();
-      exact.pressure               = [=](const Point<2> &X) {
-        return hertz.pressure(X[0] - axis);
+
+
+    /// Shear along the tangent of the master, as the force that was found.
+    void add_mindlin(const HertzLineContact &hertz,
+                     const double            mu,
+                     const double            axis,
+                     const ContactResults   &results,
+                     ExactSolution          &exact)
+    {
+      // Where all slides, round-off must not make more of it than friction.
+      const double          limit = mu * hertz.force;
+      const CattaneoMindlin mindlin{hertz,
+                                    mu,
+                                    std::clamp(results.tangential_force,
+                                               -limit,
+                                               limit)};
+      exact.shear = [=](const Point<2> &X) {
+        return mindlin.shear(X[0] - axis);
       };
+      exact.values["stick_half_width"] = mindlin.stick_half_width();
+      exact.values["max_shear"]        = mindlin.max_shear();
+    }
 
-      const double mu = interface.law.coulomb_coefficient;
-      if (mu == 0 || !parameters.probes.frictional_theory)
-        return exact;
-      if (std::abs(hertz.dundurs()) < 1e-12)
-        {
-          // Along the tangent of the master, as the force that was found.
-          const CattaneoMindlin mindlin{hertz, mu, results.tangential_force};
-          exact.shear = [=](const Point<2> &X) {
-            return mindlin.shear(X[0] - axis);
-          };
-          exact.values["stick_half_width"] = mindlin.stick_half_width();
-          exact.values["max_shear"]        = mindlin.max_shear();
-          return exact;
-        }
 
-      // The tangent of the master is the normal of the slave turned by -90
-      // degrees; body 1 is the slave.
-      const double along_x =
-        interface.slave.normals(no_displacement)[node][1] > 0 ? 1. : -1.;
+
+    /// Both tractions; @p along_x is the sign of the tangent of the master.
+    void add_half_planes(const HertzLineContact &hertz,
+                         const double            mu,
+                         const unsigned int      n_increments,
+                         const double            axis,
+                         const double            along_x,
+                         ExactSolution          &exact)
+    {
       const auto planes =
         std::make_shared<HalfPlaneContact>(hertz,
                                            mu,
-                                           parameters.solution.n_increments,
-                                           200);
+                                           n_increments,
+                                           n_half_plane_elements);
       exact.pressure = [=](const Point<2> &X) {
         return planes->pressure(X[0] - axis);
       };
@@ -102,6 +113,47 @@ namespace Contact
       exact.values["max_pressure"]     = planes->max_pressure();
       exact.values["stick_half_width"] = planes->stick_half_width();
       exact.values["max_shear"]        = planes->max_shear();
+    }
+
+
+
+    ExactSolution make_hertz(const Parameters::All  &parameters,
+                             const Discretization   &discretization,
+                             const ContactInterface &interface,
+                             const ContactResults   &results)
+    {
+      const HertzLineContact hertz =
+        hertz_contact(parameters, discretization, interface, results);
+      const unsigned int node = first_touch(interface, discretization);
+      const double       axis = interface.slave.nodes[node].X[0];
+
+      ExactSolution exact;
+      exact.values["half_width"]   = hertz.half_width();
+      exact.values["max_pressure"] = hertz.max_pressure();
+      exact.pressure               = [=](const Point<2> &X) {
+        return hertz.pressure(X[0] - axis);
+      };
+
+      const double mu = interface.law.coulomb_coefficient;
+      if (mu == 0 || !parameters.probes.frictional_theory)
+        return exact;
+      if (std::abs(hertz.dundurs()) < 1e-12) // round-off
+        {
+          add_mindlin(hertz, mu, axis, results, exact);
+          return exact;
+        }
+
+      // The tangent of the master is the normal of the slave turned by -90
+      // degrees; body 1 is the slave.
+      const Vector<double> no_displacement(discretization.dof_handler.n_dofs());
+      const double         along_x =
+        interface.slave.normals(no_displacement)[node][1] > 0 ? 1. : -1.;
+      add_half_planes(hertz,
+                      mu,
+                      parameters.solution.n_increments,
+                      axis,
+                      along_x,
+                      exact);
       return exact;
     }
 

@@ -350,7 +350,8 @@ namespace Contact
                         "Line contact of Hertz to compare with: 'radius, "
                         "force' [mm, N per mm of thickness, of the full "
                         "cylinder], or 'radius': under the force that is "
-                        "found. Empty: none.");
+                        "found, of models without a line of symmetry. Empty: "
+                        "none.");
       prm.add_parameter("Frictional theory",
                         frictional_theory,
                         "Compare a contact of Hertz with Coulomb's friction "

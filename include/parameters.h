@@ -169,7 +169,7 @@ namespace Contact
 
       /// "undeformed", "fixed point", "each step" or "Newton".
       std::string  geometry                = "fixed point";
-      double       geometry_tolerance      = 1e-2;
+      double       geometry_tolerance      = 1e-3;
       unsigned int max_geometry_iterations = 30;
 
       /// "fixed point", "each step" or "Newton".

@@ -131,6 +131,20 @@ expect "not be symmetric" "$friction" --set "$condensed" \
 expect "in a loop or in the tangent" "$friction" \
   --set "Solution/Friction=each step"
 
+# Loads, geometry and theories
+expect_entry "is no formula in t" "Boundary conditions/Histories=Force y: 2*"
+expect_entry "'Force z' has no history" "Boundary conditions/Histories=Force z: t"
+expect_entry "is no formula in x,y" "Boundary conditions/Pressure=Top_B: z"
+expect "no boundary" "$good" --set "Boundary conditions/Pressure=Nowhere: 1"
+expect_entry "undeformed" "Solution/Geometry=undeformed"
+expect_entry "not below 1" "Solution/Linear tolerance=1"
+expect "theory of friction" "$good" --set "Probes/Frictional theory=true" \
+  --set "Probes/Hertz="
+expect_entry "no concentric cylinders" "Probes/Concentric cylinders=50, 20, 100, 1, 0"
+expect_entry "two solutions" "Probes/Concentric cylinders=20, 50, 100, 1, 0"
+expect_entry "quantity and a point or two" \
+  "Probes/Probes=DY(B): displacement y, B, C, B"
+
 # Several processes, one message
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_rmaps_base_oversubscribe=1

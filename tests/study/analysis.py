@@ -132,13 +132,13 @@ def sequences(rows: list[dict], problem: str) -> dict[tuple, list[dict]]:
 # ----------------------------------------------------------------- references
 
 def reference(rows: list[dict], problem: str, quantity: str):
-    """Value and relative uncertainty: the overkill run, and how far the runs
-    that are as good differ from it. None if one is missing."""
+    """Value and relative uncertainty: the overkill run, and how far the others
+    that check it differ from it. None if one is missing."""
     def values(role):
         return [r[quantity] for r in rows if r["problem"] == problem
                 and r["role"] == role and r["ok"] and r.get(quantity)]
 
-    best, checks = values("reference"), values("check")
+    best, checks = values("reference"), values("check") + values("bound")
     if not best or not checks:
         return None
     return best[0], max(abs(v / best[0] - 1) for v in checks)
@@ -192,11 +192,15 @@ def fitted_order(runs: list[dict], column: str):
 
 # ------------------------------------------------------------------ decisions
 
-def decision(rows: list[dict], problem: str, quantity: str, target: float):
+def decision(rows: list[dict], problem: str, quantity: str, target: float,
+             elements=None):
     """The cheapest run with an error below the target on its mesh and all finer
-    ones of its sequence, of which there must be one; or None."""
+    ones of its sequence, of which there must be one; or None. Only of some
+    elements, if they are named."""
     best = None
-    for runs in sequences(rows, problem).values():
+    for (element, _), runs in sequences(rows, problem).items():
+        if elements and element not in elements:
+            continue
         largest = envelope(errors(rows, runs, quantity))
         for r, e in zip(runs[:-1], largest[:-1]):
             if e <= target and (best is None or r["seconds"] < best["seconds"]):

@@ -110,9 +110,9 @@ def write_all(directory: Path) -> None:
                      "result, after a start of "
                      f"{start['wall']:.2f} s ({start['cpu']:.2f} s of CPU) and "
                      "without comparing with theory.\n")
-    for name, text in all_tables(rows).items():
-        if text:
-            parts.append(f"## {TABLES[name][0]}\n\n{text}\n")
+    for title, make in TABLES.values():
+        if text := make(rows):
+            parts.append(f"## {title}\n\n{text}\n")
     drawn = plots.draw(ssnp_figures(rows) + order_figures(rows), directory)
     parts += [f"![{name}]({name}.svg)\n" for name in drawn]
     (directory / "study.md").write_text("\n".join(parts))
@@ -157,7 +157,11 @@ def main(argv=None) -> int:
         write_all(options.directory)
         return 0
     old = file.read_text()
-    new = replace_tables(old, all_tables(read(options.directory)), file)
+    # Beside the study's own, what other commands printed is a table, too.
+    tables = all_tables(read(options.directory)) | {
+        path.stem: path.read_text().strip()
+        for path in options.directory.glob("*.md") if path.stem != "study"}
+    new = replace_tables(old, tables, file)
     if options.readme:
         file.write_text(new)
         return 0

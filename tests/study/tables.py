@@ -61,11 +61,35 @@ def reference_table(rows) -> str:
     if not body:
         return ""
     return ("The row 'reference' has values, the others their relative "
-            "differences from it. The largest difference of the rows 'check' "
-            "is the uncertainty.\n\n" +
+            "differences from it, the largest of which is the uncertainty.\n\n" +
             table(["problem", "role", "element", "method", "unknowns", "DY(B)",
                    "from the published limit", "DY(B) [mm]",
                    "peak pressure [MPa]", "width [mm]", "sticking [mm]"], body))
+
+
+def decision_rows(rows, problem: str, title: str, quantity: str,
+                  elements=None) -> list[list]:
+    """A line for each target."""
+    found = analysis.reference(rows, problem, quantity)
+    if not found:
+        return []
+    picks = [analysis.decision(rows, problem, quantity, target, elements)
+             for target in matrix.TARGETS]
+    body = []
+    for i, (target, pick) in enumerate(zip(matrix.TARGETS, picks)):
+        name = [title, analysis.NAMES[quantity], percent(target)]
+        if target <= 2 * found[1] or not pick:
+            why = ("below the uncertainty of the reference"
+                   if target <= 2 * found[1] else "none of those that were run")
+            body.append(name + [why] + ["-"] * 5)
+            continue
+        after = picks[i + 1] if i + 1 < len(picks) else None
+        ratio = f"x {after['seconds'] / pick['seconds']:.1f}" if after else "-"
+        body.append(name + [f"{pick['element']}, {analysis.label(pick)}",
+                            int(pick["level"]), int(pick["unknowns"]),
+                            f"{pick['seconds']:.2f}",
+                            short(pick["largest_error"]), ratio])
+    return body
 
 
 def decision_table(rows) -> str:
@@ -73,31 +97,9 @@ def decision_table(rows) -> str:
     body = []
     for problem, title in SSNP.items():
         for quantity in ("dy", "max_pressure"):
-            found = analysis.reference(rows, problem, quantity)
-            if not found:
-                continue
-            picks = []
-            for target in matrix.TARGETS:
-                known = target > 2 * found[1]
-                picks.append(analysis.decision(rows, problem, quantity, target)
-                             if known else "below")
-            for i, (target, pick) in enumerate(zip(matrix.TARGETS, picks)):
-                name = [title, analysis.NAMES[quantity], percent(target)]
-                if pick == "below":
-                    body.append(name + ["below the uncertainty of the reference"]
-                                + ["-"] * 5)
-                    continue
-                if not pick:
-                    body.append(name + ["none of those that were run"] +
-                                ["-"] * 5)
-                    continue
-                after = picks[i + 1] if i + 1 < len(picks) else None
-                ratio = (f"x {after['seconds'] / pick['seconds']:.1f}"
-                         if isinstance(after, dict) else "-")
-                body.append(name + [f"{pick['element']}, {analysis.label(pick)}",
-                                    int(pick["level"]), int(pick["unknowns"]),
-                                    f"{pick['seconds']:.2f}",
-                                    short(pick["largest_error"]), ratio])
+            body += decision_rows(rows, problem, title, quantity)
+        body += decision_rows(rows, problem, title + ", linear elements only",
+                              "dy", ["linear"])
     if not body:
         return ""
     return ("The cheapest run whose error stays below the target on its mesh "
@@ -130,6 +132,24 @@ def order_table(rows) -> str:
     return table(["problem", "element", "rule", "error of", "refinements",
                   "on the finest", "orders from mesh to mesh",
                   "over the last three", "expected"], body) if body else ""
+
+
+def order_summary(rows) -> str:
+    """One line a method: the orders over the last three meshes."""
+    body = []
+    for problem in ("rings", "disk", "rings_matching"):
+        for (element, rule), runs in analysis.sequences(rows, problem).items():
+            expected = matrix.expected_orders(problem, element, rule)
+            cells = []
+            for q in ("displacement", "energy", "pressure"):
+                found = fixed(analysis.fitted_order(runs, f"error_{q}"))
+                cells.append(found if expected[q] is None
+                             else f"{found} ({expected[q]:g})")
+            body.append([problem, element, rule] + cells)
+    return ("Over the last three meshes; in brackets what theory says, where "
+            "it does.\n\n" +
+            table(["problem", "element", "rule", "displacement", "energy",
+                   "pressure"], body)) if body else ""
 
 
 def hertz_table(rows) -> str:
@@ -214,6 +234,24 @@ def knob_table(rows) -> str:
                   body)) if body else ""
 
 
+# A few settings that tell the story; all of them are in study.md.
+TELLING = {"Newton tolerance": ("1e-2", "1e-4", "1e-8"),
+           "Geometry tolerance": ("1e-2", "1e-3", "1e-5"),
+           "Friction tolerance": ("1e-1", "1e-4", "1e-10"),
+           "Increments": ("1", "2", "4", "8"),
+           "Linear tolerance": ("1e-1", "1e-3", "1e-6")}
+
+
+def knob_summary(rows) -> str:
+    """The table above with a few settings only."""
+    lines = knob_table(rows).splitlines()
+    def tells(line):
+        cells = [cell.strip() for cell in line.split("|")]
+        return len(cells) < 4 or cells[3] in TELLING.get(cells[2], [cells[3]])
+    return "\n".join(line for line in lines
+                     if tells(line) or line.startswith("|---"))
+
+
 def estimate_table(rows) -> str:
     """Estimated by true errors of DY(B)."""
     body = []
@@ -292,4 +330,6 @@ TABLES = {
 
 
 def all_tables(rows) -> dict[str, str]:
-    return {name: make(rows) for name, (_, make) in TABLES.items()}
+    """Those of study.md, and shorter ones for README."""
+    return {name: make(rows) for name, (_, make) in TABLES.items()} | {
+        "order_summary": order_summary(rows), "knob_summary": knob_summary(rows)}

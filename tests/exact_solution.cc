@@ -1,0 +1,452 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// What theory is asked for, and the errors against it: of fields that are
+// interpolated, so that nothing has to be solved.
+
+#include "exact_solution.h"
+
+#include "tests.h"
+#include "verification.h"
+
+using namespace Tests;
+
+namespace
+{
+  constexpr double pi = numbers::PI;
+
+  // The quarter of a ring in a ring. With @p swapped the inner one is the
+  // slave. Some cells are cut into triangles, the meshes do not match.
+  Parameters::All
+  rings(const unsigned int degree, const unsigned int n, const bool swapped)
+  {
+    const auto ring = [](const double r1, const double r2) {
+      return [=](const double s, const double t) {
+        const double r = r1 + t * (r2 - r1), angle = pi / 2 * (1 - s);
+        return Point<2>(r * std::cos(angle), r * std::sin(angle));
+      };
+    };
+    const auto some = [](const unsigned int i, const unsigned int j) {
+      return (i + j) % 3 == 0;
+    };
+    MeshText mesh;
+    mesh.block("inner", 2 * n, n, ring(20, 50), some);
+    mesh.block("outer", 3 * n, n, ring(50, 100), some);
+    auto parameters =
+      make_parameters(mesh, {"inner", "outer"}, degree, "small strain");
+    parameters.solids.young   = {{"inner", 1000}, {"outer", 2000}};
+    parameters.solids.poisson = {{"inner", 0.3}, {"outer", 0.25}};
+    parameters.mesh.arcs      = {{"inner bottom", {0, 0, 20}},
+                                 {"inner top", {0, 0, 50}},
+                                 {"outer bottom", {0, 0, 50}},
+                                 {"outer top", {0, 0, 100}}};
+    parameters.contact.slave  = swapped ? "inner top" : "outer bottom";
+    parameters.contact.master = swapped ? "outer bottom" : "inner top";
+    parameters.contact.rule   = "nodal";
+    parameters.probes.concentric_cylinders = {20, 50, 100, 100, 20};
+    return parameters;
+  }
+
+
+
+  ExactSolution exact_solution(const Parameters::All &parameters,
+                               const ContactModel    &model,
+                               const ContactResults  &results = {})
+  {
+    return *make_exact_solution(parameters,
+                                model.discretization,
+                                model.interface,
+                                results);
+  }
+
+
+
+  // The solution that has the exact values at all nodes, times a factor.
+  void interpolate(const ExactSolution &exact,
+                   const double         factor,
+                   ContactModel        &model)
+  {
+    const auto X = model.support_points();
+    const auto c = model.components();
+    for (const auto &cell :
+         model.discretization.dof_handler.active_cell_iterators())
+      {
+        std::vector<types::global_dof_index> dofs(
+          cell->get_fe().n_dofs_per_cell());
+        cell->get_dof_indices(dofs);
+        for (const auto i : dofs)
+          model.solution[i] =
+            factor * exact.displacement(X[i], cell->material_id())[c[i]];
+      }
+    const auto &interface = model.interface;
+    for (unsigned int n = 0; n < interface.slave.nodes.size(); ++n)
+      model.solution[interface.normal_index(interface.multipliers.of_node[n])] =
+        factor * exact.pressure(interface.slave.nodes[n].X);
+  }
+
+
+
+  std::map<std::string, double> errors(const ExactSolution &exact,
+                                       const ContactModel  &model)
+  {
+    return solution_errors(exact,
+                           model.discretization,
+                           *model.elasticity,
+                           model.interface,
+                           model.solution);
+  }
+
+
+
+  // Proves that the interpolated solution approaches the exact one by the
+  // orders that approximation theory knows: degree + 1 for displacement and
+  // pressure, degree in the energy.
+  void check_orders(const unsigned int degree)
+  {
+    std::array<std::map<std::string, double>, 2> found;
+    for (const unsigned int i : {0, 1})
+      {
+        const auto   parameters = rings(degree, 4 * (i + 1), false);
+        ContactModel model(parameters);
+        const auto   exact = exact_solution(parameters, model);
+        interpolate(exact, 1, model);
+        found[i] = errors(exact, model);
+      }
+    for (const auto &[name, error] : found[0])
+      {
+        const double order = degree + (name == "energy" ? 0 : 1);
+        check_small("degree " + std::to_string(degree) + ", order of " + name +
+                      " against " + two_digits(order),
+                    std::abs(std::log2(error / found[1].at(name)) - order),
+                    0.2);
+        check("a small error", error < 0.2);
+      }
+  }
+
+
+
+  // Two blocks, the lower one 4 x 1, the upper one 2 x 1.
+  Parameters::All blocks(const unsigned int degree)
+  {
+    const auto some = [](const unsigned int i, const unsigned int j) {
+      return i == j;
+    };
+    MeshText mesh;
+    mesh.block("lower", 4, 2, rectangle({-1, -1}, {3, 0}), some);
+    mesh.block("upper", 3, 2, rectangle({0, 0}, {2, 1}), some);
+    auto parameters =
+      make_parameters(mesh, {"lower", "upper"}, degree, "small strain");
+    parameters.solids.young                 = {{"lower", 1000}, {"upper", 300}};
+    parameters.contact.slave                = "upper bottom";
+    parameters.contact.master               = "lower top";
+    parameters.contact.rule                 = "nodal";
+    parameters.contact.friction_coefficient = 0.3;
+    return parameters;
+  }
+
+
+
+  // Proves that the errors are relative and no squares: a fraction of the
+  // solution is off by the rest. The solution is one that the elements have,
+  // with shear along the slave.
+  void check_fields_of_the_space(const unsigned int degree)
+  {
+    ContactModel model(blocks(degree));
+
+    Tensor<2, 2> gradient;
+    gradient[0][0] = 0.01;
+    gradient[0][1] = 0.02;
+    gradient[1][0] = -0.005;
+    gradient[1][1] = -0.03;
+
+    ExactSolution exact;
+    exact.displacement = [&](const Point<2> &X, const types::material_id body) {
+      return (1. + body) * (gradient * X) + Tensor<1, 2>({0.1, -0.2});
+    };
+    exact.stress = [&](const Point<2> &, const types::material_id body) {
+      return model.elasticity->material(body).stress((1. + body) *
+                                                     symmetrize(gradient));
+    };
+    exact.pressure = [](const Point<2> &X) { return 1 + X[0]; };
+    exact.shear    = [](const Point<2> &X) { return 1 - X[0]; };
+
+    for (const double factor : {1., 0.75, 0., -1.})
+      {
+        interpolate(exact, factor, model);
+        const auto &interface = model.interface;
+        for (unsigned int n = 0; n < interface.slave.nodes.size(); ++n)
+          model.solution[interface.tangential_index(
+            interface.multipliers.of_node[n])] =
+            factor * exact.shear(interface.slave.nodes[n].X);
+        for (const auto &[name, error] : errors(exact, model))
+          check_small("degree " + std::to_string(degree) + ", " + name + ", " +
+                        two_digits(factor) + " of the solution",
+                      std::abs(error - (1 - factor)),
+                      1e-12);
+      }
+  }
+
+
+
+  // Proves that they are integrals over both bodies, weighted by the materials:
+  // the displacement x^2/2 along x, against 1, and the strain 1.
+  void check_integrals()
+  {
+    ContactModel  model(blocks(2));
+    ExactSolution field, exact;
+    field.pressure     = [](const Point<2> &) { return 0.; };
+    field.displacement = [](const Point<2> &X, const types::material_id) {
+      return Tensor<1, 2>({X[0] * X[0] / 2, 0});
+    };
+    interpolate(field, 1, model);
+    exact.displacement = [](const Point<2> &, const types::material_id) {
+      return Tensor<1, 2>({1, 0});
+    };
+    exact.stress = [&](const Point<2> &, const types::material_id body) {
+      SymmetricTensor<2, 2> strain;
+      strain[0][0] = 1;
+      return model.elasticity->material(body).stress(strain);
+    };
+    const auto found = errors(exact, model);
+    check_small("displacement",
+                std::abs(found.at("displacement") - std::sqrt(7.8 / 6)),
+                1e-12);
+    check_small("energy",
+                std::abs(found.at("energy") -
+                         std::sqrt((1000 * 16. / 3 + 300 * 2. / 3) /
+                                   (1000 * 4 + 300 * 2))),
+                1e-12);
+    check("nothing else is known", found.size() == 2);
+  }
+
+
+
+  // Proves that of the cylinders the inner one is the inner one, be it the
+  // slave or not: pressure, displacement and stress are those of its material.
+  void check_inner_body(const bool swapped)
+  {
+    const auto         parameters = rings(1, 2, swapped);
+    const ContactModel model(parameters);
+    const auto         exact = exact_solution(parameters, model);
+
+    const ConcentricCylinders
+               cylinders(20, 50, 100, {1000, 0.3}, {2000, 0.25}, 100, 20);
+    const auto inner = model.mesh.body("inner", "test");
+    const auto outer = model.mesh.body("outer", "test");
+    double     error = 0, difference = 1;
+    for (const double angle : {0., 0.6, 1.5})
+      {
+        const Point<2> X(50 * std::cos(angle), 50 * std::sin(angle));
+        error =
+          std::max(error, std::abs(exact.pressure(X) - cylinders.pressure(X)));
+        for (const auto body : {inner, outer})
+          error = std::max(error,
+                           (exact.displacement(X, body) -
+                            cylinders.displacement(X, body == outer))
+                               .norm() +
+                             (exact.stress(X, body) -
+                              cylinders.stress(X, body == outer))
+                               .norm());
+        difference =
+          std::min(difference,
+                   (exact.stress(X, inner) - exact.stress(X, outer)).norm());
+      }
+    check_small(std::string("slave is ") + (swapped ? "inner" : "outer"),
+                error,
+                1e-12);
+    check("the bodies differ", difference > 0.1);
+  }
+
+
+
+  // Two blocks, the upper one bulging towards the lower one and closest to it
+  // at x = 2/3; either of them is the slave.
+  Parameters::All bulge(const bool   upper_is_slave,
+                        const double young_upper,
+                        const double friction)
+  {
+    const auto upper = [](const double s, const double t) {
+      return Point<2>(2 * s, t + 0.1 * std::pow(2 * s - 2. / 3, 2));
+    };
+    MeshText mesh;
+    mesh.block("lower", 6, 2, rectangle({0, -1}, {2, 0}));
+    mesh.block("upper", 6, 2, upper);
+    auto parameters =
+      make_parameters(mesh, {"lower", "upper"}, 1, "small strain");
+    parameters.solids.young["upper"] = young_upper;
+    parameters.contact.slave  = upper_is_slave ? "upper bottom" : "lower top";
+    parameters.contact.master = upper_is_slave ? "lower top" : "upper bottom";
+    parameters.contact.rule   = "nodal";
+    parameters.contact.friction_coefficient = friction;
+    parameters.solution.n_increments        = 1;
+    parameters.probes.hertz                 = {5, 100};
+    parameters.probes.frictional_theory     = true;
+    return parameters;
+  }
+
+
+
+  // Proves that a given force is taken, and where there is none, the one that
+  // was found: four times the force is twice the width and the pressure; and
+  // that nothing is said of shear unless that is asked for.
+  void check_hertz_force()
+  {
+    auto                   parameters = bulge(true, 1000, 0);
+    const ContactModel     model(parameters);
+    const HertzLineContact hertz{5, 100, 1000, 0.3, 1000, 0.3};
+    ContactResults         results;
+    results.normal_force = 400;
+    const auto compare   = [&](const std::string &name, const double factor) {
+      const auto exact = exact_solution(parameters, model, results);
+      check_small(
+        name,
+        std::abs(exact.values.at("half_width") / hertz.half_width() - factor) +
+          std::abs(exact.values.at("max_pressure") / hertz.max_pressure() -
+                   factor) +
+          std::abs(exact.pressure(Point<2>(2. / 3, 0)) / hertz.max_pressure() -
+                   factor),
+        1e-12);
+      check("no friction",
+            !exact.shear && !exact.displacement && !exact.stress &&
+              exact.values.size() == 2);
+    };
+    compare("given force", 1);
+    parameters.probes.hertz = {5};
+    compare("found force", 2);
+
+    auto with_friction                     = bulge(true, 1000, 0.5);
+    with_friction.probes.frictional_theory = false;
+    const ContactModel frictional(with_friction);
+    check("no theory of friction",
+          !exact_solution(with_friction, frictional, results).shear);
+
+    parameters.probes.hertz = {};
+    check("nothing to compare with",
+          !make_exact_solution(parameters,
+                               model.discretization,
+                               model.interface,
+                               results));
+  }
+
+
+
+  // The shear of the exact solution as it acts along x on the upper body.
+  double shear_on_upper_body(const ExactSolution &exact,
+                             const ContactModel  &model,
+                             const bool           upper_is_slave,
+                             const double         x)
+  {
+    const auto  &points  = model.interface.points;
+    const double along_x = std::min_element(points.begin(),
+                                            points.end(),
+                                            [&](const auto &a, const auto &b) {
+                                              return std::abs(a.X[0][0] - x) <
+                                                     std::abs(b.X[0][0] - x);
+                                            })
+                             ->tangent[0];
+    return (upper_is_slave ? 1 : -1) * (along_x > 0 ? 1 : -1) *
+           exact.shear(Point<2>(x, 0));
+  }
+
+
+
+  // Proves that Cattaneo and Mindlin's shear acts where the force that is found
+  // acts: if the points hold the upper body with a traction along x, so does
+  // the theory, with the same force; be the upper one slave or master.
+  void check_cattaneo_mindlin(const bool upper_is_slave, const double sign)
+  {
+    const double friction   = 0.5;
+    auto         parameters = bulge(upper_is_slave, 1000, friction);
+    ContactModel model(parameters);
+    auto        &interface = model.interface;
+    interface.pair(model.solution);
+    for (ContactPoint &point : interface.points)
+      {
+        point.decision = {Status::stick, 0};
+        for (unsigned int k = 0; k < point.n_multipliers; ++k)
+          model.solution[interface.tangential_index(point.multipliers[k])] =
+            (upper_is_slave ? sign : -sign) * (point.tangent[0] > 0 ? 1 : -1);
+      }
+    const auto results =
+      contact_results(interface, model.solution, model.start);
+    const auto        exact = exact_solution(parameters, model, results);
+    const std::string name  = std::string(upper_is_slave ? "upper" : "lower") +
+                             " slave, " +
+                             (sign > 0 ? "to the right" : "to the left");
+    const CattaneoMindlin mindlin{{5, 100, 1000, 0.3, 1000, 0.3},
+                                  friction,
+                                  std::abs(results.tangential_force)};
+    double                error = 0;
+    for (const double x : {-0.5, -0.1, 0., 0.2, 0.6})
+      error = std::max(
+        error,
+        std::abs(shear_on_upper_body(exact, model, upper_is_slave, 2. / 3 + x) -
+                 sign * mindlin.shear(x)));
+    check_small(name, error, 1e-11);
+    check("zone of stick and largest shear",
+          std::abs(exact.values.at("max_shear") - mindlin.max_shear()) <
+              1e-11 &&
+            std::abs(exact.values.at("stick_half_width") -
+                     mindlin.stick_half_width()) < 1e-12 &&
+            mindlin.shear(0) > 0.1);
+  }
+
+
+
+  // Proves that between different bodies the shear on the softer one points
+  // away from the axis, be it above or below, slave or master.
+  void check_half_planes(const bool upper_is_slave, const double young_upper)
+  {
+    const auto   parameters = bulge(upper_is_slave, young_upper, 0.1);
+    ContactModel model(parameters);
+    model.interface.pair(model.solution);
+    const auto   exact = exact_solution(parameters, model);
+    const double right =
+      shear_on_upper_body(exact, model, upper_is_slave, 2. / 3 + 0.5);
+    const double left =
+      shear_on_upper_body(exact, model, upper_is_slave, 2. / 3 - 0.5);
+    std::cout << "  " << (upper_is_slave ? "upper" : "lower")
+              << " slave, the upper one is "
+              << (young_upper > 1000 ? "harder" : "softer") << ": it is pulled "
+              << (right > 0 && left < 0   ? "outwards"
+                  : right < 0 && left > 0 ? "inwards"
+                                          : "to one side")
+              << std::endl;
+    check_small("odd", std::abs(right + left) / std::abs(right), 1e-6);
+  }
+} // namespace
+
+
+
+int main()
+{
+  headline("orders");
+  for (const unsigned int degree : {1, 2})
+    check_orders(degree);
+
+  headline("fields of the space");
+  for (const unsigned int degree : {1, 2})
+    check_fields_of_the_space(degree);
+
+  headline("integrals");
+  check_integrals();
+
+  headline("inner body");
+  for (const bool swapped : {false, true})
+    check_inner_body(swapped);
+
+  headline("force of Hertz");
+  check_hertz_force();
+
+  headline("Cattaneo and Mindlin");
+  for (const bool upper_is_slave : {true, false})
+    for (const double sign : {1, -1})
+      check_cattaneo_mindlin(upper_is_slave, sign);
+
+  headline("half planes");
+  check_half_planes(true, 500);
+  check_half_planes(false, 500);
+  check_half_planes(false, 2000);
+}
