@@ -12,7 +12,7 @@ study=$(CDPATH='' cd -- "$(dirname -- "$0")/study" && pwd)
 PYTHONDONTWRITEBYTECODE=1
 export PYTHONDONTWRITEBYTECODE
 
-"$study/test_report.py"
+python3 "$study/test_report.py"
 "$study/study.py" --quick --output study --parameters "$2" "$1"
 "$study/report.py" "$study/results" --check-readme "$study/../../README.md"
 for file in study.csv study.md ssnp154_dy_error_wall.svg rings_orders.png; do
