@@ -29,12 +29,14 @@
 // Here the search for the decisions happens inside the linear problem of one
 // Newton step, see ActiveSetSearch, so that few steps are needed.
 //
-// Around Newton's method there are up to four loops, and each is there only if
+// Around Newton's method there are up to five loops, and each is there only if
 // the scene asks for it:
 //
 //   levels                 nested iteration: the solution on one mesh is the
 //                          start on the next finer one;
-//     load increments      because friction depends on the history;
+//     load increments      because friction depends on the history; cut in
+//                          half and tried again if they do not converge;
+//       soft hold          of a body that nothing holds before it touches;
 //       geometry loop      which master edge faces which slave point, and with
 //                          what normal; absent if Newton's method does it;
 //         friction loop    the bound mu p is frozen: a problem of Tresca's
@@ -84,6 +86,7 @@
 #include <sstream>
 
 #include "active_set.h"
+#include "alternation.h"
 #include "command_line.h"
 #include "condensed_system.h"
 #include "contact_interface.h"
@@ -92,14 +95,17 @@
 #include "error_estimator.h"
 #include "errors.h"
 #include "exact_solution.h"
+#include "free_motions.h"
+#include "interruption.h"
 #include "linear_solver.h"
+#include "load_steps.h"
+#include "newton_guard.h"
 #include "parameters.h"
 #include "postprocessing.h"
 #include "refinement.h"
 #include "result_files.h"
 #include "stress_recovery.h"
 #include "summary.h"
-#include "support_check.h"
 
 namespace Contact
 {
@@ -119,45 +125,63 @@ namespace Contact
     RunSummary run();
 
   private:
-    void   setup_system();
-    void   make_interface();
-    void   make_linear_system();
-    void   print_scene();
-    void   solve_level();
-    void   record_level();
-    void   refine();
-    void   solve_increment(const unsigned int k);
-    void   solve_with_geometry_loop();
-    void   solve_with_friction_loop();
-    void   solve_newton();
-    void   print_step(const unsigned int step,
-                      const double       residual,
-                      const unsigned int n_changes);
-    void   pair_bodies();
-    void   assemble_forces_of_bodies();
-    void   recover_multipliers();
-    double assemble_forces_of_contact();
-    double residual_norm() const;
-    double newton_tolerance() const;
-    void   assemble_and_factorize();
-    bool   factorization_serves(const double residual,
-                                const double last_residual) const;
-    void   update_solution();
-    void   update_solution_condensed(const unsigned int step,
-                                     const double       residual);
-    void   output_increment(const unsigned int k);
-    void   compare_with_theory();
-    double probe(const std::vector<std::string> &definition);
-    void   report_probes();
-    void   finish();
+    void setup_system();
+    void make_interface();
+    void make_linear_system();
+    void print_scene();
+    void solve_level();
+    void record_level();
+    void refine();
+    void solve_increment(const LoadSteps::Step &step);
+    void give_up_increment(const std::string &reason);
+    bool hold_what_is_free(const ContactInterface *contact);
+    void solve_with_soft_hold();
+    void solve_with_geometry_loop();
+    void solve_with_friction_loop();
+    void solve_newton();
+    void print_step(const unsigned int step,
+                    const double       residual,
+                    const unsigned int n_changes);
+    void pair_bodies();
+    void pair_bodies(const Vector<double> &configuration);
+
+    /// Where a Newton step has led to.
+    struct Outcome
+    {
+      double       residual  = 0;
+      unsigned int n_changes = 0; // points that changed their minds
+      VolumeRatio  volume;        // the smallest
+    };
+
+    Outcome evaluate(const bool after_a_step, const bool one_at_a_time);
+    Outcome shorten_step(const Outcome               &outcome,
+                         const NewtonGuard           &guard,
+                         const Vector<double>        &last,
+                         const std::vector<Decision> &decisions);
+
+    VolumeRatio assemble_forces_of_bodies();
+    void        recover_multipliers();
+    double      assemble_forces_of_contact();
+    double      residual_norm() const;
+    double      newton_tolerance() const;
+    void        assemble_and_factorize();
+    bool        factorization_serves(const double residual,
+                                     const double last_residual) const;
+    void        update_solution();
+    void        update_solution_condensed(const unsigned int step,
+                                          const double       residual);
+    void        output_increment(const unsigned int k);
+    void        compare_with_theory();
+    double      probe(const std::vector<std::string> &definition);
+    void        report_probes();
+    void        finish();
 
     bool   has_friction() const;
     bool   pairs_each_step() const;
     bool   is_last_level() const;
     double largest_change(const Vector<double> &from) const;
     const std::vector<SymmetricTensor<2, 3>> &recovered_stresses();
-    std::string
-    chattering_points(const std::vector<signed char> &decisions) const;
+    std::string chattering_points(const std::vector<Decision> &decisions) const;
 
     const MPI_Comm          communicator = MPI_COMM_WORLD;
     const Parameters::All   parameters;
@@ -188,8 +212,13 @@ namespace Contact
     std::vector<signed char> factorized_decisions;
 
     // The state now, and at the start of the increment.
-    Vector<double> solution;
-    Vector<double> start;
+    Vector<double>            solution;
+    Vector<double>            start;
+    std::vector<ContactPoint> points_at_start;
+
+    // What nothing holds by itself in this increment.
+    std::vector<FreeMotion> softly_held;
+    unsigned int            factorized_version = 0;
 
     // Nested iteration: the level, and on the level before the solutions and
     // the states of the surface after each increment.
@@ -249,11 +278,15 @@ namespace Contact
       }
     catch (const NotConverged &failure)
       {
-        summary.message = "increment " +
-                          std::to_string(summary.increments.size()) + ": " +
-                          failure.what();
-        screen << summary.message << std::endl;
+        summary.message = failure.what();
       }
+    catch (const Interrupted &interruption)
+      {
+        summary.interrupted = true;
+        summary.message     = interruption.what();
+      }
+    if (!summary.converged)
+      screen << summary.message << std::endl;
     finish();
     return summary;
   }
@@ -393,20 +426,47 @@ namespace Contact
   // @sect4{ContactProblem::solve_level}
   //
   // All load increments on one mesh. The results of all but the last mesh are
-  // but the start of the next level.
+  // but the start of the next level. An increment that does not converge leaves
+  // no trace but its record: the state is that of its start again.
   void ContactProblem::solve_level()
   {
     std::vector<Vector<double>>                 solutions;
     std::vector<ContactInterface::SurfaceState> states;
-    for (unsigned int k = 1; k <= parameters.solution.n_increments; ++k)
+    LoadSteps steps(parameters.solution.n_increments,
+                    parameters.solution.max_cuts);
+    softly_held.clear();
+    hold_what_is_free(interface.get());
+    while (!steps.finished())
       {
-        summary.increments.emplace_back();
-        summary.increments.back().level = level;
-        solve_increment(k);
-        summary.increments.back().converged = true;
-        if (is_last_level())
-          output_increment(k);
-        else
+        const LoadSteps::Step step = steps.next();
+        try
+          {
+            solve_increment(step);
+          }
+        catch (const NotConverged &failure)
+          {
+            give_up_increment(failure.what());
+            // What only contact held may have come loose on the way.
+            if (hold_what_is_free(nullptr))
+              continue;
+            if (steps.cut())
+              {
+                screen << "  cut in half" << std::endl;
+                continue;
+              }
+            std::ostringstream message;
+            message << "no solution at the load factor " << step.to
+                    << ", the last one is at " << step.from << ": "
+                    << failure.what();
+            throw NotConverged(message.str());
+          }
+        steps.accept();
+        softly_held.clear();
+        hold_what_is_free(interface.get());
+
+        if (is_last_level() && step.ends_increment)
+          output_increment(step.increment);
+        else if (step.ends_increment)
           {
             solutions.push_back(solution);
             if (interface)
@@ -416,6 +476,48 @@ namespace Contact
     level_solutions = std::move(solutions);
     level_states    = std::move(states);
     record_level();
+  }
+
+
+
+  // The state is that of the increment's start, also what the points know.
+  // Where they face the master the matrix may not: it is paired anew.
+  void ContactProblem::give_up_increment(const std::string &reason)
+  {
+    summary.increments.back().message = reason;
+    screen << "  " << reason << std::endl;
+    solution = start;
+    if (interface)
+      interface->points = points_at_start;
+    stresses.clear();
+    sparsity_pattern.reinit(0, 0, 0);
+    pair_bodies();
+  }
+
+
+
+  // @sect4{ContactProblem::hold_what_is_free}
+  //
+  // A body that neither supports nor its points in @p contact hold could move
+  // without resistance: it is held softly. Returns whether that is news.
+  bool ContactProblem::hold_what_is_free(const ContactInterface *contact)
+  {
+    const auto free = free_motions(*discretization, contact);
+    bool       news = false;
+    for (const FreeMotion &motion : free)
+      if (std::none_of(softly_held.begin(),
+                       softly_held.end(),
+                       [&](const FreeMotion &held) {
+                         return held.body == motion.body;
+                       }))
+        {
+          softly_held.push_back(motion);
+          news = true;
+          screen << "  nothing holds the body '" << mesh->body_name(motion.body)
+                 << "' against: " << motion.name << "; it is held softly"
+                 << std::endl;
+        }
+    return news;
   }
 
 
@@ -495,39 +597,116 @@ namespace Contact
 
 
   // @sect4{ContactProblem::solve_increment}
-  void ContactProblem::solve_increment(const unsigned int k)
+  void ContactProblem::solve_increment(const LoadSteps::Step &step)
   {
-    load_factor = static_cast<double>(k) / parameters.solution.n_increments;
+    load_factor = step.to;
     start       = solution;
+    if (interface)
+      points_at_start = interface->points;
     stresses.clear();
-    if (level > 0)
+    summary.increments.emplace_back();
+    IncrementRecord &record = summary.increments.back();
+    record.level            = level;
+    record.load_factor      = load_factor;
+    screen << "Increment " << step.increment << " of "
+           << parameters.solution.n_increments << ", load factor "
+           << load_factor << std::endl;
+
+    if (level > 0 && step.is_whole)
       {
         // From the same increment of the level before.
-        std::copy(level_solutions[k - 1].begin(),
-                  level_solutions[k - 1].end(),
+        std::copy(level_solutions[step.increment - 1].begin(),
+                  level_solutions[step.increment - 1].end(),
                   solution.begin());
         pair_bodies();
         if (interface)
-          interface->restore(level_states[k - 1], solution);
+          interface->restore(level_states[step.increment - 1], solution);
       }
     discretization->constrain_update(solution, load_factor);
-    summary.increments.back().load_factor = load_factor;
-    screen << "Increment " << k << " of " << parameters.solution.n_increments
-           << ", load factor " << load_factor << std::endl;
 
-    solve_with_geometry_loop();
+    solve_with_soft_hold();
 
     if (interface)
       {
-        const StatusCount count          = interface->count();
-        summary.increments.back().active = count.active;
-        summary.increments.back().stick  = count.stick;
-        summary.increments.back().slip   = count.active - count.stick;
+        const StatusCount count = interface->count();
+        record.active           = count.active;
+        record.stick            = count.stick;
+        record.slip             = count.active - count.stick;
       }
-    const IncrementRecord &record = summary.increments.back();
+    record.converged = true;
     screen << "  converged: " << record.newton_iterations << " Newton steps, "
            << record.friction_iterations << " friction turns, "
            << record.geometry_iterations << " geometry turns" << std::endl;
+  }
+
+
+
+  // @sect4{ContactProblem::solve_with_soft_hold}
+  //
+  // A body that nothing holds is held by springs so soft that the load carries
+  // it to where contact holds it. From there the springs are hung up anew where
+  // the body is now, and so on: the proximal point method (Rockafellar, SIAM J.
+  // Control Optim. 14, 1976), at whose end the springs do nothing. Where the
+  // body goes on moving, nothing holds it.
+  void ContactProblem::solve_with_soft_hold()
+  {
+    if (softly_held.empty())
+      {
+        elasticity->release();
+        solve_with_geometry_loop();
+        return;
+      }
+
+    // Far softer than any body, yet far above the round-off of the stiffest.
+    double softest = std::numeric_limits<double>::max();
+    for (const auto &body : mesh->bodies)
+      softest = std::min(softest, elasticity->young(body.second));
+    std::map<types::material_id, double> stiffness;
+    for (const FreeMotion &motion : softly_held)
+      stiffness[motion.body] = 1e-6 * softest;
+
+    const unsigned int max_turns = 20;
+    for (unsigned int turn = 1;; ++turn)
+      {
+        elasticity->hold_softly(stiffness, solution);
+        if (interface)
+          {
+            pair_bodies();
+            interface->close_nearest(solution);
+          }
+        solve_with_geometry_loop();
+
+        const auto   works  = elasticity->hold_energy(solution);
+        const auto   most   = std::max_element(works.begin(),
+                                           works.end(),
+                                           [](const auto &a, const auto &b) {
+                                             return a.second < b.second;
+                                           });
+        const double work   = most->second;
+        const double force  = std::sqrt(2 * stiffness.at(most->first) * work);
+        const double energy = elasticity->strain_energy(solution);
+        summary.increments.back().hold_work = work;
+        screen << "  soft hold, turn " << turn << ": its work " << work
+               << " N mm/mm, strain energy " << energy << " N mm/mm"
+               << std::endl;
+        if (work <= 1e-8 * energy ||
+            force <= newton_tolerance() * reference_force)
+          return;
+        if (turn == max_turns)
+          {
+            const auto         motion = std::find_if(softly_held.begin(),
+                                             softly_held.end(),
+                                             [&](const FreeMotion &held) {
+                                               return held.body == most->first;
+                                             });
+            std::ostringstream message;
+            message << "nothing stops the body '"
+                    << mesh->body_name(motion->body) << "' in its "
+                    << motion->name << ": a soft hold still carries " << force
+                    << " N/mm after " << turn << " turns";
+            throw NotConverged(message.str());
+          }
+      }
   }
 
 
@@ -549,7 +728,9 @@ namespace Contact
         return;
       }
 
-    double change = 0;
+    double         change = 0;
+    Alternation    alternation;
+    Vector<double> configuration = solution;
     for (unsigned int turn = 1;
          turn <= parameters.solution.max_geometry_iterations;
          ++turn)
@@ -559,18 +740,23 @@ namespace Contact
 
         screen << "  geometry, turn " << turn << std::endl;
         ++summary.increments.back().geometry_iterations;
-        pair_bodies();
+        pair_bodies(configuration);
         solve_with_friction_loop();
 
-        change = (level > 0 ? interface->largest_change(solution, last)
-                            : largest_change(last)) /
-                 last_increment;
+        const double moved = level > 0
+                               ? interface->largest_change(solution, last)
+                               : largest_change(last);
+        change             = moved == 0 ? 0. : moved / last_increment;
         if (turn > 1 || level > 0)
           {
             screen << "    change of the displacement " << change << std::endl;
             if (change < parameters.solution.geometry_tolerance)
               return;
           }
+
+        // Where the bodies jump to and fro, they are paired half way.
+        const double length = alternation.step_length(solution);
+        configuration.sadd(1 - length, length, solution);
       }
     throw NotConverged(
       "the geometry loop ends with a change of " + std::to_string(change) +
@@ -596,18 +782,27 @@ namespace Contact
         return;
       }
 
-    double change = 0;
+    double      change = 0;
+    Alternation alternation;
     for (unsigned int turn = 1;
          turn <= parameters.solution.max_friction_iterations;
          ++turn)
       {
         ++summary.increments.back().friction_iterations;
         solve_newton();
-        change = interface->update_bounds(solution, start);
+        Vector<double> bounds = interface->bounds();
+        change                = interface->update_bounds(solution, start);
         screen << "    friction, turn " << turn << ": change of the bound "
                << change << std::endl;
         if (change <= parameters.solution.friction_tolerance)
           return;
+
+        const double length = alternation.step_length(interface->bounds());
+        if (length < 1)
+          {
+            bounds.sadd(1 - length, length, interface->bounds());
+            interface->set_bounds(bounds);
+          }
       }
     throw NotConverged(
       "the friction loop ends with a change of the bound of " +
@@ -628,57 +823,134 @@ namespace Contact
   // residual well, and as long as the decisions are those it was made under.
   void ContactProblem::solve_newton()
   {
-    const Parameters::Solution &limits = parameters.solution;
+    const unsigned int max_steps = parameters.solution.max_newton_iterations;
 
-    std::vector<signed char> last_decisions;
-    double                   last_residual = std::numeric_limits<double>::max();
+    NewtonGuard           guard;
+    Vector<double>        last; // where the last step began
+    std::vector<Decision> last_decisions;
+    double                last_residual = std::numeric_limits<double>::max();
+    unsigned int          n_single      = 0;
+    bool                  one_at_a_time = false;
     for (unsigned int step = 0;; ++step)
       {
-        if (interface && !interface->tied && pairs_each_step())
-          pair_bodies();
-        assemble_forces_of_bodies();
-
-        // After a step the points decide anew. Before the first one they only
-        // would: what has changed outside, load, pairing or bounds, is not in
-        // their tractions yet, and the search of the active set comes first.
-        unsigned int n_changes = 0;
+        stop_if_interrupted(communicator);
         if (interface)
-          {
-            if (condensed && step > 0)
-              recover_multipliers();
-            last_decisions = interface->signature();
-            n_changes      = interface->decide_all(solution,
-                                              start,
-                                              linearization.moving_bound,
-                                              /*keep=*/step > 0);
-          }
-
-        const double residual = assemble_forces_of_contact();
-        print_step(step, residual, n_changes);
-        if (!std::isfinite(residual))
-          throw NotConverged("the residual is not a number in Newton step " +
-                             std::to_string(step));
-        if (n_changes == 0 && !discretization->update_is_prescribed() &&
-            residual <= newton_tolerance())
+          last_decisions = interface->decisions();
+        Outcome now = evaluate(step > 0, one_at_a_time);
+        print_step(step, now.residual, now.n_changes);
+        if (step > 0)
+          now = shorten_step(now, guard, last, last_decisions);
+        guard.advance(now.residual);
+        if (now.n_changes == 0 && !discretization->update_is_prescribed() &&
+            now.residual <= newton_tolerance())
           return;
-        if (step == limits.max_newton_iterations)
+        if (step >= max_steps + n_single)
           throw NotConverged("Newton's method ends with the residual " +
-                             std::to_string(residual) + " after " +
+                             std::to_string(now.residual) + " after " +
                              std::to_string(step) + " steps" +
                              chattering_points(last_decisions));
 
+        const bool was_one_at_a_time = one_at_a_time;
+        one_at_a_time                = guard.one_at_a_time(now.n_changes);
+        if (one_at_a_time && !was_one_at_a_time)
+          {
+            ++summary.increments.back().cycles;
+            screen << "      the active set cycles, now one point at a time "
+                      "changes:"
+                   << chattering_points(last_decisions) << std::endl;
+            n_single = interface->points.size();
+          }
+
+        last = solution;
+        if (discretization->update_is_prescribed())
+          guard.forget();
         if (condensed)
-          update_solution_condensed(step, residual);
+          update_solution_condensed(step, now.residual);
         else
           {
-            if (!factorization_serves(residual, last_residual))
+            if (!factorization_serves(now.residual, last_residual))
               assemble_and_factorize();
             update_solution();
           }
 
-        last_residual = residual;
+        last_residual = now.residual;
         ++summary.increments.back().newton_iterations;
       }
+  }
+
+
+
+  // After a step the points decide anew. Before the first one they only would:
+  // what has changed outside, load, pairing or bounds, is not in their
+  // tractions yet, and the search of the active set comes first.
+  ContactProblem::Outcome ContactProblem::evaluate(const bool after_a_step,
+                                                   const bool one_at_a_time)
+  {
+    if (interface && !interface->tied && pairs_each_step())
+      pair_bodies();
+
+    Outcome outcome;
+    outcome.volume = assemble_forces_of_bodies();
+    if (interface)
+      {
+        if (condensed && after_a_step)
+          recover_multipliers();
+        outcome.n_changes =
+          interface->decide_all(solution,
+                                start,
+                                linearization.moving_bound,
+                                /*keep=*/after_a_step && !one_at_a_time);
+        if (after_a_step && one_at_a_time)
+          interface->decide_one(solution, start, linearization.moving_bound);
+      }
+    outcome.residual = assemble_forces_of_contact();
+    return outcome;
+  }
+
+
+
+  // @sect4{ContactProblem::shorten_step}
+  //
+  // A step that turns a cell inside out, or leads to a residual larger than all
+  // the last ones though no point has changed its mind, was too long: half of
+  // it, and half of that. See NewtonGuard.
+  ContactProblem::Outcome
+  ContactProblem::shorten_step(const Outcome               &outcome,
+                               const NewtonGuard           &guard,
+                               const Vector<double>        &last,
+                               const std::vector<Decision> &decisions)
+  {
+    const auto is_a_state = [](const Outcome &now) {
+      return std::isfinite(now.residual) && now.volume.value > 0;
+    };
+
+    const unsigned int max_halvings = 6;
+    Outcome            now          = outcome;
+    for (unsigned int n = 0;
+         n < max_halvings &&
+         (!is_a_state(now) ||
+          (now.n_changes == 0 && !guard.accepts(now.residual)));
+         ++n)
+      {
+        solution.sadd(0.5, 0.5, last);
+        if (interface)
+          interface->set_decisions(decisions);
+        ++summary.increments.back().halved_steps;
+        now = evaluate(/*after_a_step=*/true, /*one_at_a_time=*/false);
+        screen << "      half of this step: residual " << now.residual
+               << std::endl;
+      }
+    if (!std::isfinite(now.residual))
+      throw NotConverged("the residual is not a number");
+    if (now.volume.value <= 0)
+      {
+        std::ostringstream message;
+        message << "the body '" << mesh->body_name(now.volume.body)
+                << "' turns inside out at X = (" << now.volume.X
+                << ") mm: det F = " << now.volume.value;
+        throw NotConverged(message.str());
+      }
+    return now;
   }
 
 
@@ -708,12 +980,19 @@ namespace Contact
   // theory of small displacements knows the undeformed bodies only.
   void ContactProblem::pair_bodies()
   {
+    pair_bodies(solution);
+  }
+
+
+
+  void ContactProblem::pair_bodies(const Vector<double> &configuration)
+  {
     timer.enter_subsection("search");
     const bool is_new = sparsity_pattern.empty();
     const bool changed =
       interface && interface->pair(parameters.solution.geometry == "undeformed"
                                      ? Vector<double>(solution.size())
-                                     : solution);
+                                     : configuration);
     timer.leave_subsection();
     if (condensed)
       {
@@ -741,12 +1020,14 @@ namespace Contact
   // @sect4{ContactProblem::assemble_forces_of_bodies}
   //
   // Every rank adds what its cells exert.
-  void ContactProblem::assemble_forces_of_bodies()
+  VolumeRatio ContactProblem::assemble_forces_of_bodies()
   {
     TimerOutput::Scope scope(timer, "residual");
     system_rhs = 0;
-    elasticity->assemble(solution, load_factor, system_rhs, nullptr);
+    const VolumeRatio smallest =
+      elasticity->assemble(solution, load_factor, system_rhs, nullptr);
     Utilities::MPI::sum(system_rhs, communicator, system_rhs);
+    return smallest_of_all_ranks(smallest, communicator);
   }
 
 
@@ -834,6 +1115,7 @@ namespace Contact
 
     TimerOutput::Scope scope(timer, "factorization");
     solver.factorize(system_matrix);
+    factorized_version = elasticity->tangent_version();
     if (interface)
       factorized_decisions = interface->signature();
   }
@@ -846,7 +1128,9 @@ namespace Contact
                                             const double last_residual) const
   {
     return interface && !linearization.moving_geometry &&
-           solver.is_factorized() && !discretization->update_is_prescribed() &&
+           solver.is_factorized() &&
+           factorized_version == elasticity->tangent_version() &&
+           !discretization->update_is_prescribed() &&
            factorized_decisions == interface->signature() &&
            residual < 0.1 * last_residual;
   }
@@ -1076,21 +1360,28 @@ namespace Contact
 
   /// Where points changed their mind since @p decisions, and to what.
   std::string ContactProblem::chattering_points(
-    const std::vector<signed char> &decisions) const
+    const std::vector<Decision> &decisions) const
   {
     if (!interface)
       return "";
-    const std::array<std::string, 3> names{{"open", "stick", "slip"}};
+    const std::array<std::string, 3> names{{"open", "sticks", "slips"}};
+    const unsigned int               max_lines = 10;
+    unsigned int                     n         = 0;
     std::ostringstream               text;
     for (unsigned int q = 0; q < decisions.size(); ++q)
       {
         const ContactPoint &point = interface->points[q];
-        if (point.decision.code() != decisions[q])
-          text << "\n  point " << q << " at X = (" << point.X[0]
-               << ") mm still changes, now "
-               << names[static_cast<int>(point.decision.status)] << ", gap "
-               << interface->state(point, solution, start).gap << " mm";
+        if (point.decision == decisions[q] || ++n > max_lines)
+          continue;
+        const ContactState now = interface->state(point, solution, start);
+        text << "\n        point " << q << " at X = (" << point.X[0]
+             << ") mm: " << names[static_cast<int>(decisions[q].status)]
+             << ", now " << names[static_cast<int>(point.decision.status)]
+             << "; gap " << now.gap << " mm, pressure " << now.lambda_n
+             << " MPa, shear " << now.lambda_t << " MPa";
       }
+    if (n > max_lines)
+      text << "\n        and " << n - max_lines << " more";
     return text.str();
   }
 } // namespace Contact
@@ -1100,7 +1391,7 @@ namespace Contact
 // @sect3{The main function}
 //
 // Exit status: 0 all values within their tolerances, 1 one outside, 2 the input
-// is wrong, 3 a case did not converge.
+// is wrong, 3 a case did not converge, 5 interrupted.
 namespace
 {
   // The discretization error of a run on one mesh is asked for by another one
@@ -1148,19 +1439,27 @@ namespace
         read_parameters(line.files[i], line.overrides, handlers[i], cases[i]);
         cases[i].n_ranks =
           dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+        cases[i].restart = line.restart;
         cases[i].check();
       }
+    note_signals();
 
     std::vector<RunSummary> summaries;
     for (unsigned int i = 0; i < cases.size(); ++i)
-      summaries.push_back(run_case(cases[i], handlers[i], !line.quiet));
+      {
+        summaries.push_back(run_case(cases[i], handlers[i], !line.quiet));
+        if (summaries.back().interrupted)
+          break;
+      }
 
     if (cases.front().output.screen != "none" && is_first_rank)
       print_table(std::cout, summaries);
 
     int status = 0;
     for (const RunSummary &summary : summaries)
-      if (!summary.converged)
+      if (summary.interrupted)
+        return 5;
+      else if (!summary.converged)
         status = 3;
       else if (!summary.passed() && status == 0)
         status = 1;

@@ -19,13 +19,16 @@ namespace Contact
            "\n"
            "  --set \"Section/Entry=value\"   change an entry of all files\n"
            "  --quiet                       print the table only\n"
+           "  --restart                     go on behind the last increment "
+           "of an\n"
+           "                                interrupted run\n"
            "  --parameters                  list all entries and their "
            "meaning\n"
            "  --help                        print this\n"
            "\n"
            "Results are written to output/<name of the file>/.\n"
            "Exit status: 0 all values within their tolerances, 1 one outside,\n"
-           "2 the input is wrong, 3 a case did not converge.\n";
+           "2 the input is wrong, 3 a case did not converge, 5 interrupted.\n";
   }
 
 
@@ -46,6 +49,8 @@ namespace Contact
           }
         else if (word == "--quiet")
           line.quiet = true;
+        else if (word == "--restart")
+          line.restart = true;
         else if (word.rfind("--", 0) == 0)
           throw InputError("unknown option " + word,
                            "command line",

@@ -17,7 +17,8 @@ namespace Contact
   {
     std::vector<std::string> files;
     std::vector<std::string> overrides;
-    bool                     quiet = false;
+    bool                     quiet   = false;
+    bool                     restart = false; // go on where a run ended
   };
 
 

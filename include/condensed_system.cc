@@ -309,10 +309,11 @@ namespace Contact
   bool CondensedSystem::assemble(const Vector<double> &solution,
                                  Vector<double>       &rhs)
   {
-    const bool bulk_serves = bulk_is_assembled && elasticity.is_linear();
-    const auto signature   = elimination.signature();
-    const bool is_new      = !bulk_serves || signature != assembled_lines;
-    assembled_lines        = signature;
+    const bool bulk_serves = bulk_is_assembled && elasticity.is_linear() &&
+                             bulk_version == elasticity.tangent_version();
+    const auto signature = elimination.signature();
+    const bool is_new    = !bulk_serves || signature != assembled_lines;
+    assembled_lines      = signature;
     if (!bulk_serves)
       assemble_bulk(solution);
     else if (is_new)
@@ -385,6 +386,7 @@ namespace Contact
       kept_rows.emplace_back(values, values + n);
     });
     bulk_is_assembled = true;
+    bulk_version      = elasticity.tangent_version();
   }
 
 

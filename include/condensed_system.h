@@ -95,6 +95,7 @@ namespace Contact
     std::vector<std::vector<double>> kept_rows; // by owned interface unknown
     bool                             has_pattern       = false;
     bool                             bulk_is_assembled = false;
+    unsigned int                     bulk_version      = 0;
     bool                             pattern_is_new    = true; // to the solver
 
     std::unique_ptr<DefiniteSolver> solver;

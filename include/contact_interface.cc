@@ -77,12 +77,11 @@ namespace Contact
 
     for (ContactPoint &point : points)
       {
-        const auto  &edge  = slave.edges[point.slave_edge];
-        const double young = std::min(elasticity.young(edge.body),
+        const auto  &edge     = slave.edges[point.slave_edge];
+        const double young    = std::min(elasticity.young(edge.body),
                                       elasticity.young(master.edges[0].body));
-        const double length =
-          slave.nodes[edge.nodes[0]].X.distance(slave.nodes[edge.nodes[1]].X);
-        point.complementarity = complementarity_per_stiffness * young / length;
+        point.complementarity = complementarity_per_stiffness * young /
+                                slave.reference_length(point.slave_edge);
       }
   }
 
@@ -147,14 +146,27 @@ namespace Contact
   {
     for (ContactPoint &point : points)
       {
-        const auto  &edge = slave.edges[point.slave_edge].nodes;
-        const double length =
-          slave.nodes[edge[0]].X.distance(slave.nodes[edge[1]].X);
-        const double gap = state(point, u, u).gap;
-        if (point.facing && gap <= 0.01 * length)
+        const double length = slave.reference_length(point.slave_edge);
+        if (point.facing && state(point, u, u).gap <= 0.01 * length)
           point.decision.status =
             can_stick(point) ? Status::stick : Status::slip;
       }
+  }
+
+
+
+  void ContactInterface::close_nearest(const Vector<double> &u)
+  {
+    if (count().active > 0)
+      return;
+    double smallest = std::numeric_limits<double>::max();
+    for (const ContactPoint &point : points)
+      if (point.facing)
+        smallest = std::min(smallest, state(point, u, u).gap);
+    for (ContactPoint &point : points)
+      if (point.facing && state(point, u, u).gap - smallest <=
+                            0.01 * slave.reference_length(point.slave_edge))
+        point.decision.status = can_stick(point) ? Status::stick : Status::slip;
   }
 
 
@@ -214,6 +226,24 @@ namespace Contact
         point.tresca_bound = bound;
       }
     return largest > 0 ? change / largest : 0;
+  }
+
+
+
+  Vector<double> ContactInterface::bounds() const
+  {
+    Vector<double> bounds(points.size());
+    for (unsigned int q = 0; q < points.size(); ++q)
+      bounds[q] = points[q].tresca_bound;
+    return bounds;
+  }
+
+
+
+  void ContactInterface::set_bounds(const Vector<double> &bounds)
+  {
+    for (unsigned int q = 0; q < points.size(); ++q)
+      points[q].tresca_bound = bounds[q];
   }
 
 
@@ -282,6 +312,44 @@ namespace Contact
           point.decision = decision;
       }
     return n_changes;
+  }
+
+
+
+  const ContactPoint *
+  ContactInterface::decide_one(const Vector<double> &solution,
+                               const Vector<double> &u_start,
+                               const bool            moving_bound)
+  {
+    for (ContactPoint &point : points)
+      {
+        const ContactState now = state(point, solution, u_start);
+        const Decision     decision =
+          decide(point, now.p_trial, now.q_trial, moving_bound);
+        if (decision == point.decision)
+          continue;
+        point.decision = decision;
+        return &point;
+      }
+    return nullptr;
+  }
+
+
+
+  std::vector<Decision> ContactInterface::decisions() const
+  {
+    std::vector<Decision> all;
+    for (const ContactPoint &point : points)
+      all.push_back(point.decision);
+    return all;
+  }
+
+
+
+  void ContactInterface::set_decisions(const std::vector<Decision> &all)
+  {
+    for (unsigned int q = 0; q < points.size(); ++q)
+      points[q].decision = all[q];
   }
 
 

@@ -107,6 +107,13 @@ namespace Contact
      */
     void initialize_status(const Vector<double> &u);
 
+    /**
+     * If no point is in contact, begin with those that come first as the
+     * bodies approach each other: the one with the smallest gap, and what is
+     * no further than a hundredth of an edge behind it. A guess again.
+     */
+    void close_nearest(const Vector<double> &u);
+
     /// What the points know of the solution, by the place on the slave: its
     /// reference arc length as a part of the whole.
     struct SurfaceState
@@ -125,12 +132,22 @@ namespace Contact
     double update_bounds(const Vector<double> &solution,
                          const Vector<double> &u_start);
 
+    /// The bounds of all points [MPa].
+    Vector<double> bounds() const;
+    void           set_bounds(const Vector<double> &bounds);
+
     /// Let all points decide in the present state. Returns how many change
     /// their mind; with @p keep their new decisions are theirs from now on.
     unsigned int decide_all(const Vector<double> &solution,
                             const Vector<double> &u_start,
                             const bool            moving_bound,
                             const bool            keep);
+
+    /// Let but one point change its decision, the first that wants to; returns
+    /// that point, or null if there is none.
+    const ContactPoint *decide_one(const Vector<double> &solution,
+                                   const Vector<double> &u_start,
+                                   const bool            moving_bound);
 
     StatusCount count() const;
 
@@ -141,7 +158,9 @@ namespace Contact
      */
     double constraint_norm(const Vector<double> &rhs) const;
 
-    /// The decisions of all points.
+    /// The decisions of all points, and as numbers.
+    std::vector<Decision>    decisions() const;
+    void                     set_decisions(const std::vector<Decision> &all);
     std::vector<signed char> signature() const;
 
     /// Add the couplings of the points.

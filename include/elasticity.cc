@@ -9,12 +9,56 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "errors.h"
 
 namespace Contact
 {
   namespace
   {
+    /**
+     * The polynomials 1 or 1, xi, eta, made orthonormal with respect to the
+     * weights @p JxW of the points of a cell (modified Gram and Schmidt); none
+     * if there are as many as points, where projecting changes nothing.
+     */
+    std::vector<std::array<double, 3>>
+    orthonormal_modes(const Quadrature<2>       &quadrature,
+                      const std::vector<double> &JxW,
+                      const unsigned int         degree)
+    {
+      const unsigned int n_modes = degree == 1 ? 1 : 3;
+      if (n_modes >= quadrature.size())
+        return {};
+
+      // What is left out by degree 1 stays zero.
+      std::vector<std::array<double, 3>> modes(quadrature.size(), {{0, 0, 0}});
+      const auto product = [&](const unsigned int m, const unsigned int n) {
+        double sum = 0;
+        for (unsigned int q = 0; q < JxW.size(); ++q)
+          sum += JxW[q] * modes[q][m] * modes[q][n];
+        return sum;
+      };
+      for (unsigned int m = 0; m < n_modes; ++m)
+        {
+          for (unsigned int q = 0; q < JxW.size(); ++q)
+            modes[q][m] = m == 0 ? 1 : quadrature.point(q)[m - 1] - 0.5;
+          for (unsigned int n = 0; n < m; ++n)
+            {
+              const double part = product(m, n);
+              for (auto &mode : modes)
+                mode[m] -= part * mode[n];
+            }
+          const double norm = std::sqrt(product(m, m));
+          for (auto &mode : modes)
+            mode[m] /= norm;
+        }
+      return modes;
+    }
+
+
+
     /// The bodies with one kinematics, which no quadrature loop has to ask for.
     template<class Kinematics>
     class Solid : public Elasticity
@@ -35,20 +79,29 @@ namespace Contact
       }
 
     private:
-      void cell_forces(const Cell           &cell,
-                       const Vector<double> &u,
-                       FullMatrix<double>   *tangent,
-                       Vector<double>       &forces) const override;
+      /// By quadrature point, of which there are nine at most.
+      using AtPoints = std::array<double, 9>;
+
+      SmallestInCell cell_forces(const Cell           &cell,
+                                 const Vector<double> &u,
+                                 FullMatrix<double>   *tangent,
+                                 Vector<double>       &forces) const override;
+
+      double cell_energy(const Cell           &cell,
+                         const Vector<double> &u) const override;
+
+      /// P tr E.
+      AtPoints dilatations(const Cell &cell, const Vector<double> &u) const;
 
       Tensor<2, 2> displacement_gradient(const Cell           &cell,
                                          const unsigned int    q,
                                          const Vector<double> &u) const;
 
-      template<bool with_tangent>
-      void assemble_cell(const Cell           &cell,
-                         const Vector<double> &u,
-                         FullMatrix<double>   &matrix,
-                         Vector<double>       &residual) const;
+      template<bool with_tangent, bool projected>
+      SmallestInCell assemble_cell(const Cell           &cell,
+                                   const Vector<double> &u,
+                                   FullMatrix<double>   &matrix,
+                                   Vector<double>       &residual) const;
     };
 
 
@@ -70,34 +123,87 @@ namespace Contact
 
 
 
+    // With the orthonormal modes phi_m of the cell,
+    //   P tr E = sum_m theta_m phi_m,   theta_m = sum_q JxW phi_m tr E.
+    template<class Kinematics>
+    typename Solid<Kinematics>::AtPoints
+    Solid<Kinematics>::dilatations(const Cell           &cell,
+                                   const Vector<double> &u) const
+    {
+      AtPoints              dilatations{};
+      std::array<double, 3> theta{};
+      for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+        {
+          dilatations[q] =
+            trace(Kinematics::strain(displacement_gradient(cell, q, u)));
+          if (!cell.modes.empty())
+            for (unsigned int m = 0; m < 3; ++m)
+              theta[m] += cell.JxW[q] * cell.modes[q][m] * dilatations[q];
+        }
+      if (!cell.modes.empty())
+        for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+          {
+            dilatations[q] = 0;
+            for (unsigned int m = 0; m < 3; ++m)
+              dilatations[q] += theta[m] * cell.modes[q][m];
+          }
+      return dilatations;
+    }
+
+
+
     // With F = (f_ij), the strains (E11, E22, 2 E12) vary with node a by
     //   B_a = [ f11 N,1            f21 N,1
     //           f12 N,2            f22 N,2
     //           f11 N,2 + f12 N,1  f21 N,2 + f22 N,1 ],
     // and the tangent of the nodes a and b is
     //   K_ab = B_a^T D B_b + (grad N_a . S grad N_b) I,
-    // symmetric: the upper half is computed and mirrored.
+    // symmetric: the upper half is computed and mirrored. Projected, the part
+    // of D with lambda becomes
+    //   lambda sum_m g_m g_m^T,   g_m = sum_q JxW phi_m (row 1 + row 2 of B),
+    // while S has the projected dilatation and all else stays.
     template<class Kinematics>
-    template<bool with_tangent>
-    void Solid<Kinematics>::assemble_cell(const Cell           &cell,
-                                          const Vector<double> &u,
-                                          FullMatrix<double>   &matrix,
-                                          Vector<double>       &residual) const
+    template<bool with_tangent, bool projected>
+    typename Solid<Kinematics>::SmallestInCell
+    Solid<Kinematics>::assemble_cell(const Cell           &cell,
+                                     const Vector<double> &u,
+                                     FullMatrix<double>   &matrix,
+                                     Vector<double>       &residual) const
     {
       using StrainRows = std::array<std::array<double, 3>, 2>;
 
       const unsigned int n      = cell.n_nodes();
-      const double       lambda = cell.material->lambda;
+      const double       lambda = projected ? 0. : cell.material->lambda;
       const double       mu     = cell.material->mu;
 
+      // Without projection they are neither filled nor read.
+      AtPoints                              P_tr_E;
+      std::array<std::array<double, 18>, 3> g;
+      if constexpr (projected)
+        {
+          P_tr_E = dilatations(cell, u);
+          if constexpr (with_tangent)
+            g = {};
+        }
+
+      SmallestInCell            smallest;
       std::array<StrainRows, 9> B;
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)
         {
-          const Tensor<2, 2>  H = displacement_gradient(cell, q, u);
-          const Tensor<2, 2>  F = Kinematics::gradient_of_motion(H);
-          const auto          S = cell.material->stress(Kinematics::strain(H));
-          const Tensor<1, 2> *N = &cell.gradients[q * n];
+          const Tensor<2, 2>  H   = displacement_gradient(cell, q, u);
+          const Tensor<2, 2>  F   = Kinematics::gradient_of_motion(H);
+          const auto          E   = Kinematics::strain(H);
+          const Tensor<1, 2> *N   = &cell.gradients[q * n];
           const double        JxW = cell.JxW[q];
+
+          const auto S =
+            cell.material->stress(E, projected ? P_tr_E[q] : trace(E));
+          if constexpr (Kinematics::has_geometric_stiffness)
+            {
+              const double det_F = determinant(F);
+              if (det_F < smallest.value)
+                smallest = {det_F, q};
+            }
 
           for (unsigned int a = 0; a < n; ++a)
             for (unsigned int i = 0; i < 2; ++i)
@@ -109,6 +215,13 @@ namespace Contact
                   JxW * (B[a][i][0] * S[0][0] + B[a][i][1] * S[1][1] +
                          B[a][i][2] * S[0][1]);
               }
+
+          if constexpr (with_tangent && projected)
+            for (unsigned int m = 0; m < 3; ++m)
+              for (unsigned int a = 0; a < n; ++a)
+                for (unsigned int i = 0; i < 2; ++i)
+                  g[m][2 * a + i] +=
+                    JxW * cell.modes[q][m] * (B[a][i][0] + B[a][i][1]);
 
           if constexpr (with_tangent)
             for (unsigned int a = 0; a < n; ++a)
@@ -139,27 +252,55 @@ namespace Contact
               }
         }
 
+      if constexpr (with_tangent && projected)
+        for (unsigned int m = 0; m < 3; ++m)
+          for (unsigned int i = 0; i < 2 * n; ++i)
+            for (unsigned int j = i; j < 2 * n; ++j)
+              matrix(i, j) += cell.material->lambda * g[m][i] * g[m][j];
+
       if constexpr (with_tangent)
         for (unsigned int i = 0; i < 2 * n; ++i)
           for (unsigned int j = 0; j < i; ++j)
             matrix(i, j) = matrix(j, i);
+      return smallest;
     }
 
 
 
     template<class Kinematics>
-    void Solid<Kinematics>::cell_forces(const Cell           &cell,
-                                        const Vector<double> &u,
-                                        FullMatrix<double>   *tangent,
-                                        Vector<double>       &forces) const
+    typename Solid<Kinematics>::SmallestInCell
+    Solid<Kinematics>::cell_forces(const Cell           &cell,
+                                   const Vector<double> &u,
+                                   FullMatrix<double>   *tangent,
+                                   Vector<double>       &forces) const
     {
+      const bool projected = !cell.modes.empty();
       if (tangent == nullptr)
         {
           FullMatrix<double> no_tangent;
-          assemble_cell<false>(cell, u, no_tangent, forces);
+          return projected
+                   ? assemble_cell<false, true>(cell, u, no_tangent, forces)
+                   : assemble_cell<false, false>(cell, u, no_tangent, forces);
         }
-      else
-        assemble_cell<true>(cell, u, *tangent, forces);
+      return projected ? assemble_cell<true, true>(cell, u, *tangent, forces)
+                       : assemble_cell<true, false>(cell, u, *tangent, forces);
+    }
+
+
+
+    template<class Kinematics>
+    double Solid<Kinematics>::cell_energy(const Cell           &cell,
+                                          const Vector<double> &u) const
+    {
+      const AtPoints P_tr_E = dilatations(cell, u);
+      double         energy = 0;
+      for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+        energy +=
+          cell.JxW[q] *
+          cell.material->stored_energy(Kinematics::strain(
+                                         displacement_gradient(cell, q, u)),
+                                       P_tr_E[q]);
+      return energy;
     }
 
 
@@ -174,22 +315,40 @@ namespace Contact
         {
           auto &of_cell = stresses[cell.active_index];
           of_cell.resize(cell.JxW.size());
+          const AtPoints P_tr_E = dilatations(cell, u);
           for (unsigned int q = 0; q < cell.JxW.size(); ++q)
             {
-              const Tensor<2, 2>    H      = displacement_gradient(cell, q, u);
-              const auto            strain = Kinematics::strain(H);
-              const auto            plane  = cell.material->stress(strain);
+              const Tensor<2, 2> H      = displacement_gradient(cell, q, u);
+              const auto         strain = Kinematics::strain(H);
+              const auto plane = cell.material->stress(strain, P_tr_E[q]);
               SymmetricTensor<2, 3> S;
               for (unsigned int i = 0; i < 2; ++i)
                 for (unsigned int j = 0; j <= i; ++j)
                   S[i][j] = plane[i][j];
-              S[2][2]    = cell.material->stress_out_of_plane(strain);
+              S[2][2]    = cell.material->stress_out_of_plane(P_tr_E[q]);
               of_cell[q] = Kinematics::cauchy(H, S);
             }
         }
       return stresses;
     }
   } // namespace
+
+
+
+  // Lexicographic, so that it does not depend on the number of ranks which of
+  // several equal ones is named.
+  VolumeRatio smallest_of_all_ranks(const VolumeRatio &of_rank,
+                                    const MPI_Comm     communicator)
+  {
+    using Numbers     = std::array<double, 4>; // value, body, X
+    const auto of_all = Utilities::MPI::all_gather(
+      communicator,
+      Numbers{{of_rank.value, 1. * of_rank.body, of_rank.X[0], of_rank.X[1]}});
+    const Numbers numbers = *std::min_element(of_all.begin(), of_all.end());
+    return {numbers[0],
+            static_cast<types::material_id>(numbers[1]),
+            Point<2>(numbers[2], numbers[3])};
+  }
 
 
 
@@ -221,7 +380,14 @@ namespace Contact
         throw InputError("body '" + name + "' has no material",
                          entry,
                          "add '" + name + ": <value>' to the moduli");
+
+    for (const auto &[body, material] : materials)
+      if (parameters.dilatation == "projected" ||
+          (parameters.dilatation == "automatic" &&
+           material.lambda > 10 * material.mu))
+        projected.insert(body);
     tabulate();
+    sum_areas();
   }
 
 
@@ -240,44 +406,61 @@ namespace Contact
 
 
 
+  bool Elasticity::is_projected(const types::material_id body) const
+  {
+    return projected.count(body) > 0;
+  }
+
+
+
   void Elasticity::visit_cell(const Cell           &cell,
                               const Vector<double> &u,
                               const bool            with_tangent,
                               FullMatrix<double>   &tangent,
                               Vector<double>       &forces,
-                              const CellVisitor    &visitor) const
+                              const CellVisitor    &visitor,
+                              VolumeRatio          &smallest) const
   {
     const unsigned int n = cell.dofs.size();
     forces.reinit(n);
     if (with_tangent)
       tangent.reinit(n, n);
-    cell_forces(cell, u, with_tangent ? &tangent : nullptr, forces);
+    FullMatrix<double>  *wanted  = with_tangent ? &tangent : nullptr;
+    const SmallestInCell of_cell = cell_forces(cell, u, wanted, forces);
+    if (of_cell.value < smallest.value)
+      smallest = {of_cell.value, cell.body, cell.points[of_cell.point]};
+    if (!hold_stiffness.empty())
+      add_springs(cell, u, wanted, forces);
     visitor(cell.dofs, tangent, forces);
   }
 
 
 
-  void Elasticity::visit_cells(const Vector<double> &u,
-                               const bool            with_tangent,
-                               const CellVisitor    &visitor) const
+  VolumeRatio Elasticity::visit_cells(const Vector<double> &u,
+                                      const bool            with_tangent,
+                                      const CellVisitor    &visitor) const
   {
     FullMatrix<double> tangent;
     Vector<double>     forces;
+    VolumeRatio        smallest;
     for (unsigned int c = 0; c < n_own_cells; ++c)
-      visit_cell(cells[c], u, with_tangent, tangent, forces, visitor);
+      visit_cell(cells[c], u, with_tangent, tangent, forces, visitor, smallest);
+    return smallest;
   }
 
 
 
-  void Elasticity::visit_cells(const Vector<double>            &u,
-                               const bool                       with_tangent,
-                               const std::vector<unsigned int> &chosen,
-                               const CellVisitor               &visitor) const
+  VolumeRatio Elasticity::visit_cells(const Vector<double> &u,
+                                      const bool            with_tangent,
+                                      const std::vector<unsigned int> &chosen,
+                                      const CellVisitor &visitor) const
   {
     FullMatrix<double> tangent;
     Vector<double>     forces;
+    VolumeRatio        smallest;
     for (const unsigned int c : chosen)
-      visit_cell(cells[c], u, with_tangent, tangent, forces, visitor);
+      visit_cell(cells[c], u, with_tangent, tangent, forces, visitor, smallest);
+    return smallest;
   }
 
 
@@ -297,35 +480,39 @@ namespace Contact
 
 
 
-  void Elasticity::assemble(const Vector<double> &u,
-                            const double          load_factor,
-                            Vector<double>       &rhs,
-                            SparseMatrix<double> *matrix) const
+  VolumeRatio Elasticity::assemble(const Vector<double> &u,
+                                   const double          load_factor,
+                                   Vector<double>       &rhs,
+                                   SparseMatrix<double> *matrix) const
   {
     const auto    &constraints = discretization.constraints;
     Vector<double> cell_rhs;
-    visit_cells(u,
-                matrix != nullptr,
-                [&](const std::vector<types::global_dof_index> &dofs,
-                    const FullMatrix<double>                   &tangent,
-                    const Vector<double>                       &forces) {
-                  cell_rhs.reinit(forces.size());
-                  cell_rhs.add(-1, forces);
-                  if (matrix == nullptr)
-                    constraints.distribute_local_to_global(cell_rhs, dofs, rhs);
-                  else
-                    constraints.distribute_local_to_global(tangent,
-                                                           cell_rhs,
-                                                           dofs,
-                                                           *matrix,
-                                                           rhs);
-                });
+    const auto     smallest =
+      visit_cells(u,
+                  matrix != nullptr,
+                  [&](const std::vector<types::global_dof_index> &dofs,
+                      const FullMatrix<double>                   &tangent,
+                      const Vector<double>                       &forces) {
+                    cell_rhs.reinit(forces.size());
+                    cell_rhs.add(-1, forces);
+                    if (matrix == nullptr)
+                      constraints.distribute_local_to_global(cell_rhs,
+                                                             dofs,
+                                                             rhs);
+                    else
+                      constraints.distribute_local_to_global(tangent,
+                                                             cell_rhs,
+                                                             dofs,
+                                                             *matrix,
+                                                             rhs);
+                  });
 
     const auto  load  = discretization.dead_load(load_factor);
     const auto &owned = discretization.dof_handler.locally_owned_dofs();
     for (unsigned int i = 0; i < load.size(); ++i)
       if (load[i] != 0 && owned.is_element(i))
         constraints.distribute_local_to_global(i, load[i], rhs);
+    return smallest;
   }
 
 
@@ -348,12 +535,133 @@ namespace Contact
 
 
 
+  double Elasticity::strain_energy(const Vector<double> &u) const
+  {
+    double energy = 0;
+    for (unsigned int c = 0; c < n_own_cells; ++c)
+      energy += cell_energy(cells[c], u);
+    return Utilities::MPI::sum(energy, discretization.communicator);
+  }
+
+
+
+  void
+  Elasticity::hold_softly(const std::map<types::material_id, double> &stiffness,
+                          const Vector<double>                       &rest)
+  {
+    Assert(rest.size() >= discretization.dof_handler.n_dofs(),
+           ExcDimensionMismatch(rest.size(),
+                                discretization.dof_handler.n_dofs()));
+    std::map<types::material_id, double> positive;
+    for (const auto &[body, k] : stiffness)
+      {
+        Assert(areas.count(body) > 0, ExcMessage("no such body"));
+        Assert(k >= 0, ExcMessage("a negative stiffness"));
+        if (k > 0)
+          positive[body] = k;
+      }
+    if (positive != hold_stiffness)
+      ++version;
+    hold_stiffness = positive;
+    hold_rest      = rest;
+  }
+
+
+
+  void Elasticity::release()
+  {
+    if (!hold_stiffness.empty())
+      ++version;
+    hold_stiffness.clear();
+    hold_rest.reinit(0);
+  }
+
+
+
+  const std::map<types::material_id, double> &Elasticity::softly_held() const
+  {
+    return hold_stiffness;
+  }
+
+
+
+  unsigned int Elasticity::tangent_version() const
+  {
+    return version;
+  }
+
+
+
+  double Elasticity::spring(const Cell &cell) const
+  {
+    const auto held = hold_stiffness.find(cell.body);
+    if (held == hold_stiffness.end())
+      return 0;
+    double area = 0;
+    for (const double JxW : cell.JxW)
+      area += JxW;
+    return held->second * area / areas.at(cell.body) / cell.n_corners();
+  }
+
+
+
+  void Elasticity::add_springs(const Cell           &cell,
+                               const Vector<double> &u,
+                               FullMatrix<double>   *tangent,
+                               Vector<double>       &forces) const
+  {
+    const double k = spring(cell);
+    for (unsigned int i = 0; i < 2 * cell.n_corners(); ++i)
+      {
+        forces[i] += k * (u[cell.dofs[i]] - hold_rest[cell.dofs[i]]);
+        if (tangent != nullptr)
+          (*tangent)(i, i) += k;
+      }
+  }
+
+
+
+  std::map<types::material_id, double>
+  Elasticity::hold_energy(const Vector<double> &u) const
+  {
+    std::map<types::material_id, double> energies;
+    for (const auto &[body, k] : hold_stiffness)
+      energies[body] = 0;
+    for (unsigned int c = 0; c < n_own_cells; ++c)
+      if (const double k = spring(cells[c]); k > 0)
+        for (unsigned int i = 0; i < 2 * cells[c].n_corners(); ++i)
+          {
+            const auto dof = cells[c].dofs[i];
+            energies[cells[c].body] +=
+              0.5 * k * std::pow(u[dof] - hold_rest[dof], 2);
+          }
+    for (auto &[body, energy] : energies)
+      energy = Utilities::MPI::sum(energy, discretization.communicator);
+    return energies;
+  }
+
+
+
+  void Elasticity::sum_areas()
+  {
+    for (const auto &[name, body] : discretization.mesh.bodies)
+      areas[body] = 0;
+    for (unsigned int c = 0; c < n_own_cells; ++c)
+      for (const double JxW : cells[c].JxW)
+        areas[cells[c].body] += JxW;
+    for (auto &[body, area] : areas)
+      area = Utilities::MPI::sum(area, discretization.communicator);
+  }
+
+
+
   void Elasticity::tabulate()
   {
     hp::FEValues<2> hp_fe_values(discretization.mapping,
                                  discretization.fe,
                                  discretization.quadrature,
-                                 update_gradients | update_JxW_values);
+                                 update_gradients | update_JxW_values |
+                                   update_quadrature_points);
 
     std::vector<types::global_dof_index> dofs;
     std::vector<Cell>                    neighbors;
@@ -373,8 +681,14 @@ namespace Contact
 
         Cell cell;
         cell.active_index = dof_cell->active_cell_index();
-        cell.material     = &materials.at(dof_cell->material_id());
+        cell.body         = dof_cell->material_id();
+        cell.material     = &materials.at(cell.body);
         cell.JxW          = fe_values.get_JxW_values();
+        cell.points       = fe_values.get_quadrature_points();
+        if (is_projected(cell.body))
+          cell.modes = orthonormal_modes(fe_values.get_quadrature(),
+                                         cell.JxW,
+                                         discretization.degree);
 
         dofs.resize(fe.n_dofs_per_cell());
         dof_cell->get_dof_indices(dofs);

@@ -11,8 +11,12 @@
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <array>
 #include <functional>
+#include <map>
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "discretization.h"
@@ -23,6 +27,25 @@ namespace Contact
   using namespace dealii;
 
   /**
+   * The smallest ratio det F [-] of deformed to undeformed volume among the
+   * quadrature points, the body and the undeformed place X [mm] where it is;
+   * 1 and no body if no point is compressed. At zero or below a cell is turned
+   * inside out: no solution, whatever the residual says.
+   */
+  struct VolumeRatio
+  {
+    double             value = 1;
+    types::material_id body  = numbers::invalid_material_id;
+    Point<2>           X;
+  };
+
+  /// The smallest of all ranks, on all of them. Collective.
+  VolumeRatio smallest_of_all_ranks(const VolumeRatio &of_rank,
+                                    const MPI_Comm     communicator);
+
+
+
+  /**
    * The bodies: residual and consistent tangent of
    *   integral S(u) : delta E dX - dead load . delta u = 0.
    *
@@ -30,6 +53,26 @@ namespace Contact
    * configuration and never change: they are computed once. Where the centre
    * of a quadrangle is bound, they are those of the eight free nodes, so that
    * the centre costs nothing in assembly.
+   *
+   * Dilatation. The stresses are the derivatives of the energy
+   *   integral 1/2 lambda (P tr E)^2 + mu E : E dX,
+   * where P is the identity ("full") or, cell by cell, the L2 projection onto
+   * the polynomials of degree k-1 in the coordinates of the reference cell
+   * ("projected"), weighted with the undeformed volume and integrated with the
+   * points of the cell. As nu approaches 1/2, tr E has to vanish wherever P
+   * asks for it: with the identity in more points than elements of degree 1 can
+   * afford, and they lock. P asks for one condition in a cell of degree 1
+   * (selective integration, B-bar: T. J. R. Hughes, Int. J. Numer. Methods Eng.
+   * 15, 1980) and for three at degree 2 (Q2-P1). "automatic" projects where
+   * lambda > 10 mu, that is nu > 5/11.
+   *
+   * Triangles have as many quadrature points (1 and 3) as there are polynomials
+   * (1 and 3): P is the identity, and triangles of degree 1 lock either way.
+   *
+   * Soft hold. What holds a body before it touches another one can be added
+   * for a while: springs at the corners of its cells, to x and to y, from where
+   * these were under the displacement @p rest. They are part of the residual
+   * and of the tangent of the cells, whoever visits them.
    */
   class Elasticity
   {
@@ -52,13 +95,14 @@ namespace Contact
                          const Vector<double>                       &forces)>;
 
     /// Visit all cells of this rank, or only those with the numbers @p chosen.
-    void visit_cells(const Vector<double> &u,
-                     const bool            with_tangent,
-                     const CellVisitor    &visitor) const;
-    void visit_cells(const Vector<double>            &u,
-                     const bool                       with_tangent,
-                     const std::vector<unsigned int> &chosen,
-                     const CellVisitor               &visitor) const;
+    /// Returns the smallest volume ratio among them; in small strain, 1.
+    VolumeRatio visit_cells(const Vector<double> &u,
+                            const bool            with_tangent,
+                            const CellVisitor    &visitor) const;
+    VolumeRatio visit_cells(const Vector<double>            &u,
+                            const bool                       with_tangent,
+                            const std::vector<unsigned int> &chosen,
+                            const CellVisitor               &visitor) const;
 
     /// How many cells this rank has, and the unknowns of one of them.
     unsigned int n_cells() const;
@@ -68,12 +112,13 @@ namespace Contact
     /**
      * Add minus the residual (dead forces under @p load_factor minus internal
      * forces) to @p rhs and, unless @p matrix is null, the tangent to it;
-     * constraints eliminated. Of several ranks each adds its own part.
+     * constraints eliminated. Of several ranks each adds its own part, and
+     * returns the smallest volume ratio among its own cells.
      */
-    void assemble(const Vector<double> &u,
-                  const double          load_factor,
-                  Vector<double>       &rhs,
-                  SparseMatrix<double> *matrix) const;
+    VolumeRatio assemble(const Vector<double> &u,
+                         const double          load_factor,
+                         Vector<double>       &rhs,
+                         SparseMatrix<double> *matrix) const;
 
     /**
      * The forces on all nodes, unconstrained: internal minus load. Where a
@@ -81,6 +126,44 @@ namespace Contact
      */
     Vector<double> forces(const Vector<double> &u,
                           const double          load_factor) const;
+
+    /**
+     * The energy stored in the bodies [N mm per mm of thickness]: its
+     * derivative are the internal forces. Without that of a soft hold.
+     * Collective.
+     */
+    double strain_energy(const Vector<double> &u) const;
+
+    /**
+     * Hold bodies softly, by body with a stiffness k [MPa] (N/mm per mm of
+     * thickness): under a rigid translation d away from @p rest the springs of
+     * the body exert k d together. Each cell gives its corners equal shares of
+     * its part of the area of the body. A body that is not named, or with
+     * k = 0, is not held. Replaces what held before. Not collective, but has to
+     * be the same on all ranks.
+     */
+    void hold_softly(const std::map<types::material_id, double> &stiffness,
+                     const Vector<double>                       &rest);
+
+    /// Hold nothing any longer.
+    void release();
+
+    /// The bodies that are held softly, and their stiffness [MPa].
+    const std::map<types::material_id, double> &softly_held() const;
+
+    /**
+     * The energy of the springs of each held body, 1/2 k |u - rest|^2 in total
+     * if it is translated [N mm per mm of thickness]. Collective.
+     */
+    std::map<types::material_id, double>
+    hold_energy(const Vector<double> &u) const;
+
+    /// Grows whenever the tangent becomes another one under the same u: as
+    /// bodies are held, released, or held with another stiffness.
+    unsigned int tangent_version() const;
+
+    /// Whether the dilatation of the quadrangles of a body is projected.
+    bool is_projected(const types::material_id body) const;
 
     /// Cauchy stress [MPa] in all quadrature points, by active cell; nothing
     /// for the cells that this rank does not know.
@@ -104,22 +187,45 @@ namespace Contact
     struct Cell
     {
       unsigned int                         active_index;
+      types::material_id                   body;
       const Material                      *material;
       std::vector<types::global_dof_index> dofs;      // (x, y) node by node
       std::vector<double>                  JxW;       // by point
+      std::vector<Point<2>>                points;    // X by point
       std::vector<Tensor<1, 2>>            gradients; // by point, then node
+
+      /// Where the dilatation is projected: polynomials phi_m with
+      /// sum_q JxW phi_m phi_n = delta_mn, by point. Else empty.
+      std::vector<std::array<double, 3>> modes;
 
       unsigned int n_nodes() const
       {
         return dofs.size() / 2;
       }
+
+      /// The first nodes are the corners.
+      unsigned int n_corners() const
+      {
+        return n_nodes() % 3 == 0 && n_nodes() < 9 ? 3 : 4;
+      }
+    };
+
+    /// The smallest det F of a cell, and in which of its points.
+    struct SmallestInCell
+    {
+      double       value = 1;
+      unsigned int point = 0;
     };
 
     /// Internal forces and, if @p tangent is not null, tangent of a cell.
-    virtual void cell_forces(const Cell           &cell,
-                             const Vector<double> &u,
-                             FullMatrix<double>   *tangent,
-                             Vector<double>       &forces) const = 0;
+    virtual SmallestInCell cell_forces(const Cell           &cell,
+                                       const Vector<double> &u,
+                                       FullMatrix<double>   *tangent,
+                                       Vector<double>       &forces) const = 0;
+
+    /// Strain energy of a cell.
+    virtual double cell_energy(const Cell           &cell,
+                               const Vector<double> &u) const = 0;
 
     const Discretization                  &discretization;
     std::map<types::material_id, Material> materials;
@@ -135,8 +241,25 @@ namespace Contact
                     const bool            with_tangent,
                     FullMatrix<double>   &tangent,
                     Vector<double>       &forces,
-                    const CellVisitor    &visitor) const;
+                    const CellVisitor    &visitor,
+                    VolumeRatio          &smallest) const;
+
+    /// The springs of a cell: the stiffness of each of its corners [MPa].
+    double spring(const Cell &cell) const;
+    void   add_springs(const Cell           &cell,
+                       const Vector<double> &u,
+                       FullMatrix<double>   *tangent,
+                       Vector<double>       &forces) const;
+
     void tabulate();
+    void sum_areas();
+
+    std::set<types::material_id>         projected;
+    std::map<types::material_id, double> areas; // [mm^2], of all ranks
+
+    std::map<types::material_id, double> hold_stiffness;
+    Vector<double>                       hold_rest;
+    unsigned int                         version = 0;
   };
 } // namespace Contact
 

@@ -35,6 +35,15 @@ namespace Contact
   {
     using std::runtime_error::runtime_error;
   };
+
+  /**
+   * Somebody ends the run from outside. What is finished stays; ends the
+   * program with exit status 5.
+   */
+  struct Interrupted : public std::runtime_error
+  {
+    using std::runtime_error::runtime_error;
+  };
 } // namespace Contact
 
 #endif

@@ -30,13 +30,30 @@ namespace Contact
     /// The stress in the plane; plane strain adds lambda tr(strain) across it.
     SymmetricTensor<2, 2> stress(const SymmetricTensor<2, 2> &strain) const
     {
-      return lambda * trace(strain) * unit_symmetric_tensor<2>() +
-             2 * mu * strain;
+      return stress(strain, trace(strain));
     }
 
-    double stress_out_of_plane(const SymmetricTensor<2, 2> &strain) const
+    /**
+     * The same with another value in the place of tr(strain): the stress in the
+     * plane, the stress across it, and the energy by volume
+     *   1/2 lambda dilatation^2 + mu strain : strain
+     * [MPa].
+     */
+    SymmetricTensor<2, 2> stress(const SymmetricTensor<2, 2> &strain,
+                                 const double                 dilatation) const
     {
-      return lambda * trace(strain);
+      return lambda * dilatation * unit_symmetric_tensor<2>() + 2 * mu * strain;
+    }
+
+    double stress_out_of_plane(const double dilatation) const
+    {
+      return lambda * dilatation;
+    }
+
+    double stored_energy(const SymmetricTensor<2, 2> &strain,
+                         const double                 dilatation) const
+    {
+      return 0.5 * lambda * dilatation * dilatation + mu * (strain * strain);
     }
 
     /**

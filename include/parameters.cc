@@ -102,6 +102,14 @@ namespace Contact
                         "linear.",
                         Patterns::Selection("small strain|"
                                             "large displacement"));
+      prm.add_parameter("Dilatation",
+                        dilatation,
+                        "The trace of the strain in a quadrangle [-]; full: "
+                        "as it is, projected: its mean (degree 1) or its "
+                        "linear part (degree 2), against locking, automatic: "
+                        "projected for bodies with nu > 5/11. Triangles: no "
+                        "difference.",
+                        Patterns::Selection("automatic|full|projected"));
       prm.leave_subsection();
     }
 
@@ -221,6 +229,12 @@ namespace Contact
                         n_increments,
                         "Equal steps to the full load [-].",
                         at_least_one);
+      prm.add_parameter("Max cut-backs",
+                        max_cuts,
+                        "How often an increment that does not converge is cut "
+                        "in half before giving up [-]; 0: never. Behind it "
+                        "the steps grow again.",
+                        Patterns::Integer(0, 20));
       prm.add_parameter("Geometry",
                         geometry,
                         "How projections and normals follow the displacements "

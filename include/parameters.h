@@ -88,6 +88,9 @@ namespace Contact
       /// "small strain" or "large displacement".
       std::string kinematics = "large displacement";
 
+      /// "automatic", "full" or "projected", see Elasticity.
+      std::string dilatation = "automatic";
+
       void add_parameters(ParameterHandler &prm);
       void check() const;
     };
@@ -166,6 +169,7 @@ namespace Contact
     struct Solution
     {
       unsigned int n_increments = 2;
+      unsigned int max_cuts     = 6; // of an increment to half
 
       /// "undeformed", "fixed point", "each step" or "Newton".
       std::string  geometry                = "fixed point";
@@ -286,6 +290,9 @@ namespace Contact
 
       /// How many processes work on the case.
       unsigned int n_ranks = 1;
+
+      /// Go on behind the last increment of an interrupted run.
+      bool restart = false;
 
       /// Whether the multipliers are eliminated from the linear system.
       bool is_condensed() const;

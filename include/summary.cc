@@ -90,7 +90,11 @@ namespace Contact
               {"active", increment.active},
               {"stick", increment.stick},
               {"slip", increment.slip},
-              {"converged", increment.converged}};
+              {"halved_steps", increment.halved_steps},
+              {"cycles", increment.cycles},
+              {"hold_work", increment.hold_work},
+              {"converged", increment.converged},
+              {"message", increment.message}};
     }
 
 
@@ -122,6 +126,7 @@ namespace Contact
     Json to_json(const RunSummary &summary)
     {
       Json json{{"converged", summary.converged},
+                {"interrupted", summary.interrupted},
                 {"message", summary.message},
                 {"probes", Json::array()},
                 {"increments", Json::array()},

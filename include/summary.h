@@ -38,7 +38,7 @@ namespace Contact
 
 
 
-  /// What one load increment took, and where it ended.
+  /// What one load increment took, or the attempt at one, and where it ended.
   struct IncrementRecord
   {
     unsigned int level               = 0; // of refinement
@@ -50,7 +50,11 @@ namespace Contact
     unsigned int active              = 0; // contact points, stick and slip
     unsigned int stick               = 0;
     unsigned int slip                = 0;
+    unsigned int halved_steps        = 0; // Newton steps that were too long
+    unsigned int cycles              = 0; // of the active set, left one by one
+    double       hold_work           = 0; // of a soft hold [N mm per mm]
     bool         converged           = false;
+    std::string  message; // why it was given up
   };
 
 
@@ -87,7 +91,8 @@ namespace Contact
     std::string mesh_file;
 
     /// Whether all increments converged, and if not what went wrong.
-    bool        converged = false;
+    bool        converged   = false;
+    bool        interrupted = false;
     std::string message;
 
     std::vector<ProbeResult>     probes;

@@ -238,6 +238,14 @@ namespace Contact
 
 
 
+  double Surface::reference_length(const unsigned int edge) const
+  {
+    const auto &ends = edges[edge].nodes;
+    return nodes[ends[0]].X.distance(nodes[ends[1]].X);
+  }
+
+
+
   double Surface::reference_jacobian(const Edge      &edge,
                                      const EdgeShape &shape) const
   {

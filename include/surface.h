@@ -67,6 +67,9 @@ namespace Contact
     /// of those of the edges that meet there.
     std::vector<Tensor<1, 2>> normals(const Vector<double> &u) const;
 
+    /// The distance of the ends of an edge, undeformed [mm].
+    double reference_length(const unsigned int edge) const;
+
     /// Length of an edge per unit of its coordinate, undeformed [mm].
     double reference_jacobian(const Edge &edge, const EdgeShape &shape) const;
 

@@ -3,10 +3,12 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "support_check.h"
+#include "free_motions.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/symmetric_tensor.h>
+
+#include <set>
 
 #include "errors.h"
 
@@ -124,8 +126,8 @@ namespace Contact
 
 
 
-  void check_supports(const Discretization   &discretization,
-                      const ContactInterface *interface)
+  std::vector<FreeMotion> free_motions(const Discretization   &discretization,
+                                       const ContactInterface *interface)
   {
     auto motions = make_motions(discretization.mesh.triangulation);
     hold_by_supports(discretization, motions);
@@ -135,18 +137,36 @@ namespace Contact
     if (interface != nullptr)
       hold_by_contact(*interface, motions);
 
+    std::vector<FreeMotion> free;
     for (const auto &[body, rigid] : motions)
       {
         const auto   modes   = eigenvectors(rigid.held);
         const double largest = modes.front().first;
         // Round-off of the sums, against one point that holds.
         if (modes.back().first <= 1e-10 * largest || largest == 0)
-          throw InputError(
-            "nothing holds the body '" + discretization.mesh.body_name(body) +
-              "' against: " + name_of_motion(modes.back().second),
-            "Boundary conditions, Contact",
-            "support it in that motion, let it touch another body at the "
-            "start, or tie a point of it");
+          free.push_back({body, name_of_motion(modes.back().second)});
       }
+    return free;
+  }
+
+
+
+  void check_supports(const Discretization   &discretization,
+                      const ContactInterface *interface)
+  {
+    std::set<types::material_id> touching;
+    if (interface != nullptr)
+      for (const Surface *surface : {&interface->slave, &interface->master})
+        for (const Surface::Edge &edge : surface->edges)
+          touching.insert(edge.body);
+
+    for (const auto &[body, motion] : free_motions(discretization, interface))
+      if (touching.count(body) == 0)
+        throw InputError("nothing holds the body '" +
+                           discretization.mesh.body_name(body) +
+                           "' against: " + motion,
+                         "Boundary conditions, Contact",
+                         "support it in that motion, tie a point of it, or "
+                         "give it a surface that can touch another body");
   }
 } // namespace Contact

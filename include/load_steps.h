@@ -1,0 +1,70 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_load_steps_h
+#define contact_load_steps_h
+
+#include <cstdint>
+
+namespace Contact
+{
+  /**
+   * The way of the load factor t from 0 to 1: equal increments, as planned. A
+   * step that does not converge is cut in half and tried again, up to a given
+   * depth; after a success steps double again, as far as they still end where
+   * an increment does. Every increment of the plan is reached exactly.
+   */
+  class LoadSteps
+  {
+  public:
+    /// A step of the load factor.
+    struct Step
+    {
+      double       from, to;
+      unsigned int increment;      // of the plan, from 1
+      bool         is_whole;       // the whole of that increment
+      bool         ends_increment; // "to" is where the plan wants results
+    };
+
+    /// An increment is cut at most @p max_cuts times to half, < 32.
+    LoadSteps(const unsigned int n_increments, const unsigned int max_cuts);
+
+    /// Whether t = 1 is reached.
+    bool finished() const;
+
+    /// The step to try now.
+    Step next() const;
+
+    /// It converged: go on behind it.
+    void accept();
+
+    /// It did not: half of it next. Returns false, and changes nothing, if it
+    /// is not to be cut any further.
+    bool cut();
+
+    template<class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &increment &position &depth;
+    }
+
+  private:
+    /// Positions within an increment and lengths of steps are counted in the
+    /// smallest step: no round-off.
+    std::uint32_t whole() const
+    {
+      return std::uint32_t(1) << max_cuts;
+    }
+
+    double load_factor(const std::uint32_t position) const;
+
+    const unsigned int n_increments, max_cuts;
+    unsigned int       increment = 1; // of the plan
+    std::uint32_t      position  = 0; // in it
+    unsigned int       depth     = 0; // how often the step is cut
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,57 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_newton_guard_h
+#define contact_newton_guard_h
+
+#include <deque>
+#include <limits>
+
+namespace Contact
+{
+  /**
+   * What keeps a semismooth Newton method from running away and its active set
+   * from cycling, without being in the way where it converges.
+   *
+   * Runaway: the merit function is the norm of the residual. Where an active
+   * set is looked for it need not fall in every step, so that the line search
+   * is not monotone (Grippo, Lampariello and Lucidi, SIAM J. Numer. Anal. 23,
+   * 1986): a step is too long if the residual rises above the largest of the
+   * last five steps.
+   *
+   * Cycles: all points change their decisions at once, as long as fewer and
+   * fewer want to. If their number has not come below its minimum for ten
+   * steps, one point at a time changes, until it has: the safeguarded block
+   * pivoting of Portugal, Judice and Vicente (Math. Comp. 63, 1994), finite for
+   * every uniquely solvable linear problem.
+   */
+  class NewtonGuard
+  {
+  public:
+    /// Whether a step may end with this residual.
+    bool accepts(const double residual) const;
+
+    /// A step has ended with this residual.
+    void advance(const double residual);
+
+    /// Forget the residuals: the next step starts a new problem, as one that
+    /// moves supports does.
+    void forget();
+
+    /// Whether, as @p n_changes points want to change their decisions, only
+    /// one may.
+    bool one_at_a_time(const unsigned int n_changes);
+
+  private:
+    static constexpr unsigned int memory   = 5;  // residuals
+    static constexpr unsigned int patience = 10; // steps without progress
+
+    std::deque<double> residuals;
+    unsigned int       fewest   = std::numeric_limits<unsigned int>::max();
+    unsigned int       n_wasted = 0;
+  };
+} // namespace Contact
+
+#endif
