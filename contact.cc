@@ -435,7 +435,6 @@ namespace Contact
     LoadSteps steps(parameters.solution.n_increments,
                     parameters.solution.max_cuts);
     softly_held.clear();
-    hold_what_is_free(interface.get());
     while (!steps.finished())
       {
         const LoadSteps::Step step = steps.next();
@@ -462,7 +461,6 @@ namespace Contact
           }
         steps.accept();
         softly_held.clear();
-        hold_what_is_free(interface.get());
 
         if (is_last_level() && step.ends_increment)
           output_increment(step.increment);
@@ -623,6 +621,7 @@ namespace Contact
           interface->restore(level_states[step.increment - 1], solution);
       }
     discretization->constrain_update(solution, load_factor);
+    hold_what_is_free(interface.get());
 
     solve_with_soft_hold();
 

@@ -329,6 +329,10 @@ namespace Contact
         if (decision == point.decision)
           continue;
         point.decision = decision;
+        // A bound that was frozen while the point was under pressure may leave
+        // it no solution: open it penetrates, closed and held it is pulled.
+        if (decision.status == Status::open)
+          point.tresca_bound = law.bound(0);
         return &point;
       }
     return nullptr;
