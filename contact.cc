@@ -86,7 +86,6 @@
 #include <sstream>
 
 #include "active_set.h"
-#include "alternation.h"
 #include "command_line.h"
 #include "condensed_system.h"
 #include "contact_interface.h"
@@ -103,6 +102,7 @@
 #include "parameters.h"
 #include "postprocessing.h"
 #include "refinement.h"
+#include "relaxation.h"
 #include "result_files.h"
 #include "stress_recovery.h"
 #include "summary.h"
@@ -728,7 +728,7 @@ namespace Contact
       }
 
     double         change = 0;
-    Alternation    alternation;
+    Relaxation     relaxation;
     Vector<double> configuration = solution;
     for (unsigned int turn = 1;
          turn <= parameters.solution.max_geometry_iterations;
@@ -745,7 +745,8 @@ namespace Contact
         const double moved = level > 0
                                ? interface->largest_change(solution, last)
                                : largest_change(last);
-        change             = moved == 0 ? 0. : moved / last_increment;
+        change =
+          moved == 0 ? 0. : moved / (relaxation.present() * last_increment);
         if (turn > 1 || level > 0)
           {
             screen << "    change of the displacement " << change << std::endl;
@@ -753,9 +754,9 @@ namespace Contact
               return;
           }
 
-        // Where the bodies jump to and fro, they are paired half way.
-        const double length = alternation.step_length(solution);
-        configuration.sadd(1 - length, length, solution);
+        // Where the bodies jump to and fro, they are paired on the way.
+        const double part = relaxation.length(solution);
+        configuration.sadd(1 - part, part, solution);
       }
     throw NotConverged(
       "the geometry loop ends with a change of " + std::to_string(change) +
@@ -781,8 +782,8 @@ namespace Contact
         return;
       }
 
-    double      change = 0;
-    Alternation alternation;
+    double     change = 0;
+    Relaxation relaxation;
     for (unsigned int turn = 1;
          turn <= parameters.solution.max_friction_iterations;
          ++turn)
@@ -796,10 +797,10 @@ namespace Contact
         if (change <= parameters.solution.friction_tolerance)
           return;
 
-        const double length = alternation.step_length(interface->bounds());
-        if (length < 1)
+        const double part = relaxation.length(interface->bounds());
+        if (part < 1)
           {
-            bounds.sadd(1 - length, length, interface->bounds());
+            bounds.sadd(1 - part, part, interface->bounds());
             interface->set_bounds(bounds);
           }
       }
