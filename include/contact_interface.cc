@@ -14,19 +14,6 @@
 
 namespace Contact
 {
-  namespace
-  {
-    /**
-     * The complementarity parameter of a point, relative to the stiffness E/h
-     * of its slave edge. The active set of the nodal rule does not depend on
-     * it; with a status per Gauss point it enters the discrete problem, whose
-     * results move by 1e-4 over the two decades to either side.
-     */
-    const double complementarity_per_stiffness = 1e-3;
-  } // namespace
-
-
-
   ContactInterface::ContactInterface(const Discretization      &discretization,
                                      const Elasticity          &elasticity,
                                      const Parameters::Contact &parameters)
@@ -39,6 +26,7 @@ namespace Contact
     , master(discretization,
              discretization.mesh.boundary(parameters.master, "Contact/Master"),
              parameters.master)
+    , complementarity_per_stiffness(parameters.complementarity)
     , discretization(discretization)
   {
     for (const Surface::Node &a : slave.nodes)

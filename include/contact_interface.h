@@ -154,7 +154,7 @@ namespace Contact
     /**
      * The norm of the constraint part of @p rhs as a force [N per mm of
      * thickness], to be compared with that of the forces: a gap times the
-     * stiffness 1000 c of the bodies at the point, times its weight.
+     * stiffness E/h of the bodies at the point, times its weight.
      */
     double constraint_norm(const Vector<double> &rhs) const;
 
@@ -246,6 +246,9 @@ namespace Contact
 
     /// The place of the slave nodes, see SurfaceState.
     std::vector<double> places() const;
+
+    /// The c of all points, by the stiffness E/h of their slave edges [-].
+    const double complementarity_per_stiffness;
 
     const Discretization &discretization;
 

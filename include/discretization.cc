@@ -54,7 +54,7 @@ namespace Contact
     , boundary(parameters.boundary)
   {
     for (const auto &[entry, formula] : boundary.histories)
-      histories[entry] = parse_formula<1>(formula, "t");
+      histories[entry] = parse_history(formula);
     redistribute();
   }
 

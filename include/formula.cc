@@ -6,9 +6,13 @@
 #include "formula.h"
 
 #include <deal.II/base/function_parser.h>
+#include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
+#include <vector>
 
 namespace Contact
 {
@@ -50,6 +54,62 @@ namespace Contact
                                  variables);
       }
     return [parser](const Point<n_variables> &p) { return parser->value(p); };
+  }
+
+
+
+  bool is_table(const std::string &history)
+  {
+    const std::string text = Utilities::trim(history);
+    return text.compare(0, 5, "table") == 0;
+  }
+
+
+
+  std::function<double(const Point<1> &)>
+  parse_history(const std::string &history)
+  {
+    if (!is_table(history))
+      return parse_formula<1>(history, "t");
+
+    const std::string text = Utilities::trim(history);
+    const auto        fail = [&](const std::string &reason) {
+      throw std::runtime_error("'" + text + "' is no table: " + reason);
+    };
+
+    const std::string in_brackets = Utilities::trim(text.substr(5));
+    if (in_brackets.size() < 2 || in_brackets.front() != '(' ||
+        in_brackets.back() != ')')
+      fail("its pairs are not in parentheses");
+
+    std::vector<double> times, values;
+    std::istringstream  pairs(in_brackets.substr(1, in_brackets.size() - 2) +
+                             ',');
+    std::string         pair;
+    while (std::getline(pairs, pair, ','))
+      {
+        pair = Utilities::trim(pair);
+        std::istringstream words(pair);
+        double             t, value;
+        std::string        rest;
+        if (!(words >> t >> value) || words >> rest)
+          fail("'" + pair + "' is not two numbers");
+        if (!times.empty() && !(t > times.back()))
+          fail("t does not grow at '" + pair + "'");
+        times.push_back(t);
+        values.push_back(value);
+      }
+
+    return [times, values](const Point<1> &p) {
+      const auto next = std::upper_bound(times.begin(), times.end(), p[0]);
+      if (next == times.begin())
+        return values.front();
+      if (next == times.end())
+        return values.back();
+      const auto   i = next - times.begin();
+      const double s = (p[0] - times[i - 1]) / (times[i] - times[i - 1]);
+      return (1 - s) * values[i - 1] + s * values[i];
+    };
   }
 
 

@@ -313,6 +313,31 @@ namespace Contact
 
 
 
+    /// Put the vertices where they belong; one that two bodies share can not
+    /// move with both.
+    void place_vertices(const std::vector<CellData<2>> &cells,
+                        const Placement                &placement,
+                        const MshFile                  &msh,
+                        std::vector<Point<2>>          &points)
+    {
+      std::vector<types::material_id> body(points.size(),
+                                           numbers::invalid_material_id);
+      for (const auto &cell : cells)
+        for (const unsigned int v : cell.vertices)
+          if (body[v] == numbers::invalid_material_id)
+            body[v] = cell.material_id;
+          else if (!placement.move_alike(body[v], cell.material_id))
+            throw InputError("two bodies share the node at " +
+                               to_string(points[v]) +
+                               ", but only one of them is moved",
+                             msh.name,
+                             "move both alike in entry 'Mesh/Move', or none");
+      for (unsigned int v = 0; v < points.size(); ++v)
+        points[v] = placement(points[v], body[v]);
+    }
+
+
+
     void check_arc(const Arc &arc, const Point<2> &p, const std::string &name)
     {
       if (!arc.on_circle(p))
@@ -324,6 +349,39 @@ namespace Contact
                          "correct the circle, or the group in the mesh");
     }
   } // namespace
+
+
+
+  Placement::Placement(const Parameters::Mesh &parameters,
+                       const std::map<std::string, types::material_id> &bodies)
+    : scale(parameters.scale)
+    , cosine(std::cos(parameters.rotation * numbers::PI / 180))
+    , sine(std::sin(parameters.rotation * numbers::PI / 180))
+    , shift({parameters.shift[0], parameters.shift[1]})
+    , moves(bodies.size())
+  {
+    for (const auto &[name, move] : parameters.move)
+      moves[find(bodies, "body", name, "Mesh/Move")] =
+        Tensor<1, 2>({move[0], move[1]});
+  }
+
+
+
+  Point<2> Placement::operator()(const Point<2>          &p,
+                                 const types::material_id body) const
+  {
+    const Tensor<1, 2> q = scale * (p + moves[body]);
+    return Point<2>(cosine * q[0] - sine * q[1] + shift[0],
+                    sine * q[0] + cosine * q[1] + shift[1]);
+  }
+
+
+
+  bool Placement::move_alike(const types::material_id a,
+                             const types::material_id b) const
+  {
+    return moves[a] == moves[b];
+  }
 
 
 
@@ -343,38 +401,48 @@ namespace Contact
     for (const auto &body : msh.names[2])
       bodies.emplace(body.second, bodies.size());
 
+    const Placement placement(parameters, bodies);
+
     const auto vertices    = number_vertices(msh);
-    const auto coordinates = vertex_points(msh, vertices);
+    auto       coordinates = vertex_points(msh, vertices);
     auto       cells       = make_cells(msh, vertices, coordinates, bodies);
     const auto edges       = count_edges(cells, coordinates, msh);
     const auto lines = number_boundaries(msh, vertices, edges, boundaries);
     points           = find_points(msh, vertices);
 
+    place_vertices(cells, placement, msh, coordinates);
     order_cells(cells);
     triangulation.create_triangulation(coordinates, cells, lines);
-    set_arcs(parameters);
+    set_arcs(parameters, placement);
     triangulation.refine_global(parameters.refinements);
   }
 
 
 
-  void Mesh::set_arcs(const Parameters::Mesh &parameters)
+  void Mesh::set_arcs(const Parameters::Mesh &parameters,
+                      const Placement        &placement)
   {
     const types::manifold_id arc_id = 1;
     std::vector<Arc>         arcs;
     for (const auto &[name, circle] : parameters.arcs)
       {
-        const auto &ids = boundary(name, "Mesh/Arcs");
-        Arc         arc{Point<2>(circle[0], circle[1]), circle[2], {}};
-        for (const auto &face : triangulation.active_face_iterators())
-          if (face->at_boundary() && ids.count(face->boundary_id()) > 0)
-            {
-              for (const unsigned int v : face->vertex_indices())
-                check_arc(arc, face->vertex(v), name);
-              arc.chords.push_back({{face->vertex(0), face->vertex(1)}});
-              face->set_manifold_id(arc_id);
-            }
-        arcs.push_back(arc);
+        const auto                       &ids = boundary(name, "Mesh/Arcs");
+        std::map<types::material_id, Arc> of_body;
+        for (const auto &cell : triangulation.active_cell_iterators())
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary() && ids.count(face->boundary_id()) > 0)
+              {
+                const auto body = cell->material_id();
+                Arc       &arc  = of_body[body];
+                arc.center = placement(Point<2>(circle[0], circle[1]), body);
+                arc.radius = placement.scale * circle[2];
+                for (const unsigned int v : face->vertex_indices())
+                  check_arc(arc, face->vertex(v), name);
+                arc.chords.push_back({{face->vertex(0), face->vertex(1)}});
+                face->set_manifold_id(arc_id);
+              }
+        for (const auto &[body, arc] : of_body)
+          arcs.push_back(arc);
       }
     if (arcs.empty())
       return;

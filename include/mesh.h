@@ -82,6 +82,36 @@ namespace Contact
 
 
 
+  /**
+   * Where the points of the file are in the program: a body's own move, then
+   * for all of them scale, rotation about the origin and shift. Without any of
+   * these it changes no bit.
+   */
+  class Placement
+  {
+  public:
+    /// Throws InputError if a body to be moved is not in @p bodies.
+    Placement(const Parameters::Mesh                          &parameters,
+              const std::map<std::string, types::material_id> &bodies);
+
+    /// A point of the file that belongs to a body [mm].
+    Point<2> operator()(const Point<2> &p, const types::material_id body) const;
+
+    /// Factor of all lengths [-].
+    const double scale;
+
+    /// Whether two bodies are moved alike, and stay together.
+    bool move_alike(const types::material_id a,
+                    const types::material_id b) const;
+
+  private:
+    double                    cosine, sine;
+    Tensor<1, 2>              shift;
+    std::vector<Tensor<1, 2>> moves; // by body
+  };
+
+
+
   struct MshFile;
 
   /**
@@ -101,7 +131,8 @@ namespace Contact
      * Read a gmsh file in MSH format 2.2 or 4.1, ASCII, with physical names.
      * Quadrangles and triangles may be mixed; of elements of second order only
      * the corners are used; clockwise cells are turned round; lines inside a
-     * body are ignored. Arcs get their manifold, then the mesh is refined.
+     * body are ignored. Bodies are moved and the whole is placed, arcs get
+     * their manifold, then the mesh is refined.
      * Throws InputError.
      */
     explicit Mesh(const Parameters::Mesh &parameters,
@@ -149,7 +180,9 @@ namespace Contact
          const MPI_Comm          communicator);
 
     /// Make the boundaries of @p parameters round, whose lines are straight.
-    void set_arcs(const Parameters::Mesh &parameters);
+    /// An arc belongs to the body that it bounds, and moves with it.
+    void set_arcs(const Parameters::Mesh &parameters,
+                  const Placement        &placement);
   };
 
 

@@ -99,6 +99,25 @@ namespace Contact
 
 
 
+    void check_history(const std::string &history, const std::string &entry)
+    {
+      if (!is_table(history))
+        return check_formula<1>(history, "t", entry);
+      try
+        {
+          parse_history(history);
+        }
+      catch (const std::runtime_error &error)
+        {
+          throw EntryError(error.what(),
+                           {entry},
+                           "write pairs of t and a factor, with growing t, "
+                           "such as 'table(0 0, 0.5 1, 1 -1)'");
+        }
+    }
+
+
+
     // Entries of the boundary conditions that grow with the load.
     const Names entries_with_history = {"Displacement x",
                                         "Displacement y",
@@ -128,6 +147,17 @@ namespace Contact
     void Mesh::check() const
     {
       const std::string entry = "Mesh/Arcs";
+      check_positive(scale, "Mesh/Scale");
+      if (shift.size() != 2)
+        throw EntryError("The shift of the mesh is not a vector.",
+                         {"Mesh/Shift"},
+                         "write 'x, y', in mm");
+      for (const auto &[body, vector] : move)
+        if (vector.size() != 2)
+          throw EntryError("The move of " + in_quotes(body) +
+                             " is not a vector.",
+                           {"Mesh/Move"},
+                           "write '" + body + ": dx, dy', in mm");
       if (file.empty())
         throw EntryError("There is no mesh.",
                          {"Mesh/File"},
@@ -207,7 +237,7 @@ namespace Contact
                              {section + "Histories"},
                              "choose one of: " + Patterns::Tools::to_string(
                                                    entries_with_history));
-          check_formula<1>(formula, "t", section + "Histories");
+          check_history(formula, section + "Histories");
         }
       for (const auto &[follower, leader] : tied_y)
         if (tied_y.count(leader) > 0)
@@ -231,6 +261,7 @@ namespace Contact
                            in_quotes(slave) + ".",
                          surfaces,
                          "set two different boundary groups");
+      check_positive(complementarity, "Contact/Complementarity");
       check_friction();
       check_excluded_points();
     }

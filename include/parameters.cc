@@ -60,7 +60,24 @@ namespace Contact
       prm.add_parameter("Arcs",
                         arcs,
                         "Boundary groups that are arcs of circles: 'group: "
-                        "centre x, centre y, radius' [mm], separated by ';'.");
+                        "centre x, centre y, radius' [mm], separated by ';'; "
+                        "in the coordinates of the file.");
+      prm.add_parameter("Move",
+                        move,
+                        "'body: dx, dy' [mm], separated by ';'; shifts a body "
+                        "against the others, in the coordinates of the file. "
+                        "Its arcs move with it.");
+      prm.add_parameter("Scale",
+                        scale,
+                        "Factor of all lengths of the file and of Move [-]; > "
+                        "0.");
+      prm.add_parameter("Rotation",
+                        rotation,
+                        "Turns the whole mesh about the origin, anticlockwise, "
+                        "after Scale [degrees].");
+      prm.add_parameter("Shift",
+                        shift,
+                        "'x, y' [mm]; shifts the whole mesh, after Rotation.");
       prm.leave_subsection();
     }
 
@@ -164,7 +181,9 @@ namespace Contact
                         "'entry: formula' [-], separated by ';'; an entry of "
                         "this section, and the factor of all its values as a "
                         "formula in the load factor t from 0 to 1, as in "
-                        "'Force y: min(1, 2*t)'. Without: t.",
+                        "'Force y: min(1, 2*t)', or as a table of t and the "
+                        "factor, linear in between and constant beyond, as in "
+                        "'Force y: table(0 0, 0.5 1, 1 -1)'. Without: t.",
                         formulas);
       prm.leave_subsection();
     }
@@ -212,6 +231,12 @@ namespace Contact
                         "Bound of the tangential traction that does not "
                         "depend on the pressure [MPa]; 0: none.",
                         Patterns::Double(0));
+      prm.add_parameter("Complementarity",
+                        complementarity,
+                        "Parameter c of the augmented Lagrangian p = max(0, "
+                        "lambda - c gap), by the stiffness E/h of the slave's "
+                        "edge [-]; > 0. Results of the rules nodal and mortar "
+                        "do not depend on it, those of the rule Gauss do.");
       prm.leave_subsection();
     }
 

@@ -58,6 +58,15 @@ namespace Contact
       /// Boundary group -> {centre x, centre y, radius} [mm].
       std::map<std::string, std::vector<double>> arcs;
 
+      /// Body -> {dx, dy} [mm], in the coordinates of the file.
+      std::map<std::string, std::vector<double>> move;
+
+      /// What is done to all coordinates of the file after that, in this
+      /// order.
+      double              scale    = 1;      // [-]
+      double              rotation = 0;      // about the origin [degrees]
+      std::vector<double> shift    = {0, 0}; // [mm]
+
       void add_parameters(ParameterHandler &prm);
       void check() const;
     };
@@ -120,7 +129,8 @@ namespace Contact
       /// y; normal to the undeformed boundary, positive in compression.
       std::map<std::string, std::string> pressure;
 
-      /// Entry of this section -> its factor, a formula in the load factor t.
+      /// Entry of this section -> its factor, a formula in the load factor t
+      /// or a table, see parse_history().
       /// Those without grow as t.
       std::map<std::string, std::string> histories;
 
@@ -149,6 +159,12 @@ namespace Contact
 
       double friction_coefficient = 0; // Coulomb [-]
       double tresca_limit         = 0; // [MPa]; instead of Coulomb
+
+      /// The parameter c of the augmented Lagrangian, by the stiffness E/h of
+      /// the slave's edge [-]. The active set of the rules nodal and mortar
+      /// does not depend on it; with a status per Gauss point it enters the
+      /// discrete problem.
+      double complementarity = 1e-3;
 
       bool frictional() const
       {

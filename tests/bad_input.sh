@@ -103,6 +103,13 @@ expect_entry "Cylinder" "Solids/Young's modulus=Block: 70000, Cylinder: 1, X: 1"
 expect_entry "are both" "Contact/Master=Bottom_C"
 expect_entry "Middle" "Probes/Probes=DY(B): displacement y, Middle; SIYY(B): stress yy, B"
 
+# The place of the mesh
+expect_entry "Mesh/Scale" "Mesh/Scale=0"
+expect_entry "shift of the mesh" "Mesh/Shift=1"
+expect_entry "move of 'Cylinder'" "Mesh/Move=Cylinder: 1"
+expect_entry "no body 'Ball'" "Mesh/Move=Ball: 0, 1"
+expect_entry "Contact/Complementarity" "Contact/Complementarity=0"
+
 # What does not go together with a linear system
 gauss=$parameters/ssnp154_a.prm
 friction=$parameters/ssnp154_g.prm
@@ -133,6 +140,7 @@ expect "in a loop or in the tangent" "$friction" \
 
 # Loads, geometry and theories
 expect_entry "is no formula in t" "Boundary conditions/Histories=Force y: 2*"
+expect_entry "t does not grow" "Boundary conditions/Histories=Force y: table(0 0, 0 1)"
 expect_entry "'Force z' has no history" "Boundary conditions/Histories=Force z: t"
 expect_entry "is no formula in x,y" "Boundary conditions/Pressure=Top_B: z"
 expect "no boundary" "$good" --set "Boundary conditions/Pressure=Nowhere: 1"

@@ -80,6 +80,49 @@ namespace
 
 
 
+  // Proves that a table is linear between its pairs, constant beyond, that a
+  // history may as well be a formula, and that a broken table is refused with
+  // the reason.
+  void check_tables()
+  {
+    headline("tables");
+    const auto table = parse_history(" table (0 0, 0.5 1,1 -1e0 ) ");
+    for (const auto &[t, value] : std::map<double, double>{{-1, 0},
+                                                           {0, 0},
+                                                           {0.125, 0.25},
+                                                           {0.5, 1},
+                                                           {0.75, 0},
+                                                           {0.875, -0.5},
+                                                           {1, -1},
+                                                           {2, -1}})
+      check("t = " + std::to_string(t), table(Point<1>(t)) == value);
+    const auto constant = parse_history("table(0.5 3)");
+    check("one pair", constant(Point<1>(0)) == 3 && constant(Point<1>(1)) == 3);
+    check("a formula", parse_history("2*t")(Point<1>(3)) == 6);
+    for (const std::string history : {"table",
+                                      "table 0 0, 1 1",
+                                      "table()",
+                                      "table(0 0, 1)",
+                                      "table(0 0; 1 1)",
+                                      "table(0 0, 1 1 1)",
+                                      "table(0 0, 0 1)",
+                                      "table(0 0, 1 x)",
+                                      "table(0 0, 1 1,)",
+                                      "table(1 0, 0 1)",
+                                      "2*"})
+      try
+        {
+          parse_history(history);
+          check("'" + history + "' is refused", false);
+        }
+      catch (const std::runtime_error &error)
+        {
+          std::cout << "  " << error.what() << std::endl;
+        }
+  }
+
+
+
   using Map = std::map<std::string, std::string>;
 
   void report_boundary(const Map &pressure, const Map &histories)
@@ -115,6 +158,9 @@ namespace
     report_boundary({}, {{"Force y", "min(1, 2*t)"}, {"Pressure", "x"}});
     report_boundary({}, {{"Force z", "t"}});
     report_boundary({}, {{"Tied y", "t"}});
+    report_boundary({}, {{"Force y", "table(0 0, 0.5 1, 1 0)"}});
+    report_boundary({}, {{"Force y", "table(0 0, 0.5 1, 0.4 0)"}});
+    report_boundary({{"Top", "table(0 0, 1 1)"}}, {});
     report_boundary({}, {{"Histories", "t"}});
     Map all;
     for (const std::string entry : {"Displacement", "Force", "Spread force"})
@@ -206,6 +252,7 @@ int main()
 
   check_values();
   check_broken();
+  check_tables();
   check_boundary();
   check_probes();
   check_file();
