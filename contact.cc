@@ -96,6 +96,7 @@
 #include "exact_solution.h"
 #include "free_motions.h"
 #include "interruption.h"
+#include "invariants.h"
 #include "linear_solver.h"
 #include "load_steps.h"
 #include "newton_guard.h"
@@ -130,6 +131,7 @@ namespace Contact
     void make_linear_system();
     void print_scene();
     void solve_level();
+    void check_invariants();
     void record_level();
     void refine();
     void solve_increment(const LoadSteps::Step &step);
@@ -195,6 +197,7 @@ namespace Contact
     std::unique_ptr<Discretization>   discretization;
     std::unique_ptr<Elasticity>       elasticity;
     std::unique_ptr<ContactInterface> interface; // none without contact
+    std::unique_ptr<InvariantCheck>   invariants;
     std::unique_ptr<StressRecovery>   stress_recovery;
     std::unique_ptr<ResultFiles>      files;
 
@@ -352,6 +355,10 @@ namespace Contact
     system_rhs.reinit(n_unknowns);
     update.reinit(summary.n_displacements);
     reference_force = discretization->whole_load();
+    invariants      = std::make_unique<InvariantCheck>(*discretization,
+                                                  *elasticity,
+                                                  interface.get(),
+                                                  parameters.solution);
   }
 
 
@@ -459,6 +466,7 @@ namespace Contact
                     << failure.what();
             throw NotConverged(message.str());
           }
+        check_invariants();
         steps.accept();
         softly_held.clear();
 
@@ -520,6 +528,54 @@ namespace Contact
 
 
 
+  // @sect4{ContactProblem::check_invariants}
+  //
+  // What has to hold for every solution, by a computation of its own. A result
+  // that violates it is wrong, whatever Newton's method says.
+  void ContactProblem::check_invariants()
+  {
+    TimerOutput::Scope scope(timer, "invariants");
+    Vector<double>     hold;
+    if (!elasticity->softly_held().empty())
+      {
+        hold = elasticity->forces(solution, load_factor);
+        elasticity->release();
+        hold.sadd(-1, 1, elasticity->forces(solution, load_factor));
+      }
+    const Invariants found =
+      invariants->check(solution,
+                        load_factor,
+                        newton_tolerance(),
+                        reference_force,
+                        hold.size() > 0 ? &hold : nullptr);
+    invariants->advance();
+
+    IncrementRecord &record = summary.increments.back();
+    record.invariants       = {{"force_imbalance", found.force_imbalance},
+                               {"moment_imbalance", found.moment_imbalance},
+                               {"equilibrium", found.equilibrium},
+                               {"complementarity", found.complementarity},
+                               {"friction_cone", found.cone},
+                               {"slip", found.slip},
+                               {"penetration", found.penetration},
+                               {"relative_penetration", found.relative_penetration},
+                               {"energy_imbalance", found.energy_imbalance}};
+    record.works            = {{"strain_energy", found.strain_energy},
+                               {"external", found.external_work},
+                               {"contact", found.contact_work},
+                               {"friction", found.friction_work},
+                               {"stabilization", found.stabilization_work},
+                               {"path", found.path_work},
+                               {"dissipation", found.dissipation}};
+    record.violations       = found.violations;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      for (const std::string &violation : found.violations)
+        std::cerr << parameters.name << ", load factor " << load_factor
+                  << ": violated: " << violation << std::endl;
+  }
+
+
+
   // What this level took: the time since the level before.
   void ContactProblem::record_level()
   {
@@ -577,6 +633,7 @@ namespace Contact
     timer.enter_subsection("setup");
     condensed.reset();
     elimination.reset();
+    invariants.reset();
     interface.reset();
     elasticity.reset();
     refine_and_carry_over(*mesh, *discretization, level_solutions);

@@ -39,6 +39,11 @@ namespace Contact
   bool RunSummary::passed() const
   {
     return converged &&
+           std::all_of(increments.begin(),
+                       increments.end(),
+                       [](const auto &increment) {
+                         return increment.violations.empty();
+                       }) &&
            std::all_of(probes.begin(), probes.end(), [](const auto &probe) {
              return probe.within();
            });
@@ -94,7 +99,10 @@ namespace Contact
               {"cycles", increment.cycles},
               {"hold_work", increment.hold_work},
               {"converged", increment.converged},
-              {"message", increment.message}};
+              {"message", increment.message},
+              {"invariants", increment.invariants},
+              {"works", increment.works},
+              {"violations", increment.violations}};
     }
 
 

@@ -55,6 +55,12 @@ namespace Contact
     double       hold_work           = 0; // of a soft hold [N mm per mm]
     bool         converged           = false;
     std::string  message; // why it was given up
+
+    /// By name: how far invariants are not met, and works since the start
+    /// [N mm per mm of thickness], see Invariants; a sentence for each one that
+    /// is violated.
+    std::map<std::string, double> invariants, works;
+    std::vector<std::string>      violations;
   };
 
 
@@ -113,7 +119,8 @@ namespace Contact
     /// What the case switches on, for instance "friction" -> "Coulomb 0.1".
     std::map<std::string, std::string> effects;
 
-    /// Converged, and all probes are within their tolerances.
+    /// Converged, no invariant is violated, and all probes are within their
+    /// tolerances.
     bool passed() const;
   };
 
