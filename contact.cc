@@ -104,6 +104,7 @@
 #include "postprocessing.h"
 #include "refinement.h"
 #include "relaxation.h"
+#include "restart_file.h"
 #include "result_files.h"
 #include "stress_recovery.h"
 #include "summary.h"
@@ -132,6 +133,16 @@ namespace Contact
     void print_scene();
     void solve_level();
     void check_invariants();
+    void approach(LoadSteps &steps);
+    void read_restart_file(LoadSteps &steps);
+    void write_restart_file(LoadSteps &steps);
+
+    std::string restart_key() const;
+
+    /// All that an increment leaves to the next one.
+    template<class Archive>
+    void serialize(Archive &archive, LoadSteps &steps);
+
     void record_level();
     void refine();
     void solve_increment(const LoadSteps::Step &step);
@@ -165,6 +176,7 @@ namespace Contact
     void        recover_multipliers();
     double      assemble_forces_of_contact();
     double      residual_norm() const;
+    void        update_reference_force();
     double      newton_tolerance() const;
     void        assemble_and_factorize();
     bool        factorization_serves(const double residual,
@@ -231,6 +243,9 @@ namespace Contact
 
     double load_factor     = 0;
     double reference_force = 0;
+
+    // Whether an increment has shown what forces there are.
+    bool reference_is_known = false;
 
     // At the vertices, if somebody has asked for them since the last increment.
     std::vector<SymmetricTensor<2, 3>> stresses;
@@ -354,8 +369,9 @@ namespace Contact
     start.reinit(n_unknowns);
     system_rhs.reinit(n_unknowns);
     update.reinit(summary.n_displacements);
-    reference_force = discretization->whole_load();
-    invariants      = std::make_unique<InvariantCheck>(*discretization,
+    reference_force    = discretization->whole_load();
+    reference_is_known = false;
+    invariants         = std::make_unique<InvariantCheck>(*discretization,
                                                   *elasticity,
                                                   interface.get(),
                                                   parameters.solution);
@@ -442,8 +458,16 @@ namespace Contact
     LoadSteps steps(parameters.solution.n_increments,
                     parameters.solution.max_cuts);
     softly_held.clear();
+    if (level > 0 && has_friction())
+      {
+        pair_bodies();
+        interface->initialize_status(solution);
+      }
+    if (parameters.restart && is_last_level())
+      read_restart_file(steps);
     while (!steps.finished())
       {
+        approach(steps);
         const LoadSteps::Step step = steps.next();
         try
           {
@@ -464,6 +488,9 @@ namespace Contact
             message << "no solution at the load factor " << step.to
                     << ", the last one is at " << step.from << ": "
                     << failure.what();
+            load_factor = step.from;
+            if (is_last_level() && !step.starts_increment && step.from > 0)
+              output_increment(step.increment);
             throw NotConverged(message.str());
           }
         check_invariants();
@@ -471,7 +498,10 @@ namespace Contact
         softly_held.clear();
 
         if (is_last_level() && step.ends_increment)
-          output_increment(step.increment);
+          {
+            output_increment(step.increment);
+            write_restart_file(steps);
+          }
         else if (step.ends_increment)
           {
             solutions.push_back(solution);
@@ -524,6 +554,108 @@ namespace Contact
                  << std::endl;
         }
     return news;
+  }
+
+
+
+  // @sect4{ContactProblem::approach}
+  //
+  // Slip counts from the start of an increment. Where bodies come to touch,
+  // what they move before they do would count as well, and friction would
+  // remember it: they first touch in a step as small as may be.
+  void ContactProblem::approach(LoadSteps &steps)
+  {
+    if (!steps.next().starts_increment || !has_friction() || interface->tied ||
+        interface->count().active > 0 ||
+        free_motions(*discretization, nullptr).empty())
+      return;
+    while (steps.cut())
+      {
+      }
+    screen << "The bodies do not touch yet: they do first in a step of its own"
+           << std::endl;
+  }
+
+
+
+  // @sect4{ContactProblem::serialize}
+  //
+  // Levels below the last one are computed again, which costs less than to keep
+  // their meshes.
+  template<class Archive>
+  void ContactProblem::serialize(Archive &archive, LoadSteps &steps)
+  {
+    std::vector<double>      values(solution.begin(), solution.end()), bounds;
+    std::vector<signed char> decisions;
+    if (interface)
+      {
+        decisions              = interface->signature();
+        const Vector<double> b = interface->bounds();
+        bounds.assign(b.begin(), b.end());
+      }
+    archive &steps &values &decisions &bounds &reference_force
+      &reference_is_known &*invariants &summary.increments &*files;
+    if (!Archive::is_loading::value)
+      return;
+
+    solution = Vector<double>(values.begin(), values.end());
+    pair_bodies();
+    if (interface)
+      {
+        std::vector<Decision> all;
+        for (const auto code : decisions)
+          all.push_back(Decision::from_code(code));
+        interface->set_decisions(all);
+        interface->set_bounds(Vector<double>(bounds.begin(), bounds.end()));
+      }
+  }
+
+
+
+  // What has to be the same for a run to be the continuation of another one.
+  std::string ContactProblem::restart_key() const
+  {
+    std::ostringstream key;
+    key << "contact restart 1, ranks "
+        << Utilities::MPI::n_mpi_processes(communicator) << ", unknowns "
+        << solution.size() << '\n';
+    prm.print_parameters(key, ParameterHandler::ShortText);
+    return key.str();
+  }
+
+
+
+  void ContactProblem::read_restart_file(LoadSteps &steps)
+  {
+    const auto file = files->directory / "restart.bin";
+    if (!std::filesystem::exists(file))
+      {
+        screen << "Nothing to go on from: no " << file << std::endl;
+        return;
+      }
+    read_restart(file, restart_key(), [&](auto &archive) {
+      serialize(archive, steps);
+    });
+    files->write_series();
+    screen << "Restart behind the load factor "
+           << summary.increments.back().load_factor << std::endl;
+  }
+
+
+
+  // Also what can be told by now, should the run not come to its end.
+  void ContactProblem::write_restart_file(LoadSteps &steps)
+  {
+    TimerOutput::Scope scope(timer, "output");
+    files->write_first("summary.json", [this](std::ostream &out) {
+      write_summary(summary, out);
+    });
+    if (!steps.finished())
+      files->write_first("restart.bin", [&](std::ostream &out) {
+        write_restart(out, restart_key(), [&](auto &archive) {
+          serialize(archive, steps);
+        });
+      });
   }
 
 
@@ -625,6 +757,11 @@ namespace Contact
           ErrorEstimator(*discretization, *elasticity, *stress_recovery)
             .indicators(recovered_stresses(), interface.get(), solution),
           parameters.refinement.fraction);
+        if (interface && parameters.contact.rule == "nodal")
+          flag_slave_like_master(
+            *mesh,
+            mesh->boundary(parameters.contact.slave, "Contact/Slave"),
+            mesh->boundary(parameters.contact.master, "Contact/Master"));
       }
     else
       flag_all_cells(*mesh);
@@ -689,7 +826,9 @@ namespace Contact
         record.stick            = count.stick;
         record.slip             = count.active - count.stick;
       }
-    record.converged = true;
+    record.converged   = true;
+    reference_is_known = reference_is_known || reference_force > 0;
+    update_reference_force();
     screen << "  converged: " << record.newton_iterations << " Newton steps, "
            << record.friction_iterations << " friction turns, "
            << record.geometry_iterations << " geometry turns" << std::endl;
@@ -792,7 +931,12 @@ namespace Contact
          ++turn)
       {
         const Vector<double> last           = solution;
-        const double         last_increment = largest_change(start);
+        double               last_increment = largest_change(start);
+        // Rigid motions to the first touch are no measure.
+        if (turn > 1 && !softly_held.empty() && reference_force > 0)
+          last_increment =
+            std::min(last_increment,
+                     2 * elasticity->strain_energy(solution) / reference_force);
 
         screen << "  geometry, turn " << turn << std::endl;
         ++summary.increments.back().geometry_iterations;
@@ -948,6 +1092,8 @@ namespace Contact
 
     Outcome outcome;
     outcome.volume = assemble_forces_of_bodies();
+    if (after_a_step && !reference_is_known)
+      update_reference_force();
     if (interface)
       {
         if (condensed && after_a_step)
@@ -1105,8 +1251,7 @@ namespace Contact
 
   // @sect4{ContactProblem::assemble_forces_of_contact}
   //
-  // Returns the norm of the whole residual relative to the load, or where there
-  // is none, to the forces that the first prescribed displacements ask for.
+  // Returns the norm of the whole residual relative to what forces there are.
   double ContactProblem::assemble_forces_of_contact()
   {
     TimerOutput::Scope scope(timer, "residual");
@@ -1115,6 +1260,25 @@ namespace Contact
 
     const double norm = residual_norm();
     return reference_force > 0 ? norm / reference_force : norm;
+  }
+
+
+
+  // What is small against the forces is small: against the loads at their full
+  // values, or, where supports are moved, against the force F that does the
+  // work of deforming the bodies by the way d, 1/2 F d = strain energy. In the
+  // first increment this is looked at after each step; afterwards it only
+  // grows.
+  void ContactProblem::update_reference_force()
+  {
+    const double moved = discretization->largest_prescribed();
+    if (moved > 0)
+      {
+        const double force = 2 * elasticity->strain_energy(solution) / moved;
+        reference_force    = reference_is_known
+                               ? std::max(reference_force, force)
+                               : std::max(discretization->whole_load(), force);
+      }
   }
 
 
@@ -1166,8 +1330,6 @@ namespace Contact
             system_matrix.diag_element(i) = 1;
             system_rhs[i]                 = 0;
           }
-      if (reference_force == 0)
-        reference_force = residual_norm();
     }
 
     TimerOutput::Scope scope(timer, "factorization");
@@ -1226,19 +1388,19 @@ namespace Contact
     const bool one_solve_is_all = elasticity->is_linear() && decided &&
                                   !pairs_each_step() &&
                                   parameters.solution.friction == "fixed point";
-    const double scale = reference_force > 0 ? reference_force : residual;
     const double forcing =
       std::min(1e-5, parameters.solution.linear_tolerance * residual);
     const double relative =
       std::max(0.1 * newton_tolerance(), one_solve_is_all ? 0. : forcing);
-    const unsigned int n =
-      condensed->solve(solution, start, system_rhs, relative * scale, update);
+    const unsigned int n = condensed->solve(solution,
+                                            start,
+                                            system_rhs,
+                                            relative * reference_force,
+                                            update);
     summary.increments.back().linear_iterations += n;
     screen << "      solved to " << std::scientific << std::setprecision(1)
            << relative << std::defaultfloat << std::setprecision(6) << " in "
            << n << " iterations" << std::endl;
-    if (reference_force == 0)
-      reference_force = residual;
     for (unsigned int i = 0; i < update.size(); ++i)
       solution[i] += update[i];
     discretization->constrain_update(solution, load_factor);
@@ -1372,6 +1534,9 @@ namespace Contact
     files->write_first("summary.json", [this](std::ostream &out) {
       write_summary(summary, out);
     });
+    if (summary.converged &&
+        Utilities::MPI::this_mpi_process(communicator) == 0)
+      std::filesystem::remove(files->directory / "restart.bin");
     files->write_first("parameters.prm", [this](std::ostream &out) {
       prm.print_parameters(out, ParameterHandler::ShortText);
     });

@@ -287,10 +287,13 @@ namespace Contact
 
     // In any case a digit is gained: else a point with a pressure below the
     // tolerance might open and close for ever, and nothing move.
+    const double       size = b.l2_norm();
     const unsigned int n_iterations =
       solver->solve(b,
-                    std::min(tolerance,
-                             std::max(0.1 * b.l2_norm(), 1e-3 * tolerance)),
+                    tolerance > 0
+                      ? std::min(tolerance,
+                                 std::max(0.1 * size, 1e-3 * tolerance))
+                      : 1e-6 * size,
                     x);
 
     // Everybody gets everything.

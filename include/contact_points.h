@@ -40,6 +40,13 @@ namespace Contact
       return 4 * static_cast<int>(status) + slip_direction;
     }
 
+    /// The decision of this number.
+    static Decision from_code(const signed char code)
+    {
+      const int status = (code + 1) / 4;
+      return {static_cast<Status>(status), code - 4 * status};
+    }
+
     bool operator==(const Decision &other) const
     {
       return code() == other.code();

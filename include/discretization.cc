@@ -85,11 +85,14 @@ namespace Contact
     const std::array<double, 2>               factors{
       {factor("Displacement x", load_factor),
                      factor("Displacement y", load_factor)}};
+    largest_displacement = 0;
     for (const auto &[dof, displacement] : prescribed)
       {
-        updates[dof] =
-          factors[displacement.component] * displacement.value - u[dof];
-        vanish = vanish && updates[dof] == 0;
+        const double value =
+          factors[displacement.component] * displacement.value;
+        largest_displacement = std::max(largest_displacement, std::abs(value));
+        updates[dof]         = value - u[dof];
+        vanish               = vanish && updates[dof] == 0;
       }
 
     if (!(vanish && updates_vanish))

@@ -95,6 +95,12 @@ namespace Contact
      */
     void constrain_update(const Vector<double> &u, const double load_factor);
 
+    /// The largest displacement that a support prescribes now [mm].
+    double largest_prescribed() const
+    {
+      return largest_displacement;
+    }
+
     /// Whether the next update moves a supported unknown.
     bool update_is_prescribed() const
     {
@@ -160,7 +166,8 @@ namespace Contact
     std::map<std::string, Vector<double>>                      loads;
     std::set<types::global_dof_index>                          nodal_forces;
     std::set<types::boundary_id>                               loaded;
-    bool updates_vanish = true;
+    bool   updates_vanish       = true;
+    double largest_displacement = 0;
   };
 } // namespace Contact
 

@@ -41,6 +41,7 @@ namespace Contact
             load_factor(end),
             increment,
             depth == 0,
+            position == 0,
             end == whole()};
   }
 

@@ -23,8 +23,9 @@ namespace Contact
     struct Step
     {
       double       from, to;
-      unsigned int increment;      // of the plan, from 1
-      bool         is_whole;       // the whole of that increment
+      unsigned int increment; // of the plan, from 1
+      bool         is_whole;  // the whole of that increment
+      bool         starts_increment;
       bool         ends_increment; // "to" is where the plan wants results
     };
 

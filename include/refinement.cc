@@ -145,6 +145,41 @@ namespace Contact
 
 
 
+  void flag_slave_like_master(Mesh                               &mesh,
+                              const std::set<types::boundary_id> &slave,
+                              const std::set<types::boundary_id> &master)
+  {
+    const auto for_faces = [&](const std::set<types::boundary_id> &ids,
+                               const auto                         &visit) {
+      for (const auto &cell : mesh.triangulation.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->is_locally_owned() && cell->at_boundary(f) &&
+              ids.count(cell->face(f)->boundary_id()) > 0)
+            visit(cell, cell->face(f)->center(), cell->face(f)->diameter());
+    };
+
+    using Faces = std::vector<std::pair<Point<2>, double>>;
+    Faces flagged;
+    for_faces(master,
+              [&](const auto &cell, const Point<2> &middle, const double size) {
+                if (cell->refine_flag_set())
+                  flagged.emplace_back(middle, size);
+              });
+    for (const Faces &of_rank :
+         Utilities::MPI::all_gather(mesh.triangulation.get_communicator(),
+                                    flagged))
+      for_faces(
+        slave,
+        [&](const auto &cell, const Point<2> &middle, const double size) {
+          for (const auto &[other_middle, other_size] : of_rank)
+            if (middle.distance(other_middle) < 0.75 * (size + other_size) &&
+                size > 0.51 * other_size)
+              cell->set_refine_flag();
+        });
+  }
+
+
+
   void flag_all_cells(Mesh &mesh)
   {
     mesh.triangulation.set_all_refine_flags();

@@ -22,6 +22,16 @@ namespace Contact
                   const Vector<float> &indicators,
                   const double         fraction);
 
+  /**
+   * Flag the cells at the boundaries @p slave that face a flagged cell at the
+   * boundaries @p master and would be coarser than what becomes of that: for
+   * the nodal rule, where the nodes of a finer master dent between those of
+   * the slave, and no pairing stays.
+   */
+  void flag_slave_like_master(Mesh                               &mesh,
+                              const std::set<types::boundary_id> &slave,
+                              const std::set<types::boundary_id> &master);
+
   /// Flag all cells.
   void flag_all_cells(Mesh &mesh);
 

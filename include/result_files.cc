@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <fstream>
 #include <unistd.h>
 
@@ -254,21 +255,44 @@ namespace Contact
     const std::string                         &file,
     const std::function<void(std::ostream &)> &write) const
   {
-    if (rank() == 0)
-      write_file(directory / file, write);
+    // What one rank fails to write, no rank may wait for.
+    std::exception_ptr failure;
+    try
+      {
+        if (rank() == 0)
+          write_file(directory / file, write);
+      }
+    catch (const InputError &)
+      {
+        failure = std::current_exception();
+      }
+    const bool failed =
+      Utilities::MPI::max(failure ? 1 : 0, discretization.communicator) > 0;
+    if (failure)
+      std::rethrow_exception(failure);
+    if (failed)
+      throw InputError("another process can not write the file",
+                       (directory / file).string(),
+                       "see its message");
   }
 
 
 
-  void ResultFiles::append(const std::string &name,
-                           const std::string &file,
-                           const double       load_factor,
-                           Series            &series) const
+  void ResultFiles::write_series(const std::string &name,
+                                 const Series      &series) const
   {
-    series.emplace_back(load_factor, file);
-    write_first(name + ".pvd", [&](std::ostream &out) {
-      DataOutBase::write_pvd_record(out, series);
-    });
+    if (!series.empty())
+      write_first(name + ".pvd", [&](std::ostream &out) {
+        DataOutBase::write_pvd_record(out, series);
+      });
+  }
+
+
+
+  void ResultFiles::write_series() const
+  {
+    write_series("bodies", bodies);
+    write_series("contact", contact);
   }
 
 
@@ -302,6 +326,11 @@ namespace Contact
                               component_is_part_of_vector});
     vertex_fields.attach(data_out);
     data_out.add_data_vector(body, "body", DataOut<2>::type_cell_data);
+    Vector<double> converged(triangulation.n_active_cells());
+    converged = 1;
+    data_out.add_data_vector(converged,
+                             "converged",
+                             DataOut<2>::type_cell_data);
     data_out.build_patches(discretization.mapping,
                            discretization.degree,
                            DataOut<2>::curved_inner_cells);
@@ -324,10 +353,8 @@ namespace Contact
           pieces.push_back(piece(r));
         data_out.write_pvtu_record(out, pieces);
       });
-    append("bodies",
-           n_ranks > 1 ? name + ".pvtu" : piece(0),
-           load_factor,
-           bodies);
+    bodies.emplace_back(load_factor, n_ranks > 1 ? name + ".pvtu" : piece(0));
+    write_series("bodies", bodies);
   }
 
 
@@ -353,7 +380,8 @@ namespace Contact
         vtk_flags(k, load_factor, /*degree=*/1),
         out);
     });
-    append("contact", file, load_factor, contact);
+    contact.emplace_back(load_factor, file);
+    write_series("contact", contact);
   }
 
 

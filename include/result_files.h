@@ -82,7 +82,8 @@ namespace Contact
     /**
      * Write bodies_000k.vtu of increment @p k, and bodies.pvd anew: all cells
      * at their degree with displacement [mm], Cauchy stress and von Mises
-     * stress [MPa] and body (material id).
+     * stress [MPa] and body (material id). Only what has converged is written:
+     * the field "converged" is 1.
      */
     void write_bodies(const unsigned int                        k,
                       const double                              load_factor,
@@ -104,7 +105,17 @@ namespace Contact
     void write_profile(const std::vector<ProfileRow> &slave,
                        const std::vector<ProfileRow> &master) const;
 
-    /// Write a file by @p write, if this is the first rank.
+    /// The increments written so far, for a restart.
+    template<class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &bodies &contact;
+    }
+
+    /// Write the series anew.
+    void write_series() const;
+
+    /// Write a file by @p write, if this is the first rank. Throws on all.
     void write_first(const std::string                         &file,
                      const std::function<void(std::ostream &)> &write) const;
 
@@ -114,11 +125,7 @@ namespace Contact
     /// Load factor and file of each increment.
     using Series = std::vector<std::pair<double, std::string>>;
 
-    /// Append a file to a series, and write that.
-    void append(const std::string &name,
-                const std::string &file,
-                const double       load_factor,
-                Series            &series) const;
+    void write_series(const std::string &name, const Series &series) const;
 
     unsigned int rank() const;
 

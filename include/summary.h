@@ -61,6 +61,15 @@ namespace Contact
     /// is violated.
     std::map<std::string, double> invariants, works;
     std::vector<std::string>      violations;
+
+    template<class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &level &load_factor &newton_iterations &linear_iterations
+        &friction_iterations &geometry_iterations &active &stick &slip
+          &halved_steps &cycles &hold_work &converged &message &invariants
+            &works &violations;
+    }
   };
 
 
