@@ -91,7 +91,13 @@ namespace Contact
     {
       Point<3> p;
       for (unsigned int d = 0; d < 3; ++d)
-        p[d] = lines.read<double>("a coordinate");
+        {
+          p[d] = lines.read<double>("a coordinate");
+          // Products of four lengths still have to be numbers.
+          if (!(std::abs(p[d]) < 1e60))
+            lines.fail("a coordinate is not below 1e60",
+                       "the file is damaged: write it again");
+        }
       return p;
     }
 
@@ -149,7 +155,7 @@ namespace Contact
       lines.next_in("$MeshFormat");
       const auto version = lines.read<std::string>("the version of the format");
       if (version != "2.2" && version != "4.1")
-        lines.fail("MSH format " + version +
+        lines.fail("MSH format " + LineReader::legible(version) +
                      " is not supported, only 2.2 and 4.1 are",
                    remedy);
       if (lines.read<int>("0 (ASCII) or 1 (binary)") != 0)
@@ -177,7 +183,8 @@ namespace Contact
             if (group.first == tag || group.second == name)
               lines.fail("two physical groups of dimension " +
                            std::to_string(dimension) + " share the name '" +
-                           name + "' or the tag " + std::to_string(tag),
+                           LineReader::legible(name) + "' or the tag " +
+                           std::to_string(tag),
                          "give every physical group a name of its own");
           msh.names[dimension][tag] = name;
         }

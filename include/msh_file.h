@@ -8,10 +8,12 @@
 
 #include <deal.II/base/point.h>
 
+#include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <cctype>
 #include <fstream>
 #include <iomanip>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -72,7 +74,7 @@ namespace Contact
     {
       T value;
       if (!(words >> value))
-        fail("expected " + meaning + " in '" + words.str() + "'",
+        fail("expected " + meaning + " in '" + legible(words.str()) + "'",
              "the file is damaged or incomplete: write it again");
       return value;
     }
@@ -88,7 +90,12 @@ namespace Contact
     /// The sign of a tag is an orientation, which we do not need.
     int read_tag()
     {
-      return std::abs(read<int>("the tag of a group"));
+      const int tag = read<int>("the tag of a group");
+      // The smallest number has no positive counterpart.
+      if (tag == std::numeric_limits<int>::min())
+        fail("the tag of a group is " + std::to_string(tag),
+             "the file is damaged: write it again");
+      return tag < 0 ? -tag : tag;
     }
 
     /// The first line of a section: how many entries follow.
@@ -104,7 +111,7 @@ namespace Contact
       const std::string keyword = "$End" + section.substr(1);
       next_in(section);
       if (const auto found = read<std::string>(keyword); found != keyword)
-        fail("expected " + keyword + ", found '" + found + "'",
+        fail("expected " + keyword + ", found '" + legible(found) + "'",
              "the section announces another number of entries than it has: "
              "write the file again");
     }
@@ -114,7 +121,18 @@ namespace Contact
     {
       do
         next_in(section);
-      while (words.str().find("$End" + section.substr(1)) != 0);
+      while (read<std::string>("a word").find("$End" + section.substr(1)) != 0);
+    }
+
+    /// The beginning of a text that may be of any length, or no text at all.
+    static std::string legible(std::string text)
+    {
+      const bool is_long = text.size() > 80;
+      text.resize(std::min<std::size_t>(text.size(), 80));
+      for (char &c : text)
+        if (std::iscntrl(static_cast<unsigned char>(c)))
+          c = '?';
+      return text + (is_long ? "..." : "");
     }
 
     [[noreturn]] void fail(const std::string &what,

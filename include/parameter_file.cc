@@ -31,9 +31,14 @@ namespace Contact
 
 
 
+    // What a file has in it may be of any length, or no text at all.
     std::string in_quotes(const std::string &name)
     {
-      return "'" + name + "'";
+      std::string text = name.substr(0, 200);
+      for (char &c : text)
+        if (std::iscntrl(static_cast<unsigned char>(c)))
+          c = '?';
+      return "'" + text + (name.size() > text.size() ? "..." : "") + "'";
     }
 
 
@@ -124,11 +129,27 @@ namespace Contact
 
 
 
+    // What separates the elements of a map. The pattern says so at its end,
+    // unless it is a comma; a list inside may have another one.
+    std::string map_separator(const std::string &pattern)
+    {
+      const std::string separated = "separated by <";
+      const auto        position  = pattern.rfind(separated);
+      return position == std::string::npos
+               ? ","
+               : pattern.substr(position + separated.size(), 1);
+    }
+
+
+
     // The position of the nearest word; their number if all of them are too
     // far away to be what was meant.
     std::size_t nearest(const std::string &word, const Names &candidates)
     {
-      std::size_t best     = candidates.size();
+      std::size_t best = candidates.size();
+      // Nobody means a word by that, and comparing takes its length.
+      if (word.size() > 1000)
+        return best;
       std::size_t shortest = std::max<std::size_t>(2, word.size() / 3) + 1;
       for (std::size_t i = 0; i < candidates.size(); ++i)
         {
@@ -161,7 +182,9 @@ namespace Contact
       return "any number of 'name: " + item + ", " + item +
              ", ...', separated by ';'";
     if (contains(pattern, "[Map"))
-      return "any number of 'name: " + item + "', separated by ','";
+      return "any number of 'name: " +
+             (map_separator(pattern) == ";" ? "formula" : item) +
+             "', separated by '" + map_separator(pattern) + "'";
     if (contains(pattern, "[List"))
       return "any number of " + item + "s, separated by ','";
     if (contains(pattern, "[Anything"))
@@ -182,7 +205,7 @@ namespace Contact
   {
     if (!contains(pattern, "[Map"))
       return "";
-    const std::string     separator = contains(pattern, "[List") ? ";" : ",";
+    const std::string     separator = map_separator(pattern);
     std::set<std::string> keys;
     for (const std::string &element :
          Utilities::split_string_list(value, separator))
@@ -248,6 +271,8 @@ namespace Contact
                          asked_by,
                          "remove this include");
 
+    if (main_file.empty())
+      main_file = file.string();
     open_files.push_back({path, section, {}});
     for (const Statement &statement : read_statements(in))
       read_statement(statement.text,
@@ -294,14 +319,17 @@ namespace Contact
   std::string ParameterReader::where(const Names &paths) const
   {
     std::string text;
+    bool        is_set = false;
     for (const std::string &path : paths)
       {
         const auto setting = settings.find(path);
         text += (text.empty() ? "" : ", ") + path + " (" +
                 (setting == settings.end() ? "default" : setting->second.name) +
                 ")";
+        is_set = is_set || setting != settings.end();
       }
-    return text;
+    // Somebody has to be told which file lacks them.
+    return is_set ? text : main_file + ", " + text;
   }
 
 

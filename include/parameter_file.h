@@ -112,6 +112,7 @@ namespace Contact
     ParameterHandler                &prm;
     const std::vector<DeclaredEntry> entries;
 
+    std::string           main_file;  // the one that may include others
     std::vector<OpenFile> open_files; // innermost last
     std::string           section;    // the open one, or none
     Place                 section_place;
