@@ -19,20 +19,20 @@ namespace Contact
   namespace
   {
     /**
-     * The polynomials 1 or 1, xi, eta, made orthonormal with respect to the
-     * weights @p JxW of the points of a cell (modified Gram and Schmidt); none
-     * if there are as many as points, where projecting changes nothing.
+     * The first @p n_modes of the polynomials 1, xi, eta, made orthonormal with
+     * respect to the weights @p JxW of the points of a cell (modified Gram and
+     * Schmidt); none if there are as many as points, where projecting changes
+     * nothing.
      */
     std::vector<std::array<double, 3>>
     orthonormal_modes(const Quadrature<2>       &quadrature,
                       const std::vector<double> &JxW,
-                      const unsigned int         degree)
+                      const unsigned int         n_modes)
     {
-      const unsigned int n_modes = degree == 1 ? 1 : 3;
       if (n_modes >= quadrature.size())
         return {};
 
-      // What is left out by degree 1 stays zero.
+      // What is left out stays zero.
       std::vector<std::array<double, 3>> modes(quadrature.size(), {{0, 0, 0}});
       const auto product = [&](const unsigned int m, const unsigned int n) {
         double sum = 0;
@@ -686,9 +686,13 @@ namespace Contact
         cell.JxW          = fe_values.get_JxW_values();
         cell.points       = fe_values.get_quadrature_points();
         if (is_projected(cell.body))
-          cell.modes = orthonormal_modes(fe_values.get_quadrature(),
-                                         cell.JxW,
-                                         discretization.degree);
+          cell.modes =
+            orthonormal_modes(fe_values.get_quadrature(),
+                              cell.JxW,
+                              discretization.degree == 2 &&
+                                  dof_cell->reference_cell().is_hyper_cube()
+                                ? 3
+                                : 1);
 
         dofs.resize(fe.n_dofs_per_cell());
         dof_cell->get_dof_indices(dofs);

@@ -66,8 +66,11 @@ namespace Contact
    * 15, 1980) and for three at degree 2 (Q2-P1). "automatic" projects where
    * lambda > 10 mu, that is nu > 5/11.
    *
-   * Triangles have as many quadrature points (1 and 3) as there are polynomials
-   * (1 and 3): P is the identity, and triangles of degree 1 lock either way.
+   * Triangles of degree 1 have one point: P is the identity, and they lock
+   * either way. In those of degree 2 P is the mean: three conditions would be
+   * too many for the four unknowns of displacement that a triangle has (see
+   * tests/locking.cc), one is stable, at the price of an order. Prefer
+   * quadrangles where nu is close to 1/2.
    *
    * Soft hold. What holds a body before it touches another one can be added
    * for a while: springs at the corners of its cells, to x and to y, from where

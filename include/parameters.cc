@@ -119,14 +119,14 @@ namespace Contact
                         "linear.",
                         Patterns::Selection("small strain|"
                                             "large displacement"));
-      prm.add_parameter("Dilatation",
-                        dilatation,
-                        "The trace of the strain in a quadrangle [-]; full: "
-                        "as it is, projected: its mean (degree 1) or its "
-                        "linear part (degree 2), against locking, automatic: "
-                        "projected for bodies with nu > 5/11. Triangles: no "
-                        "difference.",
-                        Patterns::Selection("automatic|full|projected"));
+      prm.add_parameter(
+        "Dilatation",
+        dilatation,
+        "The trace of the strain in a cell [-]; full: as it is, "
+        "projected: its mean, in quadrangles of degree 2 its linear "
+        "part, against locking, automatic: projected for bodies "
+        "with nu > 5/11. Triangles of degree 1 lock either way.",
+        Patterns::Selection("automatic|full|projected"));
       prm.leave_subsection();
     }
 

@@ -1,0 +1,214 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Proves of bodies that are held softly: springs add up to the stiffness asked
+// for on any mesh, forces are the derivative of the energy and the tangent that
+// of the forces, nothing else changes, and what was released is as before.
+
+#include "tests.h"
+
+using namespace Tests;
+
+namespace
+{
+  Parameters::All make_case(const unsigned int degree,
+                            const std::string &kinematics)
+  {
+    Random   random;
+    MeshText mesh;
+    mesh.block(
+      "lower",
+      3,
+      2,
+      [&](const double s, const double t) {
+        return Point<2>(3 * s * s + random(-0.05, 0.05),
+                        2 * t - 3 + random(-0.05, 0.05));
+      },
+      [](const unsigned int i, const unsigned int j) { return i + j == 2; });
+    mesh.block("upper", 2, 2, rectangle({0, 0}, {1, 1}));
+    return make_parameters(mesh, {"lower", "upper"}, degree, kinematics);
+  }
+
+
+
+  // The energy the forces belong to.
+  double energy(const Elasticity &elasticity, const Vector<double> &u)
+  {
+    double sum = elasticity.strain_energy(u);
+    for (const auto &[body, of_hold] : elasticity.hold_energy(u))
+      sum += of_hold;
+    return sum;
+  }
+
+
+
+  // The sum of the forces on each body.
+  std::map<types::material_id, Tensor<1, 2>> resultants(const Bodies &bodies,
+                                                        const Vector<double> &u)
+  {
+    std::map<types::material_id, Tensor<1, 2>> sums;
+    const auto forces     = bodies.elasticity->forces(u, 0);
+    const auto components = bodies.components();
+    const auto X          = bodies.support_points();
+    for (unsigned int i = 0; i < forces.size(); ++i)
+      sums[bodies.mesh.bodies.at(X[i][1] < -0.5 ? "lower" : "upper")]
+          [components[i]] += forces[i];
+    return sums;
+  }
+
+
+
+  void hold(const unsigned int degree, const std::string &kinematics)
+  {
+    headline("degree " + std::to_string(degree) + ", " + kinematics);
+    const Bodies bodies(make_case(degree, kinematics));
+    Elasticity  &elasticity = *bodies.elasticity;
+    const auto   lower      = bodies.mesh.bodies.at("lower");
+    const auto   upper      = bodies.mesh.bodies.at("upper");
+
+    Random         random;
+    Vector<double> u(bodies.n_dofs()), rest(bodies.n_dofs());
+    for (unsigned int i = 0; i < u.size(); ++i)
+      {
+        u[i]    = random(-0.05, 0.05);
+        rest[i] = random(-0.05, 0.05);
+      }
+    const Vector<double> free_forces = elasticity.forces(u, 0);
+
+    // A translation of everything away from the place of rest.
+    const double         k = 123;
+    const Tensor<1, 2>   d({0.3, -0.2});
+    const Vector<double> translated =
+      bodies.displacement([&](const Point<2> &X) { return X + d; });
+    Vector<double> none(u.size());
+    const auto     version = elasticity.tangent_version();
+    elasticity.hold_softly({{lower, k}, {upper, 0}}, none);
+    check("one body is held",
+          elasticity.softly_held() ==
+            std::map<types::material_id, double>{{lower, k}});
+    check("the tangent is new", elasticity.tangent_version() == version + 1);
+    auto sums = resultants(bodies, translated);
+    check_small("its force", (sums[lower] - k * d).norm(), 1e-10);
+    check_small("force of the other one", sums[upper].norm(), 1e-10);
+    check_small("its energy",
+                std::abs(elasticity.hold_energy(translated).at(lower) -
+                         0.5 * k * d.norm_square()),
+                1e-12);
+
+    // From anywhere to anywhere, with another place of rest first.
+    elasticity.hold_softly({{lower, k}}, rest);
+    check("it is not for another rest",
+          elasticity.tangent_version() == version + 1);
+    elasticity.hold_softly({{lower, k}, {upper, 2 * k}}, rest);
+    check("but for another stiffness",
+          elasticity.tangent_version() == version + 2);
+
+    const Vector<double> forces = elasticity.forces(u, 0);
+    FullMatrix<double>   K(u.size(), u.size());
+    elasticity.visit_cells(u,
+                           true,
+                           [&](const std::vector<types::global_dof_index> &dofs,
+                               const FullMatrix<double> &of_cell,
+                               const Vector<double> &) {
+                             for (unsigned int i = 0; i < dofs.size(); ++i)
+                               for (unsigned int j = 0; j < dofs.size(); ++j)
+                                 K(dofs[i], dofs[j]) += of_cell(i, j);
+                           });
+    double       of_energy = 0, of_forces = 0;
+    const double h = 1e-5;
+    for (unsigned int j = 0; j < u.size(); ++j)
+      {
+        Vector<double> before(u), after(u);
+        before[j] -= h;
+        after[j] += h;
+        const double slope =
+          (energy(elasticity, after) - energy(elasticity, before)) / (2 * h);
+        of_energy = std::max(of_energy, std::abs(slope - forces[j]));
+
+        Vector<double> column = elasticity.forces(after, 0);
+        column -= elasticity.forces(before, 0);
+        column /= 2 * h;
+        for (unsigned int i = 0; i < u.size(); ++i)
+          of_forces = std::max(of_forces, std::abs(column[i] - K(i, j)));
+      }
+    check_small("forces against central differences of the energy",
+                of_energy / forces.linfty_norm(),
+                1e-8);
+    check_small("tangent against those of the forces",
+                of_forces / K.linfty_norm(),
+                1e-8);
+
+    elasticity.release();
+    check("released",
+          elasticity.softly_held().empty() &&
+            elasticity.hold_energy(u).empty() &&
+            elasticity.forces(u, 0) == free_forces);
+    check("the tangent is new again",
+          elasticity.tangent_version() == version + 3);
+    elasticity.release();
+    check("but once only", elasticity.tangent_version() == version + 3);
+  }
+
+
+
+  // A body that nothing else holds: the springs carry the force on it, whose
+  // energy is at least that of a translation by force over stiffness.
+  void push()
+  {
+    headline("a free body under a force");
+    Parameters::All parameters = make_case(1, "small strain");
+    parameters.boundary.spread_force_x["lower top"] = 7;
+    parameters.boundary.displacement_x["upper top"] = 0;
+    parameters.boundary.displacement_y["upper top"] = 0;
+    const Bodies bodies(parameters);
+    Elasticity  &elasticity = *bodies.elasticity;
+    const double k          = 50;
+
+    DynamicSparsityPattern couplings(bodies.n_dofs(), bodies.n_dofs());
+    elasticity.add_couplings(couplings);
+    SparsityPattern pattern;
+    pattern.copy_from(couplings);
+    SparseMatrix<double> matrix(pattern);
+    DirectSolver         solver;
+    solver.initialize(pattern);
+
+    Vector<double> u(bodies.n_dofs());
+    for (unsigned int step = 1; step <= 2; ++step)
+      {
+        elasticity.hold_softly({{bodies.mesh.bodies.at("lower"), k}}, u);
+        Vector<double> rhs(u.size());
+        matrix = 0;
+        elasticity.assemble(u, 1, rhs, &matrix);
+        for (unsigned int i = 0; i < u.size(); ++i)
+          if (bodies.discretization.constraints.is_constrained(i))
+            matrix.diag_element(i) = 1;
+        solver.factorize(matrix);
+        solver.solve(rhs);
+        u += rhs;
+
+        // Elastic forces add up to nothing: this is the force of the springs.
+        check_small("force of step " + std::to_string(step),
+                    (resultants(bodies, u).at(bodies.mesh.bodies.at("lower")) -
+                     Tensor<1, 2>({7, 0}))
+                      .norm(),
+                    1e-9);
+        const double energy =
+          elasticity.hold_energy(u).at(bodies.mesh.bodies.at("lower"));
+        check("energy of step " + std::to_string(step) +
+                " at least that of a translation",
+              energy > 0.5 * 7 * 7 / k * (1 - 1e-10));
+      }
+  }
+} // namespace
+
+
+
+int main()
+{
+  for (const std::string kinematics : {"small strain", "large displacement"})
+    for (const unsigned int degree : {1, 2})
+      hold(degree, kinematics);
+  push();
+}
