@@ -930,8 +930,7 @@ namespace Contact
          turn <= parameters.solution.max_geometry_iterations;
          ++turn)
       {
-        const Vector<double> last           = solution;
-        double               last_increment = largest_change(start);
+        double last_increment = largest_change(start);
         // Rigid motions to the first touch are no measure.
         if (turn > 1 && !softly_held.empty() && reference_force > 0)
           last_increment =
@@ -943,11 +942,11 @@ namespace Contact
         pair_bodies(configuration);
         solve_with_friction_loop();
 
-        const double moved = level > 0
-                               ? interface->largest_change(solution, last)
-                               : largest_change(last);
-        change =
-          moved == 0 ? 0. : moved / (relaxation.present() * last_increment);
+        // How far the bodies are from where they were paired.
+        const double moved =
+          level > 0 ? interface->largest_change(solution, configuration)
+                    : largest_change(configuration);
+        change = moved == 0 ? 0. : moved / last_increment;
         if (turn > 1 || level > 0)
           {
             screen << "    change of the displacement " << change << std::endl;
@@ -956,7 +955,9 @@ namespace Contact
           }
 
         // Where the bodies jump to and fro, they are paired on the way.
-        const double part = relaxation.length(solution);
+        const double part = relaxation.length(
+          Vector<double>(solution.begin(),
+                         solution.begin() + summary.n_displacements));
         configuration.sadd(1 - part, part, solution);
       }
     throw NotConverged(

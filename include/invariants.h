@@ -70,8 +70,9 @@ namespace Contact
     double path_work          = 0;
     double dissipation        = 0;
 
-    /// What is missing to the equation above in this increment, by the sum of
-    /// the magnitudes of its terms.
+    /// What is missing to the equation above in this increment, by the larger
+    /// of the sum of the magnitudes of its terms and of strain energy and
+    /// external work.
     double energy_imbalance = 0;
 
     /// One sentence for each invariant that is violated: which, by how much,

@@ -25,8 +25,8 @@ namespace Contact
   class Relaxation
   {
   public:
-    /// The part l of the step to @p iterate to take, after which a change of
-    /// an iterate counts 1/l.
+    /// The part l to take of the step to @p iterate, the image of where the
+    /// iteration is.
     double length(const Vector<double> &iterate)
     {
       if (last.size() > 0)
@@ -55,12 +55,6 @@ namespace Contact
         }
       before = last;
       last   = iterate;
-      return part;
-    }
-
-    /// The part that was taken of the last step.
-    double present() const
-    {
       return part;
     }
 

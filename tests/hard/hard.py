@@ -36,7 +36,8 @@ SYSTEM = {"fixed point": "automatic", "each step": "condensed",
 
 # Sums over increments and largest values; from the program that knows them.
 COLUMNS = ("case", "rule", "kinematics", "friction", "required", "status",
-           "increments", "cut-backs", "Newton", "energy imbalance",
+           "increments", "cut-backs", "cycles", "Newton", "violations",
+           "energy imbalance",
            "penetration", "seconds", "holds", "message")
 
 
@@ -46,7 +47,12 @@ class Case:
     same: a case whose probes and contact results are the same, lengths times
     `lengths` and forces times `forces`, within `tolerance` (relative; of the
     forces alone if `forces_only`, for what is turned).
+    zone_only: of forces, peak pressure and width of contact alone, where bodies
+    come from elsewhere.
     informative: that difference is shown, but nothing is asked of it.
+    dissipation: what friction has to have dissipated [N mm per mm], within its
+    tolerance.
+    levels: several meshes, each from the start.
     normal_force: what it has to be at the end [N per mm], within 3 %: the
     integral of the pressure, which on a round surface is a little more than the
     load.
@@ -58,7 +64,8 @@ class Case:
 
     def __init__(self, name, same=None, tolerance=1e-8, lengths=1.0, forces=1.0,
                  forces_only=False, normal_force=None, force_free=None, frictionless=False,
-                 quick=False, informative=False):
+                 quick=False, informative=False, zone_only=False, levels=False,
+                 dissipation=None, dissipation_tolerance=0.05):
         self.name = name
         self.same = same
         self.tolerance = tolerance
@@ -70,15 +77,18 @@ class Case:
         self.frictionless = frictionless
         self.quick = quick
         self.informative = informative
+        self.zone_only = zone_only
+        self.levels = levels
+        self.dissipation = dissipation
+        self.dissipation_tolerance = dissipation_tolerance
 
 
 CASES = [
     Case("first_touch", normal_force=8750, frictionless=True, quick=True),
-    # Other geometry on the way than first_touch: shown, not required.
     Case("gap_0.1", normal_force=8750, frictionless=True, same="first_touch",
-         informative=True),
+         zone_only=True, tolerance=1e-4),
     Case("gap_10", normal_force=8750, frictionless=True, same="first_touch",
-         informative=True),
+         zone_only=True, tolerance=1e-4),
     Case("pin", frictionless=True),
     Case("pin_loose", frictionless=True),
     Case("pin_friction"),
@@ -104,12 +114,12 @@ CASES = [
          tolerance=1e-4),
     Case("reversal"),
     Case("triangles", quick=True),
-    Case("hanging"),
+    Case("hanging", levels=True),
     Case("penetration_small", quick=True),
     Case("penetration_edge"),
-    Case("deep_5", normal_force=43750, frictionless=True),
-    Case("deep_20", normal_force=175000, frictionless=True),
-    Case("zero_load", force_free=1e-12),
+    Case("deep_5", frictionless=True),
+    Case("deep_20", frictionless=True),
+    Case("zero_load", force_free=1e-12, quick=True),
     Case("lengths_1e-6", same="friction_0.3", lengths=1e-6, forces=1e-6,
          quick=True),
     Case("lengths_1e6", same="friction_0.3", lengths=1e6, forces=1e6,
@@ -177,10 +187,9 @@ def run(options, case, rule, kinematics, friction, required):
         row["message"] = summary.get("message", "").split("\n")[0]
         row["increments"] = sum(bool(i["converged"]) for i in increments)
         row["Newton"] = sum(i["newton_iterations"] for i in increments)
-        if any("cut_backs" in i for i in increments):
-            row["cut-backs"] = sum(i.get("cut_backs", 0) for i in increments)
-        elif "cut_backs" in summary:
-            row["cut-backs"] = summary["cut_backs"]
+        row["cut-backs"] = sum(not i["converged"] for i in increments)
+        row["cycles"] = sum(i["cycles"] for i in increments)
+        row["violations"] = sum(len(i["violations"]) for i in increments)
         row["energy imbalance"] = largest(summary, "energy_imbalance")
         row["penetration"] = largest(summary, "penetration")
     if status is None:
@@ -199,7 +208,11 @@ def difference(case, summary, other):
         if size > 0:
             worst = max(worst,
                         abs(summary["contact"].get(name, 0) - expected) / size)
-    if case.forces_only:
+    if case.zone_only:
+        for name in ("max_pressure", "width"):
+            expected = other["contact"][name]
+            worst = max(worst, abs(summary["contact"][name] / expected - 1))
+    if case.forces_only or case.zone_only:
         return worst
     values = {p["name"]: case.lengths * p["value"] for p in other["probes"]}
     size = max((abs(v) for v in values.values()), default=0)
@@ -239,13 +252,19 @@ def check(rows, cases):
             deviation = force / case.normal_force - 1
             verdicts.append("normal force %+.1e" % deviation)
             good = good and abs(deviation) <= 0.03
-        for invariant, sign in (("dissipation", 1),):
-            value = [i["invariants"][invariant]
-                     for i in row["summary"]["increments"]
-                     if invariant in i.get("invariants", {})]
-            if value and sign * min(value) < -1e-9 * max(map(abs, value)):
-                verdicts.append(invariant + " < 0")
-                good = False
+        if row["violations"]:
+            verdicts.append("%d violations" % row["violations"])
+            good = False
+        work = [i["works"]["dissipation"] for i in row["summary"]["increments"]
+                if i["works"]]
+        if any(b < a - 1e-9 * max(map(abs, work))
+               for a, b in zip(work, work[1:])) and not case.levels:
+            verdicts.append("friction gives energy back")
+            good = False
+        if case.dissipation is not None:
+            deviation = work[-1] / case.dissipation - 1
+            verdicts.append("dissipation %+.1e" % deviation)
+            good = good and abs(deviation) <= case.dissipation_tolerance
         row["holds"] = ("" if not verdicts else
                         ("yes: " if good else "NO: ") + ", ".join(verdicts))
 
