@@ -158,7 +158,14 @@ namespace Contact
     std::filesystem::path part = file;
     part += ".part";
     std::ofstream out(part);
-    write(out);
+    try
+      {
+        write(out);
+      }
+    catch (const ExcIO &)
+      {
+        // The stream knows.
+      }
     out.close();
 
     std::error_code error;

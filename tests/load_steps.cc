@@ -1,0 +1,146 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// What keeps a run going: the steps of the load factor, cut and grown again;
+// the guard of Newton's method; the relaxation of fixed points.
+
+#include "load_steps.h"
+
+#include <cmath>
+
+#include "newton_guard.h"
+#include "relaxation.h"
+#include "tests.h"
+
+using namespace Tests;
+
+namespace
+{
+  // Proves that without failures the factors are those of equal increments, to
+  // the last bit.
+  void check_plan()
+  {
+    headline("plan");
+    bool exact = true;
+    for (const unsigned int n : {1, 3, 7, 10})
+      {
+        LoadSteps steps(n, 6);
+        for (unsigned int k = 1; k <= n; ++k)
+          {
+            const auto step = steps.next();
+            exact           = exact && step.to == static_cast<double>(k) / n &&
+                    step.increment == k && step.is_whole &&
+                    step.starts_increment && step.ends_increment;
+            steps.accept();
+          }
+        exact = exact && steps.finished();
+      }
+    check("equal increments, exactly", exact);
+  }
+
+
+
+  // Proves that a step is cut to half, that steps double again as soon as they
+  // fit, that no increment of the plan is left out, and that the cuts end.
+  void check_cuts()
+  {
+    headline("cuts");
+    LoadSteps steps(2, 3);
+    check("cut", steps.cut() && steps.next().to == 0.25);
+    check("and again", steps.cut() && steps.next().to == 0.125);
+    check("and once more", steps.cut() && steps.next().to == 0.0625);
+    check("but no further", !steps.cut() && steps.next().to == 0.0625);
+    std::cout << "  from then on:";
+    while (!steps.finished())
+      {
+        steps.accept();
+        if (!steps.finished())
+          std::cout << ' ' << steps.next().to
+                    << (steps.next().ends_increment ? "!" : "");
+      }
+    std::cout << std::endl;
+
+    // Steps that fail beyond half of every increment.
+    LoadSteps    fragile(3, 10);
+    unsigned int n = 0, ends = 0;
+    while (!fragile.finished() && ++n < 1000)
+      {
+        const auto step = fragile.next();
+        if (step.to - step.from > 0.1 + 1e-12)
+          check_small("depth", fragile.cut() ? 0 : 1, 1);
+        else
+          {
+            ends += step.ends_increment;
+            fragile.accept();
+          }
+      }
+    check("every increment is reached", ends == 3 && n < 100);
+  }
+
+
+
+  // Proves that a residual may rise once, but not above the last five, that
+  // what is no number never passes, and when only one point may change.
+  void check_guard()
+  {
+    headline("guard of Newton's method");
+    NewtonGuard guard;
+    check("anything to begin with", guard.accepts(1e30));
+    check("but a number", !guard.accepts(std::nan("")));
+    guard.advance(1);
+    guard.advance(0.1);
+    check("up again, below the largest", guard.accepts(0.9));
+    check("not above it", !guard.accepts(1.1));
+    for (unsigned int i = 0; i < 4; ++i)
+      guard.advance(0.1);
+    check("what is long ago does not count", !guard.accepts(0.9));
+    guard.forget();
+    check("after a new start anything", guard.accepts(7));
+
+    unsigned int wasted = 0;
+    while (!guard.one_at_a_time(4))
+      ++wasted;
+    std::cout << "  steps with the same number of changes: " << wasted
+              << std::endl;
+    check("until there is progress", guard.one_at_a_time(4));
+    check("progress", !guard.one_at_a_time(3));
+  }
+
+
+
+  // Proves that x -> s x + 1 is solved for slopes of -2.5 and -20 as well, and
+  // in as many steps as without where it contracts from one side.
+  void check_relaxation()
+  {
+    headline("fixed points");
+    for (const double slope : {0.5, -0.5, -2.5, -20.})
+      {
+        Relaxation     relaxation;
+        Vector<double> x(1);
+        unsigned int   n = 0;
+        double         defect;
+        do
+          {
+            Vector<double> image(1);
+            image[0]          = slope * x[0] + 1;
+            defect            = std::abs(image[0] - x[0]);
+            const double part = relaxation.length(image);
+            x.sadd(1 - part, part, image);
+          }
+        while (defect > 1e-6 && ++n < 1000);
+        std::cout << "  slope " << slope << ": " << n << " turns" << std::endl;
+      }
+  }
+} // namespace
+
+
+
+int main()
+{
+  check_plan();
+  check_cuts();
+  check_guard();
+  check_relaxation();
+}

@@ -1,0 +1,151 @@
+#!/bin/sh
+# A run that ends from outside leaves its finished increments readable, and goes
+# on from there with --restart to the same result: after SIGTERM, after SIGKILL,
+# and where the disk was full, on one process and on two, with and without levels.
+#   restart.sh CONTACT PARAMETERS MESHES
+# SPDX-License-Identifier: LGPL-2.1-or-later
+set -eu
+
+contact=$1
+parameters=$2
+OMPI_ALLOW_RUN_AS_ROOT=1
+OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+OMPI_MCA_rmaps_base_oversubscribe=1
+export OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM \
+  OMPI_MCA_rmaps_base_oversubscribe
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+failures=0
+
+fail() {
+  echo "FAILED: $1"
+  failures=$((failures + 1))
+}
+
+# run DIRECTORY OPTION...: the case, with more than one increment to lose
+run() {
+  directory=$1
+  shift
+  $launcher "$contact" "$case" --quiet --set "Output/Directory=$directory" \
+    --set Solution/Increments=8 --set Probes/References= \
+    --set Probes/Tolerances= --set "Solution/Newton tolerance=1e-10" \
+    "$@" >"$directory.log" 2>&1
+}
+
+# finished DIRECTORY: how many increments its summary calls converged
+finished() {
+  grep -c '"converged": true' "$1/$name/summary.json" || true
+}
+
+# wait_for_increments DIRECTORY: until two increments can be read
+wait_for_increments() {
+  for _ in $(seq 600); do
+    [ -e "$1/$name/bodies_0002.vtu" ] || [ -e "$1/$name/bodies_0002.pvtu" ] &&
+      [ -e "$1/$name/restart.bin" ] && return 0
+    sleep 0.05
+  done
+  fail "$1: no increment in 30 s"
+}
+
+# compare DIRECTORY: probes, contact and works are those of the whole run
+compare() {
+  python3 - "whole/$name/summary.json" "$1/$name/summary.json" <<'PYTHON' ||
+import json, sys
+whole, other = (json.load(open(name)) for name in sys.argv[1:])
+def numbers(s):
+    last = s["increments"][-1]
+    return ([p["value"] for p in s["probes"]] + list(s["contact"].values()) +
+            [last["works"]["external"], last["works"]["dissipation"]])
+worst = max(abs(a - b) / max(abs(a), 1e-3)
+            for a, b in zip(numbers(whole), numbers(other)))
+same = len(whole["increments"]) == len(other["increments"])
+good = worst < 1e-10 and same and other["converged"]
+print("  largest relative difference %s 1e-10, increments %s" %
+      ("<" if worst < 1e-10 else "%.1e, not <" % worst,
+       "the same" if same else "NOT the same"))
+sys.exit(0 if good else 1)
+PYTHON
+    fail "$1 differs from the whole run"
+  grep -c DataSet "whole/$name/bodies.pvd" >a
+  grep -c DataSet "$1/$name/bodies.pvd" >b
+  cmp -s a b || fail "$1: the series is not complete"
+  [ ! -e "$1/$name/restart.bin" ] || fail "$1: the restart file is left"
+}
+
+interrupted() {
+  signal=$1
+  directory=$signal
+  rm -rf "$directory"
+  run "$directory" & pid=$!
+  wait_for_increments "$directory"
+  kill "-$signal" "$(pgrep -P $pid -x contact || pgrep -P $pid || echo $pid)"
+  status=0
+  wait $pid || status=$?
+  [ "$status" -ne 0 ] || fail "$signal: exit status 0"
+  if [ "$signal" = TERM ] && [ -z "$launcher" ]; then
+    [ "$status" -eq 5 ] || fail "$signal: exit status $status instead of 5"
+  fi
+  n=$(finished "$directory")
+  [ "$n" -ge 2 ] || fail "$signal: $n increments in the summary"
+  grep -q '^  "converged": false' "$directory/$name/summary.json" ||
+    fail "$signal: the summary looks converged"
+  run "$directory" --restart || fail "$signal: --restart ends with $?"
+  compare "$directory"
+}
+
+everything() {
+  name=$(basename "$case" .prm)
+  rm -rf whole
+  run whole
+  for signal in TERM KILL; do
+    echo "$name, $signal${launcher:+, two processes}:"
+    interrupted $signal
+  done
+}
+
+launcher=
+case=$parameters/ssnp154_d.prm
+everything
+
+# The results of the fifth increment meet a full disk.
+echo "$name, full disk:"
+mkdir -p "full/$name"
+ln -s /dev/full "full/$name/bodies_0005.vtu.part"
+status=0
+run full || status=$?
+[ "$status" -eq 2 ] || fail "full disk: exit status $status instead of 2"
+grep -q 'can not be written' full.log || fail "full disk: no message"
+[ "$(finished full)" -eq 4 ] ||
+  fail "full disk: $(finished full) increments in the summary instead of 4"
+run full --restart || fail "full disk: --restart ends with $?"
+compare full
+
+# Other parameters are not gone on with.
+echo "other parameters:"
+run other & pid=$!
+wait_for_increments other
+kill -KILL "$(pgrep -P $pid -x contact || echo $pid)"
+wait $pid || true
+status=0
+run other --restart --set "Contact/Friction coefficient=0.2" || status=$?
+[ "$status" -eq 2 ] && grep -q 'other parameters' other.log ||
+  fail "other parameters: exit status $status"
+echo "  refused"
+
+case=$parameters/nested_friction.prm
+cat >levels.prm <<PRM
+include $case
+subsection Refinement
+  set Levels = 2
+end
+subsection Output
+  set VTU = true
+end
+PRM
+case=levels.prm
+everything
+launcher="mpirun -np 2"
+everything
+
+[ "$failures" -eq 0 ]
