@@ -1273,13 +1273,21 @@ namespace Contact
   void ContactProblem::update_reference_force()
   {
     const double moved = discretization->largest_prescribed();
-    if (moved > 0)
-      {
-        const double force = 2 * elasticity->strain_energy(solution) / moved;
-        reference_force    = reference_is_known
-                               ? std::max(reference_force, force)
-                               : std::max(discretization->whole_load(), force);
-      }
+    if (moved == 0)
+      return;
+    double stiffest = 0;
+    for (const auto &body : mesh->bodies)
+      stiffest = std::max(stiffest, elasticity->young(body.second));
+    const double force = 2 * elasticity->strain_energy(solution) / moved;
+
+    // Bodies that nobody deforms: no more than their round-off can be asked
+    // for.
+    const double round_off = 1e3 * std::numeric_limits<double>::epsilon() *
+                             stiffest * moved / newton_tolerance();
+    reference_force = std::max(
+      {force,
+       round_off,
+       reference_is_known ? reference_force : discretization->whole_load()});
   }
 
 

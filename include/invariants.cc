@@ -318,11 +318,23 @@ namespace Contact
     std::vector<double>       weak(n), stiff(n);
     std::vector<unsigned int> point_of(n);
     Worst                     worst;
+    double                    largest_pressure = 0, largest_penalty = 0;
+    unsigned int              worst_penalty = 0;
     for (unsigned int k = 0; k < points.size(); ++k)
       {
         const ContactPoint &point   = points[k];
         const ContactState &now     = states[k];
         const bool          is_open = point.decision.status == Status::open;
+        if (!is_open)
+          {
+            largest_pressure = std::max(largest_pressure, tractions[k].p);
+            if (const double penalty = tractions[k].p - now.lambda_n;
+                penalty > largest_penalty)
+              {
+                largest_penalty = penalty;
+                worst_penalty   = k;
+              }
+          }
         for (unsigned int m = 0; m < point.n_multipliers; ++m)
           {
             const unsigned int l = point.multipliers[m];
@@ -360,6 +372,20 @@ namespace Contact
                text(stiff[l] * weak[l]) + " N/mm" +
                at(place(points[point_of[l]]));
       });
+
+    // With c far below the stiffness of the bodies, what is penalty instead of
+    // multiplier is no pressure: see the header.
+    if (!interface->tied && !has_point_per_multiplier() && largest_pressure > 0)
+      judge("penetration",
+            largest_penalty / largest_pressure,
+            0.5,
+            "of the largest pressure " + text(largest_pressure) + " MPa, " +
+              text(largest_penalty) + " MPa come from a penetration of " +
+              text(-states[worst_penalty].gap) + " mm" +
+              at(place(points[worst_penalty])),
+            "An edge of the slave faces the master with a part of its points "
+            "only: take the other surface as the slave, or another rule.",
+            found.violations);
 
     found.complementarity = worst.value / force;
     if (worst.is_violated())

@@ -107,7 +107,10 @@ namespace Contact
    * where it sticks; from p = max(0, lambda - c g) follow p >= 0 and g >= 0,
    * from the slip law q s <= 0, point by point. The Gauss rule has several
    * points per multiplier and promises the weak conditions and p >= 0. Gaps
-   * are those of the pairing of the last turn.
+   * are those of the pairing of the last turn. Where most points of an edge
+   * face nothing, they pull its multipliers to zero, and what is left is a
+   * penalty -c g, with c far below the stiffness of the bodies: if that makes
+   * half of the largest pressure, the bodies pass through each other.
    *
    * @par Energy
    * Along the straight path from u_0 to u_1 = u_0 + d of an increment the

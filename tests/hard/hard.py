@@ -14,6 +14,7 @@ Usage: hard.py [--quick] [--required] [--output DIRECTORY] [--jobs N]
 
 --quick     few cases, required rows only
 --required  all cases, required rows only
+--table     print what README shows, and the progress to stderr
 CASE        these cases only (and those they are compared with)
 """
 
@@ -310,6 +311,57 @@ def write(rows, output):
                 text(row[c]).replace("|", "\\|") for c in COLUMNS) + " |\n")
 
 
+def print_tables(rows, cases):
+    """What README shows: the required rows of each case, how many of all
+    combinations converge, and those that do not."""
+    print("Nodal / mortar rule at default settings (large displacement, friction "
+          "by fixed point).\n")
+    columns = ("increments", "cut-backs", "cycles", "Newton", "energy imbalance",
+               "penetration", "seconds")
+    print("| case | converged | " + " | ".join(
+        c + (" [mm]" if c == "penetration" else "") for c in columns) +
+        " | what must hold |")
+    print("|---|---|" + "---|" * len(columns) + "---|")
+    for case in cases:
+        pair = [row for row in rows if row["case"] == case.name and row["required"]]
+        print("| " + " | ".join(
+            [case.name, " / ".join("yes" if r["status"] == "converged" else "NO"
+                                   for r in pair)] +
+            [" / ".join(text(r[c]) for r in pair) for c in columns] +
+            ["; ".join(dict.fromkeys(r["holds"] for r in pair if r["holds"]))]) +
+            " |")
+
+    print("\nAll combinations: converged / not converged / refused.\n")
+    print("| rule | kinematics | " + " | ".join(FRICTION) + " |")
+    print("|---|---|" + "---|" * len(FRICTION))
+    for rule in RULES:
+        for kinematics in KINEMATICS:
+            cells = []
+            for friction in FRICTION:
+                states = [row["status"] for row in rows
+                          if row["rule"] == rule and
+                          row["kinematics"] == kinematics and
+                          row["friction"] in (friction, "none"
+                                              if friction == FRICTION[0] else "")]
+                n, refused = states.count("converged"), states.count("refused")
+                cells.append("%d / %d / %d" % (n, len(states) - n - refused,
+                                               refused))
+            print("| " + " | ".join([rule, kinematics] + cells) + " |")
+    print("\nWithout friction: under \"%s\". What does not converge, or is refused "
+          "(once for each reason):\n" % FRICTION[0])
+    reasons = {}
+    for row in rows:
+        if row["status"] != "converged":
+            reason = row["message"] if row["status"] == "refused" else ": ".join(
+                row["message"].split(": ")[1:]).rstrip("0123456789. ")
+            reasons.setdefault((row["rule"], reason), []).append(row)
+    for (rule, reason), found in reasons.items():
+        names = list(dict.fromkeys(row["case"] for row in found))
+        print("- %s, %d rows (%s): %s" % (
+            rule, len(found), ", ".join(names) if len(names) < 6
+            else "%d cases" % len(names), reason))
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
@@ -318,6 +370,7 @@ def main():
     parser.add_argument("cases", nargs="*")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--required", action="store_true")
+    parser.add_argument("--table", action="store_true")
     parser.add_argument("--output", type=pathlib.Path,
                         default=pathlib.Path("hard"))
     parser.add_argument("--parameters", type=lambda p: pathlib.Path(p).resolve(),
@@ -340,6 +393,7 @@ def main():
     jobs = [(case, *combination) for case in cases
             for combination in combinations(case, options.quick or
                                             options.required)]
+    progress = sys.stderr if options.table else sys.stdout
     rows = []
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         futures = [pool.submit(run, options, *job) for job in jobs]
@@ -350,19 +404,22 @@ def main():
                   (n, len(jobs), row["case"], row["rule"], row["kinematics"],
                    row["friction"], row["status"],
                    ": " + row["message"] if row["message"] else ""),
-                  flush=True)
+                  file=progress, flush=True)
     check(rows, cases)
     write(rows, options.output)
 
     failures = [row for row in rows if failed(row)]
     for row in failures:
         print("FAILED: %s, %s: %s %s" % (row["case"], row["rule"],
-                                         row["status"], row["holds"] or ""))
+                                         row["status"], row["holds"] or ""),
+              file=progress)
     n_converged = sum(row["status"] == "converged" for row in rows)
     print("%d rows: %d converged, %d refused, %d required ones failed; see %s" %
           (len(rows), n_converged,
            sum(row["status"] == "refused" for row in rows), len(failures),
-           options.output / "hard.md"))
+           options.output / "hard.md"), file=progress)
+    if options.table:
+        print_tables(rows, cases)
     return 1 if failures else 0
 
 

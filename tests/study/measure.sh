@@ -39,5 +39,7 @@ record reference_mesh table 'tests/reference_table.py build' \
   tests/reference_table.py build
 record benchmark text './run benchmark' tests/benchmark.sh "$contact"
 record oscillation table './run oscillation' tests/oscillation.sh "$contact"
+record hard table './run hard' tests/hard/hard.py --table \
+  --output output/hard "$contact"
 record scaling table './run scaling' tests/scaling.sh "$contact"
 tests/study/report.py "$results" --readme README.md
