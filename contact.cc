@@ -940,6 +940,8 @@ namespace Contact
         screen << "  geometry, turn " << turn << std::endl;
         ++summary.increments.back().geometry_iterations;
         pair_bodies(configuration);
+        if (turn > 1 && condensed)
+          interface->open_parted(solution);
         solve_with_friction_loop();
 
         // How far the bodies are from where they were paired.
@@ -1267,13 +1269,15 @@ namespace Contact
 
   // What is small against the forces is small: against the loads at their full
   // values, or, where supports are moved, against the force F that does the
-  // work of deforming the bodies by the way d, 1/2 F d = strain energy. In the
-  // first increment this is looked at after each step; afterwards it only
-  // grows.
+  // work of deforming the bodies on the largest way d, 1/2 F d = strain energy.
+  // In the first increment this is looked at after each step; afterwards it
+  // only grows.
   void ContactProblem::update_reference_force()
   {
-    const double moved = discretization->largest_prescribed();
-    if (moved == 0)
+    double moved = 0;
+    for (unsigned int i = 0; i < summary.n_displacements; ++i)
+      moved = std::max(moved, std::abs(solution[i]));
+    if (discretization->largest_prescribed() == 0 || moved == 0)
       return;
     double stiffest = 0;
     for (const auto &body : mesh->bodies)

@@ -328,6 +328,15 @@ namespace Contact
 
 
 
+  void ContactInterface::open_parted(const Vector<double> &solution)
+  {
+    for (ContactPoint &point : points)
+      if (!tied && state(point, solution, solution).p_trial <= 0)
+        point.decision = Decision();
+  }
+
+
+
   std::vector<Decision> ContactInterface::decisions() const
   {
     std::vector<Decision> all;

@@ -149,6 +149,10 @@ namespace Contact
                                    const Vector<double> &u_start,
                                    const bool            moving_bound);
 
+    /// Open the points that a new pairing has moved so far from the master that
+    /// they would: to begin with them closed would pull the bodies together.
+    void open_parted(const Vector<double> &solution);
+
     StatusCount count() const;
 
     /**

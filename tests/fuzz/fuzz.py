@@ -30,7 +30,7 @@ def main():
     parser.add_argument("--output", default="output/fuzz")
     parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--limit", type=float, default=60)
-    parser.add_argument("--least", type=float, default=0.6)
+    parser.add_argument("--least", type=float, default=0.9)
     options = parser.parse_args()
     n_scenes, n_damaged = (25, 60) if options.quick else (300, 500)
     if options.scenes is not None:

@@ -12,7 +12,7 @@ import time
 # What a small case may take: memory a wrong count asks for would be taken from
 # everybody else.
 MEMORY = 3 << 30
-OUTCOMES = ("converged", "outside tolerances", "refused", "not converged",
+OUTCOMES = ("converged", "violated", "refused", "not converged",
             "crashed", "hung")
 
 
@@ -59,7 +59,7 @@ def run(binary, directory, file, limit, sanitized=False, options=()):
     except subprocess.TimeoutExpired as expired:
         status, output = None, expired.stdout or b""
     text = output.decode("utf-8", "replace")
-    outcome = {0: "converged", 1: "outside tolerances", 2: "refused",
+    outcome = {0: "converged", 1: "violated", 2: "refused",
                3: "not converged", None: "hung"}.get(status, "crashed")
     if "Sanitizer" in text or "runtime error:" in text:
         outcome = "crashed"
@@ -74,6 +74,9 @@ def message(outcome, text, directory, file):
         return summary.get("message", "") if summary else ""
     if outcome == "refused":
         return text.strip()
+    if outcome == "violated":
+        return next((line.strip() for line in text.splitlines()
+                     if "violated:" in line), "")
     if outcome == "crashed":
         for line in text.splitlines():
             if re.search("Sanitizer|runtime error:|what\\(\\)|Assertion", line):
