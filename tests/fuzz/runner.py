@@ -12,8 +12,8 @@ import time
 # What a small case may take: memory a wrong count asks for would be taken from
 # everybody else.
 MEMORY = 3 << 30
-OUTCOMES = ("converged", "violated", "refused", "not converged",
-            "crashed", "hung")
+OUTCOMES = ("converged", "other values", "violated", "refused",
+            "not converged", "crashed", "hung")
 
 
 class Result:
@@ -59,7 +59,8 @@ def run(binary, directory, file, limit, sanitized=False, options=()):
     except subprocess.TimeoutExpired as expired:
         status, output = None, expired.stdout or b""
     text = output.decode("utf-8", "replace")
-    outcome = {0: "converged", 1: "violated", 2: "refused",
+    outcome = {0: "converged",
+               1: "violated" if "violated:" in text else "other values", 2: "refused",
                3: "not converged", None: "hung"}.get(status, "crashed")
     if "Sanitizer" in text or "runtime error:" in text:
         outcome = "crashed"
