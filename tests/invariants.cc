@@ -350,15 +350,10 @@ namespace
        point.C[point.n_nodes - 2] -= 0.01;
      }},
     {"the load", [](Checked &m) { m.load_factor *= 0.999; }},
-    {"the energy of the start",
-     [](Checked &m) {
+    {"the energy of the start", [](Checked &m) {
        auto state = m.invariants.state();
        state.strain_energy *= 1.0001;
        m.invariants.restore(state);
-     }},
-    {"not a number", [](Checked &m) {
-       m.lambda_n(*m.find(Status::stick)) =
-         std::numeric_limits<double>::quiet_NaN();
      }}};
 
   void check_alarms(const std::string &rule)

@@ -6,4 +6,4 @@ set -eu
 
 PYTHONDONTWRITEBYTECODE=1
 export PYTHONDONTWRITEBYTECODE
-exec "$(dirname -- "$0")/fuzz/fuzz.py" --quick --output fuzz "$1"
+exec "$(dirname -- "$0")/fuzz/fuzz.py" --quick --least 0.8 --output fuzz "$1"
