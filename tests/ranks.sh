@@ -18,7 +18,7 @@ values() {
 # decisions DIRECTORY: what the points do, counted in all increments, and one by
 # one in the last
 decisions() {
-  grep -E '"(level|active|stick|slip)":' "$1/summary.json"
+  grep -E '"(level|active|stick|slip)": [0-9]+,?$' "$1/summary.json"
   awk -F, '
     NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /^status/) column = i }
     { print $column }' "$1/profile.csv"
