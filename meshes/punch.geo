@@ -4,7 +4,7 @@
 // Advanced Finite Element Contact Benchmarks, no. 2): the section x >= 0, x is
 // the radius, y the axis. The bodies touch at y = 0 and share no node. Lengths
 // in mm, first-order cells, all quadrangles and counter-clockwise; no free
-// mesher takes part. Fine where the flat of the punch ends, x = 40.
+// mesher takes part.
 //
 // Made for gmsh 4.8.4; the mesh next to this file is written, in this
 // directory, by
@@ -24,23 +24,9 @@ rP   = 45;  // where the radial displacement is asked for
 core = 5;   // side of the block at the centre of the fillet
 hand = 4;   // both coordinates of its corner, from there
 
-nFlat  = 20;   // edges along the flat
-qFlat  = 1.12; // how they grow from its end
-nArc   = 8;    // of each half of the fillet
-qArc   = 1.1;
-nCore  = 5;    // across the block at the centre of the fillet
-nLayer = 6;    // from it to the surface
-qLayer = 1.2;
-nTop   = 12;   // from the fillet to the top
-qTop   = 1.15;
-
-nUnder = 24;   // foundation: under the flat
-qUnder = 1.1;
-nProbe = 10;   // from there to the radius of the probe
-nSide  = 20;   // beyond it
-qSide  = 1.15;
-nDepth = 24;
-qDepth = 1.18;
+// Length of the edges, unless set before. The benchmark's values are those of a
+// mesh as coarse as this one.
+DefineConstant[ h = 5 ];
 
 // --------------------------------------------------------------------- punch
 
@@ -81,12 +67,14 @@ Line(19)   = {12, 11};
 Line(20)   = {12, 13};
 Line(21)   = {14, 13};
 
-Transfinite Curve {1, 13, 14, 19}   = nFlat + 1 Using Progression qFlat;
-Transfinite Curve {2, 7}            = nArc + 1 Using Progression qArc;
-Transfinite Curve {5, 12}           = nArc + 1;
-Transfinite Curve {3, 8, 9, 20}     = nArc + 1;
-Transfinite Curve {4, 6, 10, 11, 21} = nLayer + 1 Using Progression qLayer;
-Transfinite Curve {15, 16, 17, 18}  = nTop + 1 Using Progression qTop;
+nFlat  = Round(flat / h); // edges along the flat
+nArc   = Round(R / h);    // of each half of the fillet
+nLayer = Round(core / h); // between the fillet and the block at its centre
+nTop   = Round((H - R) / h);
+Transfinite Curve {1, 13, 14, 19}            = nFlat + 1;
+Transfinite Curve {2, 3, 5, 7, 8, 9, 12, 20} = nArc + 1;
+Transfinite Curve {4, 6, 10, 11, 21}         = nLayer + 1;
+Transfinite Curve {15, 16, 17, 18}           = nTop + 1;
 
 Curve Loop(1) = {-1, 4, 13, -11};    // over the flat
 Curve Loop(2) = {-13, 5, 14, -12};
@@ -119,10 +107,10 @@ Line(38) = {25, 24};
 Line(39) = {25, 28};
 Line(40) = {28, 26};
 
-Transfinite Curve {31, 38}         = nUnder + 1 Using Progression qUnder;
-Transfinite Curve {32, 39}         = nProbe + 1;
-Transfinite Curve {33, 40}         = nSide + 1 Using Progression qSide;
-Transfinite Curve {34, 35, 36, 37} = nDepth + 1 Using Progression qDepth;
+Transfinite Curve {31, 38}         = Round(flat / h) + 1;
+Transfinite Curve {32, 39}         = Round((rP - flat) / h) + 1;
+Transfinite Curve {33, 40}         = Round((Rf - rP) / h) + 1;
+Transfinite Curve {34, 35, 36, 37} = Round(Hf / h) + 1;
 
 Curve Loop(9)  = {31, 34, -38, -35};
 Curve Loop(10) = {35, 39, -36, -32};

@@ -7,8 +7,9 @@
 // derivatives of each other; that a uniform stress is in equilibrium under its
 // tractions, in hollow and in solid cylinders, for small and for large strain;
 // that loads and contact weights add up to those of whole rings; that nothing
-// but the motion along the axis is rigid; and that a uniform pressure passes
-// from one solid cylinder to another.
+// but the motion along the axis is rigid; that a uniform pressure passes from
+// one solid cylinder to another; and that the pressure between two tubes is
+// Lame's.
 
 #include "condensed_model.h"
 #include "free_motions.h"
@@ -45,6 +46,16 @@ namespace
       make_parameters(mesh, {"body"}, degree, kinematics, young, nu);
     parameters.solids.symmetry = "axisymmetric";
     return parameters;
+  }
+
+
+
+  /// All digits.
+  std::string formula(const double value)
+  {
+    std::ostringstream text;
+    text << std::setprecision(17) << value;
+    return text.str();
   }
 
 
@@ -132,14 +143,11 @@ namespace
 
     auto parameters                = cylinder(bore, degree, kinematics);
     parameters.solids.dilatation   = dilatation;
-    parameters.boundary.traction_x = {
-      {"body right", Patterns::Tools::to_string(Px)}};
-    parameters.boundary.traction_y = {
-      {"body top", Patterns::Tools::to_string(Py)},
-      {"body bottom", Patterns::Tools::to_string(-Py)}};
+    parameters.boundary.traction_x = {{"body right", formula(Px)}};
+    parameters.boundary.traction_y = {{"body top", formula(Py)},
+                                      {"body bottom", formula(-Py)}};
     if (bore > 0)
-      parameters.boundary.pressure["body left"] =
-        Patterns::Tools::to_string(-Px);
+      parameters.boundary.pressure["body left"] = formula(-Px);
     const Bodies bodies(parameters);
     const auto   u = bodies.displacement([&](const Point<2> &X) {
       return Point<2>((1 + a) * X[0], (1 + b) * X[1]);
@@ -324,6 +332,63 @@ namespace
 
 
 
+  // A tube in a tube under the pressure 100 in the bore, in plane strain along
+  // the axis: the pressure between them by Lame's solution, see
+  // parameters/verification/nested_cylinders.prm.
+  double tubes_deviation(const unsigned int degree, const unsigned int n)
+  {
+    MeshText mesh;
+    mesh.block("inner", n, 2, rectangle({20, 0}, {50, 5}));
+    mesh.block("outer", n, 3, rectangle({50, 0}, {100, 5}));
+    auto parameters                    = make_parameters(mesh,
+                                      {"inner", "outer"},
+                                      degree,
+                                      "small strain",
+                                      1000,
+                                      0.3);
+    parameters.solids.symmetry         = "axisymmetric";
+    parameters.solids.young["outer"]   = 2000;
+    parameters.solids.poisson["outer"] = 0.25;
+    parameters.contact.slave           = "outer left";
+    parameters.contact.master          = "inner right";
+    parameters.contact.rule            = "mortar";
+    parameters.boundary.pressure       = {{"inner left", "100"}};
+    parameters.boundary.displacement_y = {{"inner bottom", 0},
+                                          {"inner top", 0},
+                                          {"outer bottom", 0},
+                                          {"outer top", 0}};
+
+    CondensedModel model(parameters);
+    model.start = model.solution;
+    model.pair();
+    model.interface->initialize_status(model.solution);
+    const double q         = 19.214780600461914;
+    double       deviation = model.newton(1) > 0 ? 0 : 1;
+    for (unsigned int k = 0; k < model.interface->n_multipliers(); ++k)
+      deviation =
+        std::max(deviation,
+                 std::abs(model.solution[model.interface->normal_index(k)] / q -
+                          1));
+    return deviation;
+  }
+
+
+
+  // With half the edges the error falls by the power 2 k of the edges.
+  void check_tubes()
+  {
+    for (const unsigned int degree : {1, 2})
+      {
+        const double      coarse = tubes_deviation(degree, 8);
+        const double      fine   = tubes_deviation(degree, 16);
+        const std::string name   = "degree " + std::to_string(degree);
+        check_small(name + ", pressure", fine, degree == 1 ? 0.005 : 2e-5);
+        check(name + ", order", std::log2(coarse / fine) > 2 * degree - 0.3);
+      }
+  }
+
+
+
   // What is left of the axis, or moved off it, is no ring.
   void check_errors()
   {
@@ -385,6 +450,9 @@ int main()
   for (const unsigned int degree : {1, 2})
     for (const std::string slave : {"upper bottom", "lower top"})
       check_contact(degree, slave);
+
+  headline("tubes");
+  check_tubes();
 
   headline("errors");
   check_errors();
