@@ -237,9 +237,9 @@ namespace Contact
 
     // Nested iteration: the level, and on the level before the solutions and
     // the states of the surface after each increment.
-    unsigned int                                level = 0;
-    std::vector<Vector<double>>                 level_solutions;
-    std::vector<ContactInterface::SurfaceState> level_states;
+    unsigned int                                             level = 0;
+    std::vector<Vector<double>>                              level_solutions;
+    std::vector<std::vector<ContactInterface::SurfaceState>> level_states;
 
     double load_factor     = 0;
     double reference_force = 0;
@@ -357,10 +357,9 @@ namespace Contact
   void ContactProblem::make_interface()
   {
     elasticity = Elasticity::create(*discretization, parameters.solids);
-    if (!parameters.contact.slave.empty())
-      interface = std::make_unique<ContactInterface>(*discretization,
-                                                     *elasticity,
-                                                     parameters.contact);
+    if (const auto zones = parameters.zones(); !zones.empty())
+      interface =
+        std::make_unique<ContactInterface>(*discretization, *elasticity, zones);
 
     summary.n_displacements = discretization->dof_handler.n_dofs();
     summary.n_multipliers   = interface ? interface->n_multipliers() : 0;
@@ -416,11 +415,13 @@ namespace Contact
     if (!condensed)
       effects["system"] = "saddle point, UMFPACK";
     effects["contact"] = "none";
-    if (interface)
+    const auto zones   = parameters.zones();
+    for (unsigned int z = 0; z < zones.size(); ++z)
       {
-        const FrictionLaw &law = interface->law;
+        const ContactZone &zone = *interface->zones[z];
+        const FrictionLaw &law  = zone.law;
         std::ostringstream friction;
-        if (interface->tied)
+        if (zone.tied)
           friction << "none, tied";
         else if (law.is_frictionless())
           friction << "none";
@@ -429,11 +430,12 @@ namespace Contact
                    << parameters.solution.friction;
         else
           friction << "Tresca " << law.tresca_limit << " MPa";
-        effects["contact"] = parameters.contact.rule + " rule, " +
-                             std::to_string(interface->points.size()) +
-                             " points";
-        effects["friction"] = friction.str();
-        effects["geometry"] = parameters.solution.geometry;
+        const std::string of_zone = zone.name.empty() ? "" : " " + zone.name;
+        effects["contact" + of_zone] =
+          zones[z].rule + " rule, " + std::to_string(zone.n_points) +
+          " points" + (zone.master ? "" : " on an obstacle");
+        effects["friction" + of_zone] = friction.str();
+        effects["geometry"]           = parameters.solution.geometry;
       }
 
     screen << "Case " << parameters.name << ": "
@@ -455,8 +457,8 @@ namespace Contact
   // no trace but its record: the state is that of its start again.
   void ContactProblem::solve_level()
   {
-    std::vector<Vector<double>>                 solutions;
-    std::vector<ContactInterface::SurfaceState> states;
+    std::vector<Vector<double>>                              solutions;
+    std::vector<std::vector<ContactInterface::SurfaceState>> states;
     LoadSteps steps(parameters.solution.n_increments,
                     parameters.solution.max_cuts);
     softly_held.clear();
@@ -567,7 +569,7 @@ namespace Contact
   // remember it: they first touch in a step as small as may be.
   void ContactProblem::approach(LoadSteps &steps)
   {
-    if (!steps.next().starts_increment || !has_friction() || interface->tied ||
+    if (!steps.next().starts_increment || !has_friction() ||
         interface->count().active > 0 ||
         free_motions(*discretization, nullptr).empty())
       return;
@@ -759,11 +761,12 @@ namespace Contact
           ErrorEstimator(*discretization, *elasticity, *stress_recovery)
             .indicators(recovered_stresses(), interface.get(), solution),
           parameters.refinement.fraction);
-        if (interface && parameters.contact.rule == "nodal")
-          flag_slave_like_master(
-            *mesh,
-            mesh->boundary(parameters.contact.slave, "Contact/Slave"),
-            mesh->boundary(parameters.contact.master, "Contact/Master"));
+        for (const auto &zone : parameters.zones())
+          if (zone.rule == "nodal" && !zone.master.empty())
+            flag_slave_like_master(
+              *mesh,
+              mesh->boundary(zone.slave, zone.section() + "/Slave"),
+              mesh->boundary(zone.master, zone.section() + "/Master"));
       }
     else
       flag_all_cells(*mesh);
@@ -919,7 +922,7 @@ namespace Contact
   // displacement against the largest displacement of the increment before.
   void ContactProblem::solve_with_geometry_loop()
   {
-    if (!interface || interface->tied ||
+    if (!interface || interface->is_tied() ||
         parameters.solution.geometry != "fixed point")
       {
         solve_with_friction_loop();
@@ -981,7 +984,7 @@ namespace Contact
   void ContactProblem::solve_with_friction_loop()
   {
     if (!has_friction() || parameters.solution.friction != "fixed point" ||
-        interface->law.coulomb_coefficient == 0)
+        !interface->has_coulomb_friction())
       {
         if (has_friction() && level == 0)
           interface->update_bounds(solution, start);
@@ -1093,7 +1096,7 @@ namespace Contact
   ContactProblem::Outcome ContactProblem::evaluate(const bool after_a_step,
                                                    const bool one_at_a_time)
   {
-    if (interface && !interface->tied && pairs_each_step())
+    if (interface && !interface->is_tied() && pairs_each_step())
       pair_bodies();
 
     Outcome outcome;
@@ -1400,7 +1403,7 @@ namespace Contact
   void ContactProblem::update_solution_condensed(const unsigned int step,
                                                  const double       residual)
   {
-    const bool decided          = step > 0 || !interface || interface->tied;
+    const bool decided = step > 0 || !interface || interface->is_tied();
     const bool one_solve_is_all = elasticity->is_linear() && decided &&
                                   !pairs_each_step() &&
                                   parameters.solution.friction == "fixed point";
@@ -1430,34 +1433,45 @@ namespace Contact
     const bool is_last = k == parameters.solution.n_increments;
     if (is_last && interface)
       compare_with_theory();
-    if (!parameters.output.vtu && !(is_last && parameters.output.profile))
+    const bool with_profile = is_last && parameters.output.profile;
+    if (!parameters.output.vtu && !with_profile)
       return;
     TimerOutput::Scope scope(timer, "output");
 
-    std::vector<ProfileRow> slave_rows;
+    std::vector<ZoneProfile> profiles;
     if (interface)
-      slave_rows = slave_profile(*interface,
-                                 *discretization,
-                                 recovered_stresses(),
-                                 solution,
-                                 start,
-                                 exact);
+      for (const auto &zone : interface->zones)
+        {
+          // Theory is for the first one.
+          const auto theory =
+            profiles.empty() ? exact : std::optional<ExactSolution>();
+          profiles.push_back({zone->name, &zone->slave, {}, {}});
+          profiles.back().slave_rows = slave_profile(*interface,
+                                                     *zone,
+                                                     *discretization,
+                                                     recovered_stresses(),
+                                                     solution,
+                                                     start,
+                                                     theory);
+          if (with_profile)
+            profiles.back().master_rows =
+              master_profile(*interface,
+                             *zone,
+                             *discretization,
+                             recovered_stresses(),
+                             solution,
+                             profiles.back().slave_rows,
+                             theory);
+        }
 
     if (parameters.output.vtu)
       {
         files->write_bodies(k, load_factor, recovered_stresses(), solution);
         if (interface)
-          files->write_contact(k, load_factor, interface->slave, slave_rows);
+          files->write_contact(k, load_factor, profiles);
       }
-
-    if (is_last && interface && parameters.output.profile)
-      files->write_profile(slave_rows,
-                           master_profile(*interface,
-                                          *discretization,
-                                          recovered_stresses(),
-                                          solution,
-                                          slave_rows,
-                                          exact));
+    if (interface && with_profile)
+      files->write_profile(profiles);
   }
 
 
@@ -1475,18 +1489,28 @@ namespace Contact
   // theory has an answer.
   void ContactProblem::compare_with_theory()
   {
-    const ContactResults results =
-      contact_results(*interface, solution, start, linearization.moving_bound);
-    summary.contact = {{"normal_force", results.normal_force},
-                       {"tangential_force", results.tangential_force},
-                       {"max_pressure", results.max_pressure},
-                       {"max_shear", results.max_shear},
-                       {"width", results.width},
-                       {"stick_width", results.stick_width}};
+    std::vector<ContactResults> results;
+    for (const auto &zone : interface->zones)
+      {
+        results.push_back(contact_results(*interface,
+                                          *zone,
+                                          solution,
+                                          start,
+                                          linearization.moving_bound));
+        summary.contact[zone->name] = {
+          {"normal_force", results.back().normal_force},
+          {"tangential_force", results.back().tangential_force},
+          {"max_pressure", results.back().max_pressure},
+          {"max_shear", results.back().max_shear},
+          {"width", results.back().width},
+          {"stick_width", results.back().stick_width}};
+      }
 
     TimerOutput::Scope scope(timer, "verification");
-    exact =
-      make_exact_solution(parameters, *discretization, *interface, results);
+    exact = make_exact_solution(parameters,
+                                *discretization,
+                                *interface->zones[0],
+                                results[0]);
     if (!exact)
       return;
     summary.exact  = exact->values;
@@ -1494,6 +1518,7 @@ namespace Contact
                                      *discretization,
                                      *elasticity,
                                      *interface,
+                                     *interface->zones[0],
                                      solution);
   }
 
@@ -1572,7 +1597,7 @@ namespace Contact
 
   bool ContactProblem::has_friction() const
   {
-    return interface && !interface->law.is_frictionless();
+    return interface && interface->has_friction();
   }
 
 

@@ -143,7 +143,8 @@ namespace Contact
         {
           if (points[q].decision == points[q].old_decision ||
               is_known(q, tangential) ||
-              (tangential && interface.law.is_frictionless()))
+              (tangential &&
+               interface.zone(interface.points[q]).law.is_frictionless()))
             continue;
 
           const auto    &rows = points[q].rows;

@@ -29,14 +29,25 @@ namespace Contact
     , solver(DefiniteSolver::create(solver_name, rigid_modes()))
   {
     if (interface != nullptr)
-      for (unsigned int e = 0; e < interface->master.edges.size(); ++e)
-        for (unsigned int a = 0; a < interface->master.n_nodes_per_edge(); ++a)
-          {
-            const auto node = interface->master.edges[e].nodes[a];
-            for (const auto dof : interface->master.nodes[node].dofs)
-              edges_at_master.emplace(dof, e);
-          }
+      for (const auto &zone : interface->zones)
+        if (zone->master)
+          collect_neighbors(*zone->master);
     collect_interface();
+  }
+
+
+
+  void CondensedSystem::collect_neighbors(const Surface &master)
+  {
+    for (const Surface::Edge &edge : master.edges)
+      for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
+        for (unsigned int b = 0; b < master.n_nodes_per_edge(); ++b)
+          for (unsigned int c = 0; c < 2; ++c)
+            {
+              const NodeDoFs &around = master.nodes[edge.nodes[b]].dofs;
+              neighbors_on_master[master.nodes[edge.nodes[a]].dofs[c]]
+                .insert(around.begin(), around.end());
+            }
   }
 
 
@@ -150,24 +161,15 @@ namespace Contact
   CondensedSystem::Dofs
   CondensedSystem::reachable_master_dofs(const ContactPoint &point) const
   {
-    const Surface                    &master = interface->master;
     std::set<types::global_dof_index> dofs;
     for (unsigned int a = 1; a < point.n_nodes; ++a)
-      dofs.insert(point.dofs[a].begin(), point.dofs[a].end());
-
-    const auto  neighbors = dofs;
-    const auto &edges     = edges_at_master;
-    for (const auto dof : neighbors)
-      {
-        const auto range = edges.equal_range(dof);
-        for (auto edge = range.first; edge != range.second; ++edge)
-          for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
-            {
-              const auto &node =
-                master.nodes[master.edges[edge->second].nodes[a]];
-              dofs.insert(node.dofs.begin(), node.dofs.end());
-            }
-      }
+      for (const auto dof : point.dofs[a])
+        {
+          dofs.insert(dof);
+          if (const auto around = neighbors_on_master.find(dof);
+              around != neighbors_on_master.end())
+            dofs.insert(around->second.begin(), around->second.end());
+        }
     return Dofs(dofs.begin(), dofs.end());
   }
 

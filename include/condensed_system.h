@@ -63,6 +63,7 @@ namespace Contact
     void collect_interface();
     void make_pattern();
     bool pattern_serves() const;
+    void collect_neighbors(const Surface &master);
     Dofs reachable_master_dofs(const ContactPoint &point) const;
 
     /// Returns whether the matrix is another one than before.
@@ -88,7 +89,9 @@ namespace Contact
     std::vector<Dofs> provided;
     Dofs              interface_dofs;
 
-    std::multimap<types::global_dof_index, unsigned int> edges_at_master;
+    /// Of the unknowns on masters those of the edges around them.
+    std::map<types::global_dof_index, std::set<types::global_dof_index>>
+      neighbors_on_master;
 
     DefiniteSolver::Matrix           matrix;
     std::vector<double>              assembled_lines; // their signature

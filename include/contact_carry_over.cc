@@ -11,34 +11,59 @@
 
 namespace Contact
 {
-  std::vector<double> ContactInterface::places() const
+  namespace
   {
-    std::vector<Point<2>> X;
-    for (const Surface::Node &node : slave.nodes)
-      X.push_back(node.X);
-    auto         places = slave.arc_length(X);
-    const double length = places.back();
-    for (double &place : places)
-      place /= length;
-    return places;
+    /// The place of the nodes, see SurfaceState.
+    std::vector<double> places(const Surface &slave)
+    {
+      std::vector<Point<2>> X;
+      for (const Surface::Node &node : slave.nodes)
+        X.push_back(node.X);
+      auto         places = slave.arc_length(X);
+      const double length = places.back();
+      for (double &place : places)
+        place /= length;
+      return places;
+    }
+  } // namespace
+
+
+
+  std::vector<ContactInterface::SurfaceState>
+  ContactInterface::save(const Vector<double> &solution) const
+  {
+    std::vector<SurfaceState> states;
+    for (const auto &zone : zones)
+      states.push_back(save_zone(*zone, solution));
+    return states;
+  }
+
+
+
+  void ContactInterface::restore(const std::vector<SurfaceState> &states,
+                                 Vector<double>                  &solution)
+  {
+    for (unsigned int z = 0; z < zones.size(); ++z)
+      restore_zone(*zones[z], states[z], solution);
   }
 
 
 
   ContactInterface::SurfaceState
-  ContactInterface::save(const Vector<double> &solution) const
+  ContactInterface::save_zone(const ContactZone    &zone,
+                              const Vector<double> &solution) const
   {
-    const auto   all_places = places();
+    const auto   all_places = places(zone.slave);
     SurfaceState state;
-    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+    for (unsigned int i = 0; i < zone.slave.nodes.size(); ++i)
       {
-        const unsigned int k = multipliers.of_node[i];
+        const unsigned int k = zone.multipliers.of_node[i];
         if (k == numbers::invalid_unsigned_int)
           continue;
         state.place.push_back(all_places[i]);
         state.pressure.push_back(solution[normal_index(k)]);
         state.shear.push_back(
-          law.is_frictionless() ? 0. : solution[tangential_index(k)]);
+          zone.law.is_frictionless() ? 0. : solution[tangential_index(k)]);
         state.bound.push_back(points[k].tresca_bound);
         state.decisions.push_back(points[k].decision);
       }
@@ -92,13 +117,14 @@ namespace Contact
 
   // Values are interpolated; a decision is that of the nearer point, but that
   // the end of the contact is looked for between the points.
-  void ContactInterface::restore(const SurfaceState &state,
-                                 Vector<double>     &solution)
+  void ContactInterface::restore_zone(const ContactZone  &zone,
+                                      const SurfaceState &state,
+                                      Vector<double>     &solution)
   {
-    const auto all_places = places();
-    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+    const auto all_places = places(zone.slave);
+    for (unsigned int i = 0; i < zone.slave.nodes.size(); ++i)
       {
-        const unsigned int k = multipliers.of_node[i];
+        const unsigned int k = zone.multipliers.of_node[i];
         if (k == numbers::invalid_unsigned_int)
           continue;
         const auto above = std::lower_bound(state.place.begin(),
@@ -119,7 +145,7 @@ namespace Contact
         };
 
         solution[normal_index(k)] = between(state.pressure);
-        if (!law.is_frictionless())
+        if (!zone.law.is_frictionless())
           solution[tangential_index(k)] = between(state.shear);
         points[k].tresca_bound = between(state.bound);
         points[k].decision     = state.decisions[x < 0.5 ? a : b];

@@ -35,9 +35,40 @@ namespace Contact
     : discretization(discretization)
     , interface(interface)
   {
-    if (interface != nullptr)
-      for (const ContactPoint &point : interface->points)
-        slave_dofs.insert(point.dofs[0].begin(), point.dofs[0].end());
+    if (interface == nullptr)
+      return;
+    for (const ContactPoint &point : interface->points)
+      slave_dofs.insert(point.dofs[0].begin(), point.dofs[0].end());
+    if (interface->zones.size() > 1)
+      check_zones();
+  }
+
+
+
+  // The force on a slave node that is eliminated tells the traction of one
+  // point only.
+  void ContactElimination::check_zones() const
+  {
+    std::map<types::global_dof_index, const ContactZone *> zone_of_slave;
+    const auto refuse = [](const Surface::Node &node, const ContactZone &zone) {
+      throw InputError("the node at (" + std::to_string(node.X[0]) + ", " +
+                         std::to_string(node.X[1]) +
+                         ") is on the slave of one zone and on a surface of "
+                         "another one, '" +
+                         zone.name + "'",
+                       "Contact/Slave, Contact/Master",
+                       "let the surfaces end before they meet, or set 'System "
+                       "= saddle point'");
+    };
+    for (const auto &zone : interface->zones)
+      for (const Surface::Node &node : zone->slave.nodes)
+        if (!zone_of_slave.emplace(node.dofs[0], zone.get()).second)
+          refuse(node, *zone);
+    for (const auto &zone : interface->zones)
+      if (zone->master)
+        for (const Surface::Node &node : zone->master->nodes)
+          if (zone_of_slave.count(node.dofs[0]) > 0)
+            refuse(node, *zone);
   }
 
 
@@ -301,12 +332,14 @@ namespace Contact
   void ContactElimination::recover_shears(const Vector<double> &residual,
                                           Vector<double>       &solution) const
   {
-    if (interface->law.is_frictionless())
+    if (interface->n_multipliers() == interface->n_normal_multipliers())
       return;
     const auto tractions = this->tractions(residual);
     for (unsigned int k = 0; k < tractions.size(); ++k)
       {
         const ContactPoint &point = interface->points[k];
+        if (interface->zone(point).law.is_frictionless())
+          continue;
         double &q = solution[interface->tangential_index(point.multipliers[0])];
         if (point.decision.status == Status::stick)
           q = tractions[k] * point.tangent;

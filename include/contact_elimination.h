@@ -72,6 +72,9 @@ namespace Contact
                         Vector<double>       &solution) const;
 
   private:
+    /// No surface of a zone may share a node with the slave of another one.
+    void check_zones() const;
+
     /// u_dof = constant + sum of entries.
     struct Line
     {

@@ -14,76 +14,77 @@
 
 namespace Contact
 {
-  ContactInterface::ContactInterface(const Discretization      &discretization,
-                                     const Elasticity          &elasticity,
-                                     const Parameters::Contact &parameters)
-    : tied(parameters.tied)
-    , law{tied ? std::numeric_limits<double>::max() : parameters.tresca_limit,
-          parameters.friction_coefficient}
-    , slave(discretization,
-            discretization.mesh.boundary(parameters.slave, "Contact/Slave"),
-            parameters.slave)
-    , master(discretization,
-             discretization.mesh.boundary(parameters.master, "Contact/Master"),
-             parameters.master)
-    , complementarity_per_stiffness(parameters.complementarity)
-    , discretization(discretization)
+  ContactInterface::ContactInterface(
+    const Discretization                   &discretization,
+    const Elasticity                       &elasticity,
+    const std::vector<Parameters::Contact> &parameters)
+    : discretization(discretization)
   {
-    for (const Surface::Node &a : slave.nodes)
-      for (const Surface::Node &b : master.nodes)
-        if (a.dofs == b.dofs)
-          throw InputError("slave '" + parameters.slave + "' and master '" +
-                             parameters.master +
-                             "' overlap: both have the "
-                             "node at (" +
-                             std::to_string(a.X[0]) + ", " +
-                             std::to_string(a.X[1]) + ")",
-                           "Contact/Slave, Contact/Master",
-                           "name two surfaces without a common node");
-
-    std::set<unsigned int> excluded;
-    for (const std::string &name : parameters.excluded_points)
+    for (const Parameters::Contact &of_zone : parameters)
       {
-        const auto &dofs =
-          discretization.vertex_dofs[discretization.mesh
-                                       .point(name, "Contact/Excluded points")];
-        for (unsigned int i = 0; i < slave.nodes.size(); ++i)
-          if (slave.nodes[i].dofs == dofs)
-            excluded.insert(i);
+        auto zone =
+          std::make_unique<ContactZone>(discretization, elasticity, of_zone);
+        const unsigned int first = tangential_number.size();
+        for (ContactPoint &point : zone->make_points(first, points.size()))
+          {
+            point.zone = zones.size();
+            points.push_back(std::move(point));
+          }
+        for (unsigned int k = 0; k < zone->multipliers.n_multipliers; ++k)
+          tangential_number.push_back(zone->law.is_frictionless()
+                                        ? numbers::invalid_unsigned_int
+                                        : n_tangential++);
+        zones.push_back(std::move(zone));
       }
-    // Over a ring, the shape function of degree 2 of a node on the axis has the
-    // integral zero: no pressure there has a weight.
-    if (slave.degree == 2)
-      for (unsigned int i = 0; i < slave.nodes.size(); ++i)
-        if (discretization.is_on_axis(slave.nodes[i].X))
-          excluded.insert(i);
+  }
 
-    if (parameters.rule == "mortar")
-      {
-        mortar =
-          std::make_unique<MortarRule>(slave, master, discretization, excluded);
-        points = mortar->make_points(multipliers);
-      }
-    else if (parameters.rule == "nodal")
-      points = make_nodal_points(slave, excluded, multipliers);
-    else
-      points = make_gauss_points(slave, parameters.n_gauss_points, multipliers);
 
-    for (ContactPoint &point : points)
-      {
-        const auto  &edge     = slave.edges[point.slave_edge];
-        const double young    = std::min(elasticity.young(edge.body),
-                                      elasticity.young(master.edges[0].body));
-        point.complementarity = complementarity_per_stiffness * young /
-                                slave.reference_length(point.slave_edge);
-      }
+
+  ArrayView<const ContactPoint>
+  ContactInterface::points_of(const ContactZone &zone) const
+  {
+    return {points.data() + zone.first_point, zone.n_points};
+  }
+
+
+
+  bool ContactInterface::is_tied() const
+  {
+    return std::all_of(zones.begin(), zones.end(), [](const auto &zone) {
+      return zone->tied;
+    });
+  }
+
+
+
+  bool ContactInterface::has_friction() const
+  {
+    return std::any_of(zones.begin(), zones.end(), [](const auto &zone) {
+      return !zone->tied && !zone->law.is_frictionless();
+    });
+  }
+
+
+
+  bool ContactInterface::has_coulomb_friction() const
+  {
+    return std::any_of(zones.begin(), zones.end(), [](const auto &zone) {
+      return zone->law.coulomb_coefficient > 0;
+    });
   }
 
 
 
   unsigned int ContactInterface::n_multipliers() const
   {
-    return (law.is_frictionless() ? 1 : 2) * multipliers.n_multipliers;
+    return n_normal_multipliers() + n_tangential;
+  }
+
+
+
+  unsigned int ContactInterface::n_normal_multipliers() const
+  {
+    return tangential_number.size();
   }
 
 
@@ -99,25 +100,18 @@ namespace Contact
   types::global_dof_index
   ContactInterface::tangential_index(const unsigned int k) const
   {
-    return normal_index(k) + multipliers.n_multipliers;
+    return normal_index(n_normal_multipliers() + tangential_number[k]);
   }
 
 
 
   bool ContactInterface::pair(const Vector<double> &u)
   {
-    if (mortar)
-      return mortar->pair(points, u);
-
-    const SurfaceSearch search(master, u);
-    bool                changed = false;
-    for (ContactPoint &point : points)
-      {
-        const bool         was_paired = point.n_nodes > point.n_slave_nodes;
-        const unsigned int last_edge  = point.master_edge;
-        pair_with_master(point, master, search, discretization, u);
-        changed = changed || !was_paired || point.master_edge != last_edge;
-      }
+    bool changed = false;
+    for (const auto &zone : zones)
+      changed =
+        zone->pair({points.data() + zone->first_point, zone->n_points}, u) ||
+        changed;
     return changed;
   }
 
@@ -126,11 +120,18 @@ namespace Contact
   double ContactInterface::largest_change(const Vector<double> &u,
                                           const Vector<double> &from) const
   {
-    double change = 0;
-    for (const Surface *surface : {&slave, &master})
-      for (const Surface::Node &node : surface->nodes)
+    double     change = 0;
+    const auto look   = [&](const Surface &surface) {
+      for (const Surface::Node &node : surface.nodes)
         for (const auto dof : node.dofs)
           change = std::max(change, std::abs(u[dof] - from[dof]));
+    };
+    for (const auto &zone : zones)
+      {
+        look(zone->slave);
+        if (zone->master)
+          look(*zone->master);
+      }
     return change;
   }
 
@@ -140,7 +141,8 @@ namespace Contact
   {
     for (ContactPoint &point : points)
       {
-        const double length = slave.reference_length(point.slave_edge);
+        const double length =
+          zone(point).slave.reference_length(point.slave_edge);
         if (point.facing && state(point, u, u).gap <= 0.01 * length)
           point.decision.status =
             can_stick(point) ? Status::stick : Status::slip;
@@ -158,8 +160,9 @@ namespace Contact
       if (point.facing)
         smallest = std::min(smallest, state(point, u, u).gap);
     for (ContactPoint &point : points)
-      if (point.facing && state(point, u, u).gap - smallest <=
-                            0.01 * slave.reference_length(point.slave_edge))
+      if (point.facing &&
+          state(point, u, u).gap - smallest <=
+            0.01 * zone(point).slave.reference_length(point.slave_edge))
         point.decision.status = can_stick(point) ? Status::stick : Status::slip;
   }
 
@@ -167,7 +170,7 @@ namespace Contact
 
   bool ContactInterface::can_stick(const ContactPoint &point) const
   {
-    return !law.is_frictionless() && !point.tangential_row_is_void;
+    return has_friction(point) && !point.tangential_row_is_void;
   }
 
 
@@ -176,7 +179,10 @@ namespace Contact
                                        const Vector<double> &solution,
                                        const Vector<double> &u_start) const
   {
+    const bool   tied = zone(point).tied;
     Tensor<1, 2> r, dr;
+    if (!tied)
+      r -= point.foot;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
         {
@@ -194,7 +200,7 @@ namespace Contact
         {
           state.lambda_n +=
             point.psi[k] * solution[normal_index(point.multipliers[k])];
-          if (!law.is_frictionless())
+          if (has_friction(point))
             state.lambda_t +=
               point.psi[k] * solution[tangential_index(point.multipliers[k])];
         }
@@ -211,10 +217,13 @@ namespace Contact
     double change = 0, largest = 0;
     for (ContactPoint &point : points)
       {
-        const double bound =
+        if (zone(point).tied)
+          continue;
+        const FrictionLaw &law = zone(point).law;
+        const double       bound =
           point.decision.status == Status::open
-            ? law.bound(0)
-            : law.bound(state(point, solution, u_start).p_trial);
+                  ? law.bound(0)
+                  : law.bound(state(point, solution, u_start).p_trial);
         change  = std::max(change, std::abs(bound - point.tresca_bound));
         largest = std::max(largest, bound);
         point.tresca_bound = bound;
@@ -247,12 +256,13 @@ namespace Contact
                                     const double        q_trial,
                                     const bool          moving_bound) const
   {
-    if (!point.facing || (!tied && p_trial <= 0))
+    if (!point.facing || (!zone(point).tied && p_trial <= 0))
       return {Status::open, 0};
     if (!can_stick(point))
       return {Status::slip, 0};
 
-    const double bound = moving_bound ? law.bound(p_trial) : point.tresca_bound;
+    const double bound =
+      moving_bound ? zone(point).law.bound(p_trial) : point.tresca_bound;
     if (std::abs(q_trial) <= bound)
       return {Status::stick, 0};
     return {Status::slip, q_trial > 0 ? 1 : -1};
@@ -279,9 +289,9 @@ namespace Contact
       }
     else if (moving_bound)
       {
-        traction.q = decision.slip_direction * law.bound(p_trial);
+        traction.q = decision.slip_direction * zone(point).law.bound(p_trial);
         traction.dq_dp =
-          decision.slip_direction * law.bound_derivative(p_trial);
+          decision.slip_direction * zone(point).law.bound_derivative(p_trial);
       }
     else
       traction.q = decision.slip_direction * point.tresca_bound;
@@ -326,7 +336,7 @@ namespace Contact
         // A bound that was frozen while the point was under pressure may leave
         // it no solution: open it penetrates, closed and held it is pulled.
         if (decision.status == Status::open)
-          point.tresca_bound = law.bound(0);
+          point.tresca_bound = zone(point).law.bound(0);
         return &point;
       }
     return nullptr;
@@ -337,7 +347,7 @@ namespace Contact
   void ContactInterface::open_parted(const Vector<double> &solution)
   {
     for (ContactPoint &point : points)
-      if (!tied && state(point, solution, solution).p_trial <= 0)
+      if (!zone(point).tied && state(point, solution, solution).p_trial <= 0)
         point.decision = Decision();
   }
 
@@ -387,17 +397,17 @@ namespace Contact
   double ContactInterface::constraint_norm(const Vector<double> &rhs) const
   {
     // Every multiplier has a point of its own surroundings: the last one wins.
-    std::vector<double> stiffness(multipliers.n_multipliers, 0.);
+    std::vector<double> stiffness(n_normal_multipliers(), 0.);
     for (const ContactPoint &point : points)
       for (unsigned int k = 0; k < point.n_multipliers; ++k)
         stiffness[point.multipliers[k]] =
-          point.complementarity / complementarity_per_stiffness;
+          point.complementarity / zone(point).complementarity;
 
     double square = 0;
-    for (unsigned int k = 0; k < multipliers.n_multipliers; ++k)
+    for (unsigned int k = 0; k < stiffness.size(); ++k)
       {
         square += std::pow(stiffness[k] * rhs[normal_index(k)], 2);
-        if (!law.is_frictionless())
+        if (tangential_number[k] != numbers::invalid_unsigned_int)
           square += std::pow(stiffness[k] * rhs[tangential_index(k)], 2);
       }
     return std::sqrt(square);
@@ -415,7 +425,7 @@ namespace Contact
         unknowns.push_back(dof);
     for (unsigned int k = 0; k < point.n_multipliers; ++k)
       unknowns.push_back(normal_index(point.multipliers[k]));
-    if (!law.is_frictionless())
+    if (has_friction(point))
       for (unsigned int k = 0; k < point.n_multipliers; ++k)
         unknowns.push_back(tangential_index(point.multipliers[k]));
   }

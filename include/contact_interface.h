@@ -10,9 +10,7 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_matrix.h>
 
-#include "contact_points.h"
-#include "elasticity.h"
-#include "mortar.h"
+#include "contact_zone.h"
 
 namespace Contact
 {
@@ -51,11 +49,11 @@ namespace Contact
 
 
   /**
-   * One contact zone: the points on its slave surface, the kernel that reads
-   * them, and the active set.
+   * All contact zones: their points, the kernel that reads them, and the active
+   * set.
    *
    * The solution vector holds the displacement, then the normal multipliers,
-   * and only with friction the tangential ones. With the tractions
+   * and of zones with friction the tangential ones. With the tractions
    *   p = lambda_n - c g  in contact,  0 if open,
    *   q = lambda_t - c s  if sticking, +-bound if slipping, 0 if open,
    * the discrete equations are, summed over the points,
@@ -69,25 +67,35 @@ namespace Contact
   class ContactInterface
   {
   public:
-    ContactInterface(const Discretization      &discretization,
-                     const Elasticity          &elasticity,
-                     const Parameters::Contact &parameters);
+    ContactInterface(const Discretization                   &discretization,
+                     const Elasticity                       &elasticity,
+                     const std::vector<Parameters::Contact> &parameters);
 
-    /// The surfaces are glued wherever they face each other: every such point
-    /// sticks, and its gap is the change of the distance.
-    const bool        tied;
-    const FrictionLaw law;
-    const Surface     slave;
-    const Surface     master;
+    std::vector<std::unique_ptr<const ContactZone>> zones;
+    std::vector<ContactPoint>                       points; // zone by zone
 
-    std::vector<ContactPoint> points;
-    MultiplierSpace           multipliers;
+    const ContactZone &zone(const ContactPoint &point) const
+    {
+      return *zones[point.zone];
+    }
 
+    ArrayView<const ContactPoint> points_of(const ContactZone &zone) const;
+
+    /// Whether there is nothing but glue: all zones are tied.
+    bool is_tied() const;
+
+    /// Whether a zone that is not tied has friction, and Coulomb's.
+    bool has_friction() const;
+    bool has_coulomb_friction() const;
+
+    /// All of them, and those of the normal direction.
     unsigned int n_multipliers() const;
+    unsigned int n_normal_multipliers() const;
 
-    /// First index of the tangential multipliers in the solution.
+    /// Their indices in the solution; the tangential one only with friction.
     types::global_dof_index normal_index(const unsigned int multiplier) const;
-    types::global_dof_index tangential_index(const unsigned int k) const;
+    types::global_dof_index
+    tangential_index(const unsigned int multiplier) const;
 
     /**
      * Pair all points with the master in the configuration @p u. Returns
@@ -123,9 +131,10 @@ namespace Contact
       std::vector<Decision> decisions;
     };
 
-    /// Rules with a point per node: from one mesh to a finer one.
-    SurfaceState save(const Vector<double> &solution) const;
-    void         restore(const SurfaceState &state, Vector<double> &solution);
+    /// Rules with a point per node: from one mesh to a finer one, by zone.
+    std::vector<SurfaceState> save(const Vector<double> &solution) const;
+    void                      restore(const std::vector<SurfaceState> &states,
+                                      Vector<double>                  &solution);
 
     /// Set the bounds of the next Tresca problem from the present pressures;
     /// return the largest change, relative to the largest bound.
@@ -228,6 +237,12 @@ namespace Contact
                        const Vector<double> &u_start) const;
 
   private:
+    /// Whether a point has tangential multipliers.
+    bool has_friction(const ContactPoint &point) const
+    {
+      return !zone(point).law.is_frictionless();
+    }
+
     /// Without friction, and where its tangential row is void, a point in
     /// contact slips.
     bool can_stick(const ContactPoint &point) const;
@@ -248,16 +263,17 @@ namespace Contact
     void collect_unknowns(const ContactPoint                   &point,
                           std::vector<types::global_dof_index> &unknowns) const;
 
-    /// The place of the slave nodes, see SurfaceState.
-    std::vector<double> places() const;
-
-    /// The c of all points, by the stiffness E/h of their slave edges [-].
-    const double complementarity_per_stiffness;
+    SurfaceState save_zone(const ContactZone    &zone,
+                           const Vector<double> &solution) const;
+    void         restore_zone(const ContactZone  &zone,
+                              const SurfaceState &state,
+                              Vector<double>     &solution);
 
     const Discretization &discretization;
 
-    /// With the mortar rule, which pairs all points together.
-    std::unique_ptr<MortarRule> mortar;
+    /// Of each normal multiplier the number of its tangential one.
+    std::vector<unsigned int> tangential_number;
+    unsigned int              n_tangential = 0;
   };
 } // namespace Contact
 

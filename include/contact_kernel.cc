@@ -33,7 +33,7 @@ namespace Contact
                            const Vector<double> &solution,
                            const Vector<double> &u_start) const
   {
-    Tensor<1, 2> kappa, r, d_r, d_r1;
+    Tensor<1, 2> kappa = point.foot_curvature, r = -point.foot, d_r, d_r1;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
         {
@@ -99,14 +99,14 @@ namespace Contact
       {
         rows.p_trial[n_u + k] = point.psi[k];
         rows.load_p[n_u + k]  = w * point.psi[k] / c;
-        if (!law.is_frictionless())
+        if (has_friction(point))
           {
             rows.q_trial[n_u + n_m + k] = point.psi[k];
             rows.load_q[n_u + n_m + k]  = w * point.psi[k] / c;
           }
       }
 
-    if (linearization.moving_geometry)
+    if (linearization.moving_geometry && !zone(point).tied)
       {
         const Motion moves = motion(point, solution, u_start);
         for (unsigned int j = 0; j < n_u; ++j)
@@ -154,7 +154,7 @@ namespace Contact
     // The constraints w psi_k (p - lambda)/c = 0 take the multipliers off.
     const double scale = point.weight / point.complementarity;
     for (unsigned int k = 0; k < n_m; ++k)
-      for (unsigned int b = 0; b < (law.is_frictionless() ? 1 : 2); ++b)
+      for (unsigned int b = 0; b < (has_friction(point) ? 2 : 1); ++b)
         {
           const unsigned int row    = n_u + b * n_m + k;
           const double       lambda = b == 0 ? now.lambda_n : now.lambda_t;
@@ -165,7 +165,8 @@ namespace Contact
         }
 
     // The loads turn and travel with the master edge.
-    if (linearization.moving_geometry && point.decision.status != Status::open)
+    if (linearization.moving_geometry && !zone(point).tied &&
+        point.decision.status != Status::open)
       {
         const Motion       moves  = motion(point, solution, u_start);
         const Tensor<1, 2> along  = t.p * point.normal + t.q * point.tangent;

@@ -29,6 +29,17 @@ namespace Contact
       point.n_slave_nodes = point.n_nodes;
       return point;
     }
+
+
+
+    Point<2> slave_position(const ContactPoint &point, const Vector<double> &u)
+    {
+      Point<2> x;
+      for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
+        for (unsigned int i = 0; i < 2; ++i)
+          x[i] += point.C[a] * (point.X[a][i] + u[point.dofs[a][i]]);
+      return x;
+    }
   } // namespace
 
 
@@ -161,11 +172,7 @@ namespace Contact
                         const Discretization &discretization,
                         const Vector<double> &u)
   {
-    Point<2> x;
-    for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
-      for (unsigned int i = 0; i < 2; ++i)
-        x[i] += point.C[a] * (point.X[a][i] + u[point.dofs[a][i]]);
-
+    const Point<2>   x          = slave_position(point, u);
     const Projection projection = search.closest_point(x);
     point.facing                = !projection.off_the_end;
     point.master_edge           = projection.edge;
@@ -191,6 +198,27 @@ namespace Contact
     point.metric  = along.norm();
     point.tangent = along / point.metric;
     point.normal  = Tensor<1, 2>({point.tangent[1], -point.tangent[0]});
+    point.tangential_row_is_void =
+      tangential_row_is_void(point, discretization);
+  }
+
+
+
+  // Along the tangent the place of a circle is centre + radius n, and its
+  // second derivative by the coordinate that is the angle -radius n.
+  void pair_with_obstacle(ContactPoint         &point,
+                          const Obstacle       &obstacle,
+                          const Discretization &discretization,
+                          const Vector<double> &u)
+  {
+    const auto foot      = obstacle.closest_point(slave_position(point, u));
+    point.facing         = true;
+    point.master_edge    = numbers::invalid_unsigned_int;
+    point.foot           = foot.x;
+    point.normal         = foot.normal;
+    point.tangent        = Tensor<1, 2>({-foot.normal[1], foot.normal[0]});
+    point.metric         = foot.radius == 0 ? 1 : std::abs(foot.radius);
+    point.foot_curvature = -foot.radius * foot.normal;
     point.tangential_row_is_void =
       tangential_row_is_void(point, discretization);
   }

@@ -9,6 +9,7 @@
 #include <boost/container/small_vector.hpp>
 
 #include "friction_law.h"
+#include "obstacle.h"
 #include "surface.h"
 
 namespace Contact
@@ -63,6 +64,7 @@ namespace Contact
    * With the nodes of the slave edge (coefficient +N) and of the master edge
    * (coefficient -N) in one list, all that contact needs are sums over it:
    *   gap             g = n . sum_a C_a x_a          (negative: penetration)
+   *                   (minus the place on the obstacle, if that is the master)
    *   slip            s = t . sum_a C_a (u_a - u_a at the increment's start)
    *   force on node a     w (p n + q t) C_a
    * Sign conventions, stated here once: n is the unit normal of the master
@@ -78,6 +80,9 @@ namespace Contact
     /// where a slave node may face many master edges, can have more.
     template<typename T>
     using PerNode = boost::container::small_vector<T, 6>;
+
+    // The zone that the point belongs to.
+    unsigned int zone = 0;
 
     // The slave side, the same during the whole run.
     unsigned int slave_edge; // in the slave surface
@@ -116,6 +121,10 @@ namespace Contact
 
     Tensor<1, 2> normal, tangent;
     double       metric; // |d x_m / d xi| [mm]
+
+    // On an obstacle, which has no nodes: the place x_m, and d^2 x_m / d xi^2.
+    Point<2>     foot;
+    Tensor<1, 2> foot_curvature;
 
     // Over a corner of the master the foot stays at the corner.
     bool foot_is_clipped = false;
@@ -178,6 +187,12 @@ namespace Contact
                         const SurfaceSearch  &search,
                         const Discretization &discretization,
                         const Vector<double> &u);
+
+  /// The same on a rigid obstacle.
+  void pair_with_obstacle(ContactPoint         &point,
+                          const Obstacle       &obstacle,
+                          const Discretization &discretization,
+                          const Vector<double> &u);
 } // namespace Contact
 
 #endif

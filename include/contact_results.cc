@@ -111,11 +111,12 @@ namespace Contact
 
 
   ContactResults contact_results(const ContactInterface &interface,
+                                 const ContactZone      &zone,
                                  const Vector<double>   &solution,
                                  const Vector<double>   &u_start,
                                  const bool              moving_bound)
   {
-    const Surface        &slave = interface.slave;
+    const Surface        &slave = zone.slave;
     std::vector<Point<2>> X;
     for (const Surface::Node &node : slave.nodes)
       X.push_back(node.X);
@@ -123,7 +124,7 @@ namespace Contact
 
     ContactResults results;
     Samples        samples;
-    for (const ContactPoint &point : interface.points)
+    for (const ContactPoint &point : interface.points_of(zone))
       {
         const EdgeShape shape(slave.degree, point.slave_xi);
         double          s = 0;

@@ -40,6 +40,7 @@ namespace Contact
   /// @p u_start is the solution at the start of the increment; with
   /// @p moving_bound the bound of the shear is that of the present pressure.
   ContactResults contact_results(const ContactInterface &interface,
+                                 const ContactZone      &zone,
                                  const Vector<double>   &solution,
                                  const Vector<double>   &u_start,
                                  const bool              moving_bound = false);

@@ -129,22 +129,24 @@ namespace Contact
   public:
     ContactTractions(const Discretization   &discretization,
                      const ContactInterface &interface,
+                     const ContactZone      &zone,
                      const Vector<double>   &solution)
       : discretization(discretization)
-      , slave(interface.slave)
+      , slave(zone.slave)
       , solution(solution)
       , search(slave, solution)
       , slave_edges(name_edges(slave))
-      , master_edges(name_edges(interface.master))
       , at_nodes(slave.nodes.size())
     {
+      if (zone.master)
+        master_edges = name_edges(*zone.master);
       for (unsigned int i = 0; i < slave.nodes.size(); ++i)
         {
-          const unsigned int k = interface.multipliers.of_node[i];
+          const unsigned int k = zone.multipliers.of_node[i];
           if (k == numbers::invalid_unsigned_int)
             continue;
           at_nodes[i][0] = solution[interface.normal_index(k)];
-          if (!interface.law.is_frictionless())
+          if (!zone.law.is_frictionless())
             at_nodes[i][1] = solution[interface.tangential_index(k)];
         }
     }
@@ -201,7 +203,8 @@ namespace Contact
     const Surface                         &slave;
     const Vector<double>                  &solution;
     const SurfaceSearch                    search;
-    const std::map<EdgeName, unsigned int> slave_edges, master_edges;
+    const std::map<EdgeName, unsigned int> slave_edges;
+    std::map<EdgeName, unsigned int>       master_edges;
     std::vector<Tensor<1, 2>>              at_nodes; // (p, q) of the slave
   };
 
@@ -319,9 +322,10 @@ namespace Contact
     const Vector<double>                     &solution,
     Vector<double>                           &eta_square) const
   {
-    std::optional<ContactTractions> contact;
+    std::list<ContactTractions> contact;
     if (interface != nullptr)
-      contact.emplace(discretization, *interface, solution);
+      for (const auto &zone : interface->zones)
+        contact.emplace_back(discretization, *interface, *zone, solution);
 
     for (unsigned int e = 0; e < boundary.edges.size(); ++e)
       if (neighborhoods[e].cell != numbers::invalid_unsigned_int &&
@@ -337,7 +341,7 @@ namespace Contact
   double ErrorEstimator::boundary_term(
     const unsigned int                        e,
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-    const std::optional<ContactTractions>    &contact,
+    const std::list<ContactTractions>        &contact,
     const Vector<double>                     &solution) const
   {
     const Surface::Edge &edge  = boundary.edges[e];
@@ -354,16 +358,16 @@ namespace Contact
         const Place  place(boundary, edge, 2 * zeta - 1, solution);
         const auto   stress = (1 - zeta) * first + zeta * last;
 
-        Tensor<1, 2> residual = stress_traction(stress, place);
-        if (contact)
-          {
-            const auto p_and_q =
-              (*contact)(edge_name(boundary, edge), place, h);
-            if (!p_and_q)
-              continue;
-            const Tensor<1, 2> t = place.along / place.along.norm();
+        Tensor<1, 2>       residual = stress_traction(stress, place);
+        const Tensor<1, 2> t        = place.along / place.along.norm();
+        bool               is_known = true;
+        for (const ContactTractions &of_zone : contact)
+          if (const auto p_and_q = of_zone(edge_name(boundary, edge), place, h))
             residual += (*p_and_q)[0] * turn_right(t) + (*p_and_q)[1] * t;
-          }
+          else
+            is_known = false;
+        if (!is_known)
+          continue;
 
         for (unsigned int c = 0; c < 2; ++c)
           if (!is_supported(edge, c))

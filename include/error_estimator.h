@@ -6,6 +6,7 @@
 #ifndef contact_error_estimator_h
 #define contact_error_estimator_h
 
+#include <list>
 #include <optional>
 
 #include "contact_interface.h"
@@ -99,7 +100,7 @@ namespace Contact
     double
     boundary_term(const unsigned int                        edge,
                   const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                  const std::optional<ContactTractions>    &contact,
+                  const std::list<ContactTractions>        &contact,
                   const Vector<double>                     &solution) const;
 
     /// The traction s* n at a place of the boundary, by undeformed length.

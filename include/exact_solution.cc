@@ -21,15 +21,15 @@ namespace Contact
   namespace
   {
     /// The slave node with the smallest initial gap.
-    unsigned int first_touch(const ContactInterface &interface,
-                             const Discretization   &discretization)
+    unsigned int first_touch(const ContactZone    &zone,
+                             const Discretization &discretization)
     {
       const Vector<double> no_displacement(discretization.dof_handler.n_dofs());
-      const SurfaceSearch  search(interface.master, no_displacement);
+      const SurfaceSearch  search(*zone.master, no_displacement);
       const auto           gap_square = [&](const Surface::Node &node) {
         return search.distance_square(node.X, search.closest_point(node.X));
       };
-      const auto &nodes = interface.slave.nodes;
+      const auto &nodes = zone.slave.nodes;
       return std::min_element(nodes.begin(),
                               nodes.end(),
                               [&](const auto &a, const auto &b) {
@@ -46,17 +46,17 @@ namespace Contact
 
 
 
-    HertzLineContact hertz_contact(const Parameters::All  &parameters,
-                                   const Discretization   &discretization,
-                                   const ContactInterface &interface,
-                                   const ContactResults   &results)
+    HertzLineContact hertz_contact(const Parameters::All &parameters,
+                                   const Discretization  &discretization,
+                                   const ContactZone     &zone,
+                                   const ContactResults  &results)
     {
       const auto &solids = parameters.solids;
       const auto &given  = parameters.probes.hertz;
       const auto  slave =
-        discretization.mesh.body_name(interface.slave.edges[0].body);
+        discretization.mesh.body_name(zone.slave.edges[0].body);
       const auto master =
-        discretization.mesh.body_name(interface.master.edges[0].body);
+        discretization.mesh.body_name(zone.master->edges[0].body);
       return {given[0],
               given.size() > 1 ? given[1] : results.normal_force,
               solids.young.at(slave),
@@ -117,15 +117,15 @@ namespace Contact
 
 
 
-    ExactSolution make_hertz(const Parameters::All  &parameters,
-                             const Discretization   &discretization,
-                             const ContactInterface &interface,
-                             const ContactResults   &results)
+    ExactSolution make_hertz(const Parameters::All &parameters,
+                             const Discretization  &discretization,
+                             const ContactZone     &zone,
+                             const ContactResults  &results)
     {
       const HertzLineContact hertz =
-        hertz_contact(parameters, discretization, interface, results);
-      const unsigned int node = first_touch(interface, discretization);
-      const double       axis = interface.slave.nodes[node].X[0];
+        hertz_contact(parameters, discretization, zone, results);
+      const unsigned int node = first_touch(zone, discretization);
+      const double       axis = zone.slave.nodes[node].X[0];
 
       ExactSolution exact;
       exact.values["half_width"]   = hertz.half_width();
@@ -134,7 +134,7 @@ namespace Contact
         return hertz.pressure(X[0] - axis);
       };
 
-      const double mu = interface.law.coulomb_coefficient;
+      const double mu = zone.law.coulomb_coefficient;
       if (mu == 0 || !parameters.probes.frictional_theory)
         return exact;
       if (std::abs(hertz.dundurs()) < 1e-12) // round-off
@@ -147,7 +147,7 @@ namespace Contact
       // degrees; body 1 is the slave.
       const Vector<double> no_displacement(discretization.dof_handler.n_dofs());
       const double         along_x =
-        interface.slave.normals(no_displacement)[node][1] > 0 ? 1. : -1.;
+        zone.slave.normals(no_displacement)[node][1] > 0 ? 1. : -1.;
       add_half_planes(hertz,
                       mu,
                       parameters.solution.n_increments,
@@ -159,17 +159,16 @@ namespace Contact
 
 
 
-    ExactSolution make_cylinders(const Parameters::All  &parameters,
-                                 const Discretization   &discretization,
-                                 const ContactInterface &interface)
+    ExactSolution make_cylinders(const Parameters::All &parameters,
+                                 const Discretization  &discretization,
+                                 const ContactZone     &zone)
     {
       // The inner body is the one with the convex surface.
-      const auto           slave  = interface.slave.edges[0].body;
-      const auto           master = interface.master.edges[0].body;
+      const auto           slave  = zone.slave.edges[0].body;
+      const auto           master = zone.master->edges[0].body;
       const Vector<double> no_displacement(discretization.dof_handler.n_dofs());
-      const bool slave_is_inner = interface.slave.normals(no_displacement)[0] *
-                                    interface.slave.nodes[0].X >
-                                  0;
+      const bool           slave_is_inner =
+        zone.slave.normals(no_displacement)[0] * zone.slave.nodes[0].X > 0;
       const auto outer = slave_is_inner ? master : slave;
       const auto inner = slave_is_inner ? slave : master;
 
@@ -227,10 +226,10 @@ namespace Contact
     /// Of a multiplier over the slave, which every rank has. Where contact ends
     /// the exact one has a kink within an edge: hence many points.
     double error_on_slave(const std::function<double(const Point<2> &)> &exact,
-                          const ContactInterface    &interface,
-                          const std::vector<double> &values)
+                          const ContactZone                             &zone,
+                          const std::vector<double>                     &values)
     {
-      const Surface     &slave = interface.slave;
+      const Surface     &slave = zone.slave;
       const QIterated<1> quadrature(QGauss<1>(4), 4);
       Squares            squares;
       for (const Surface::Edge &edge : slave.edges)
@@ -307,15 +306,15 @@ namespace Contact
 
 
   std::optional<ExactSolution>
-  make_exact_solution(const Parameters::All  &parameters,
-                      const Discretization   &discretization,
-                      const ContactInterface &interface,
-                      const ContactResults   &results)
+  make_exact_solution(const Parameters::All &parameters,
+                      const Discretization  &discretization,
+                      const ContactZone     &zone,
+                      const ContactResults  &results)
   {
     if (!parameters.probes.hertz.empty())
-      return make_hertz(parameters, discretization, interface, results);
+      return make_hertz(parameters, discretization, zone, results);
     if (!parameters.probes.concentric_cylinders.empty())
-      return make_cylinders(parameters, discretization, interface);
+      return make_cylinders(parameters, discretization, zone);
     return {};
   }
 
@@ -326,17 +325,18 @@ namespace Contact
                   const Discretization   &discretization,
                   const Elasticity       &elasticity,
                   const ContactInterface &interface,
+                  const ContactZone      &zone,
                   const Vector<double>   &solution)
   {
     std::map<std::string, double> errors;
     const auto                    add_on_slave =
       [&](const std::string &name, const auto &function, const auto &index) {
-        std::vector<double> values(interface.slave.nodes.size());
+        std::vector<double> values(zone.slave.nodes.size());
         for (unsigned int n = 0; n < values.size(); ++n)
-          if (const unsigned int k = interface.multipliers.of_node[n];
+          if (const unsigned int k = zone.multipliers.of_node[n];
               k != numbers::invalid_unsigned_int)
             values[n] = solution[index(k)];
-        errors[name] = error_on_slave(function, interface, values);
+        errors[name] = error_on_slave(function, zone, values);
       };
     if (exact.pressure)
       add_on_slave("pressure", exact.pressure, [&](const unsigned int k) {

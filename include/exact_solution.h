@@ -44,10 +44,10 @@ namespace Contact
    * results.
    */
   std::optional<ExactSolution>
-  make_exact_solution(const Parameters::All  &parameters,
-                      const Discretization   &discretization,
-                      const ContactInterface &interface,
-                      const ContactResults   &results);
+  make_exact_solution(const Parameters::All &parameters,
+                      const Discretization  &discretization,
+                      const ContactZone     &zone,
+                      const ContactResults  &results);
 
   /**
    * The errors of a solution by name, relative to the norm of the exact one,
@@ -62,6 +62,7 @@ namespace Contact
                   const Discretization   &discretization,
                   const Elasticity       &elasticity,
                   const ContactInterface &interface,
+                  const ContactZone      &zone,
                   const Vector<double>   &solution);
 } // namespace Contact
 

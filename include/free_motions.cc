@@ -103,14 +103,15 @@ namespace Contact
           for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
             x += point.C[a] * point.X[a];
 
-          for (const auto body :
-               {interface.slave.edges[point.slave_edge].body,
-                interface.master.edges[point.master_edge].body})
-            {
-              motions.at(body).hold(x, point.normal);
-              if (point.decision.status == Status::stick)
-                motions.at(body).hold(x, point.tangent);
-            }
+          const auto hold = [&](const types::material_id body) {
+            motions.at(body).hold(x, point.normal);
+            if (point.decision.status == Status::stick)
+              motions.at(body).hold(x, point.tangent);
+          };
+          const ContactZone &zone = interface.zone(point);
+          hold(zone.slave.edges[point.slave_edge].body);
+          if (zone.master)
+            hold(zone.master->edges[point.master_edge].body);
         }
     }
 
@@ -159,10 +160,17 @@ namespace Contact
                       const ContactInterface *interface)
   {
     std::set<types::material_id> touching;
+    const auto                   touch = [&](const Surface &surface) {
+      for (const Surface::Edge &edge : surface.edges)
+        touching.insert(edge.body);
+    };
     if (interface != nullptr)
-      for (const Surface *surface : {&interface->slave, &interface->master})
-        for (const Surface::Edge &edge : surface->edges)
-          touching.insert(edge.body);
+      for (const auto &zone : interface->zones)
+        {
+          touch(zone->slave);
+          if (zone->master)
+            touch(*zone->master);
+        }
 
     for (const auto &[body, motion] : free_motions(discretization, interface))
       if (touching.count(body) == 0)

@@ -157,14 +157,16 @@ namespace Contact
     if (interface != nullptr)
       {
         find_tractions(solution);
-        if (interface->law.coulomb_coefficient > 0)
+        if (interface->has_coulomb_friction())
           slack.shear = friction_tolerance * largest_bound;
         for (unsigned int i = 0; i < tractions.size(); ++i)
           if (interface->points[i].decision.status == Status::slip)
             slack.shear_force += slack.shear * interface->points[i].weight;
 
         add_forces();
-        check_balance(slack, found);
+        for (const auto &zone : interface->zones)
+          if (zone->master)
+            check_balance(*zone, slack, found);
         check_normal(slack, found);
         check_tangential(slack, found);
       }
@@ -189,9 +191,10 @@ namespace Contact
                                                 states.back().p_trial,
                                                 states.back().q_trial,
                                                 moving_bound));
-        if (point.decision.status != Status::open)
+        const ContactZone &zone = interface->zone(point);
+        if (!zone.tied && point.decision.status != Status::open)
           largest_bound =
-            std::max(largest_bound, interface->law.bound(tractions.back().p));
+            std::max(largest_bound, zone.law.bound(tractions.back().p));
       }
   }
 
@@ -211,15 +214,16 @@ namespace Contact
               end.shears[point.dofs[a][i]] += share * t.q * point.tangent[i];
             }
         // Implicit Euler.
-        if (!interface->tied)
+        if (!interface->zone(point).tied)
           end.dissipation -= point.weight * t.q * states[k].slip;
       }
   }
 
 
 
-  void InvariantCheck::check_balance(const Slack &slack,
-                                     Invariants  &found) const
+  void InvariantCheck::check_balance(const ContactZone &zone,
+                                     const Slack       &slack,
+                                     Invariants        &found) const
   {
     const Vector<double> &u = end.displacement;
     double                d = 0; // the largest displacement of this increment
@@ -236,26 +240,36 @@ namespace Contact
     };
 
     // The middle of the slave and its size.
-    Point<2> low = position(interface->slave, 0), high = low;
-    for (unsigned int n = 1; n < interface->slave.nodes.size(); ++n)
+    Point<2> low = position(zone.slave, 0), high = low;
+    for (unsigned int n = 1; n < zone.slave.nodes.size(); ++n)
       for (unsigned int i = 0; i < 2; ++i)
         {
-          const Point<2> x = position(interface->slave, n);
+          const Point<2> x = position(zone.slave, n);
           low[i]           = std::min(low[i], x[i]);
           high[i]          = std::max(high[i], x[i]);
         }
     const Point<2> middle = low + 0.5 * (high - low);
     const double   size   = low.distance(high);
 
+    // A node may see other zones as well.
+    std::map<types::global_dof_index, Tensor<1, 2>> forces;
+    for (unsigned int k = zone.first_point;
+         k < zone.first_point + zone.n_points;
+         ++k)
+      {
+        const ContactPoint &point = interface->points[k];
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          forces[point.dofs[a][0]] +=
+            point.weight * point.C[a] *
+            (tractions[k].p * point.normal + tractions[k].q * point.tangent);
+      }
+
     double       moment = 0, magnitude = 0;
     Tensor<1, 2> sum;
-    for (const Surface *surface : {&interface->slave, &interface->master})
+    for (const Surface *surface : {&zone.slave, &*zone.master})
       for (unsigned int n = 0; n < surface->nodes.size(); ++n)
         {
-          const auto  &dofs = surface->nodes[n].dofs;
-          Tensor<1, 2> f;
-          for (unsigned int i = 0; i < 2; ++i)
-            f[i] = end.pressures[dofs[i]] + end.shears[dofs[i]];
+          const Tensor<1, 2> f   = forces[surface->nodes[n].dofs[0]];
           const Tensor<1, 2> arm = position(*surface, n) - middle;
           sum += f;
           moment += arm[0] * f[1] - arm[1] * f[0];
@@ -266,7 +280,9 @@ namespace Contact
 
     // The moment that the rule leaves.
     double own_moment = 0;
-    for (unsigned int k = 0; k < tractions.size(); ++k)
+    for (unsigned int k = zone.first_point;
+         k < zone.first_point + zone.n_points;
+         ++k)
       {
         const ContactPoint &point = interface->points[k];
         Tensor<1, 2>        r;
@@ -279,7 +295,7 @@ namespace Contact
                 point.C[a] * (point.X[a][i] +
                               (undeformed_geometry ? 0. : u[point.dofs[a][i]]));
           }
-        const double offset = point.foot_is_clipped || interface->tied
+        const double offset = point.foot_is_clipped || zone.tied
                                 ? std::abs(r * point.tangent)
                                 : foot_moves * sum_of_C;
         own_moment +=
@@ -287,9 +303,10 @@ namespace Contact
                           std::abs(tractions[k].p) * offset);
       }
 
-    found.force_imbalance = sum.norm() / magnitude;
+    const double of_forces = sum.norm() / magnitude;
+    found.force_imbalance  = larger(found.force_imbalance, of_forces);
     judge("balance of forces",
-          found.force_imbalance,
+          of_forces,
           slack.relative,
           "the forces of contact on both bodies add up to " + text(sum.norm()) +
             " N/mm of " + text(magnitude) + " N/mm",
@@ -299,9 +316,10 @@ namespace Contact
     // The forces on a ring have none in the plane.
     if (discretization.axisymmetric)
       return;
-    found.moment_imbalance = std::abs(moment) / (magnitude * size);
+    const double of_moments = std::abs(moment) / (magnitude * size);
+    found.moment_imbalance  = larger(found.moment_imbalance, of_moments);
     judge("balance of moments",
-          found.moment_imbalance,
+          of_moments,
           slack.relative + own_moment / (magnitude * size),
           "the forces of contact on both bodies have the moment " +
             text(moment) + " N",
@@ -317,7 +335,7 @@ namespace Contact
   void InvariantCheck::check_normal(const Slack &slack, Invariants &found) const
   {
     const auto               &points = interface->points;
-    const unsigned int        n      = interface->multipliers.n_multipliers;
+    const unsigned int        n      = interface->n_normal_multipliers();
     std::vector<double>       weak(n), stiff(n);
     std::vector<unsigned int> point_of(n);
     Worst                     worst;
@@ -328,7 +346,8 @@ namespace Contact
         const ContactPoint &point   = points[k];
         const ContactState &now     = states[k];
         const bool          is_open = point.decision.status == Status::open;
-        if (!is_open)
+        const ContactZone  &zone    = interface->zone(point);
+        if (!is_open && !zone.tied && !zone.has_point_per_multiplier())
           {
             largest_pressure = std::max(largest_pressure, tractions[k].p);
             if (const double penalty = tractions[k].p - now.lambda_n;
@@ -343,10 +362,10 @@ namespace Contact
             const unsigned int l = point.multipliers[m];
             weak[l] += point.weight * point.psi[m] *
                        (tractions[k].p - now.lambda_n) / point.complementarity;
-            stiff[l]    = stiffness(point);
+            stiff[l]    = zone.stiffness(point);
             point_of[l] = k;
           }
-        if (interface->tied || !point.facing)
+        if (zone.tied || !point.facing)
           continue;
 
         if (!is_open)
@@ -354,8 +373,8 @@ namespace Contact
             return "the pressure in contact is " + text(tractions[k].p) +
                    " MPa" + at(place(point));
           });
-        else if (has_point_per_multiplier())
-          worst.add(-point.weight * stiffness(point) * now.gap,
+        else if (zone.has_point_per_multiplier())
+          worst.add(-point.weight * zone.stiffness(point) * now.gap,
                     slack.force,
                     [&]() {
                       return "where it is open, the gap is " + text(now.gap) +
@@ -378,7 +397,7 @@ namespace Contact
 
     // With c far below the stiffness of the bodies, what is penalty instead of
     // multiplier is no pressure: see the header.
-    if (!interface->tied && !has_point_per_multiplier() && largest_pressure > 0)
+    if (largest_pressure > 0)
       judge("penetration",
             largest_penalty / largest_pressure,
             0.5,
@@ -406,11 +425,10 @@ namespace Contact
   void InvariantCheck::check_tangential(const Slack &slack,
                                         Invariants  &found) const
   {
-    const FrictionLaw &law = interface->law;
-    if (law.is_frictionless())
+    if (!interface->has_friction())
       return;
     const auto               &points = interface->points;
-    const unsigned int        n      = interface->multipliers.n_multipliers;
+    const unsigned int        n      = interface->n_normal_multipliers();
     std::vector<double>       weak(n), stiff(n), moved(n);
     std::vector<unsigned int> point_of(n);
     Worst                     cone, slip;
@@ -420,17 +438,22 @@ namespace Contact
         const ContactState &now   = states[k];
         const double        q     = tractions[k].q;
         const bool          slips = point.decision.status == Status::slip;
-        const double per_traction = stiffness(point) / point.complementarity;
+        const ContactZone  &zone  = interface->zone(point);
+        const FrictionLaw  &law   = zone.law;
+        if (zone.tied || law.is_frictionless())
+          continue;
+        const double per_traction =
+          zone.stiffness(point) / point.complementarity;
         for (unsigned int m = 0; m < point.n_multipliers; ++m)
           {
             const unsigned int l     = point.multipliers[m];
             const double       share = point.weight * point.psi[m];
             weak[l] += share * (q - now.lambda_t) / point.complementarity;
             moved[l] += slips ? std::abs(share) * slack.shear : 0.;
-            stiff[l]    = stiffness(point);
+            stiff[l]    = zone.stiffness(point);
             point_of[l] = k;
           }
-        if (interface->tied || point.decision.status == Status::open)
+        if (point.decision.status == Status::open)
           continue;
 
         cone.add(std::abs(q) - law.bound(tractions[k].p),
@@ -440,8 +463,8 @@ namespace Contact
                           text(law.bound(tractions[k].p)) + " MPa" +
                           at(place(point));
                  });
-        if (slips && q != 0 && has_point_per_multiplier())
-          slip.add(point.weight * stiffness(point) *
+        if (slips && q != 0 && zone.has_point_per_multiplier())
+          slip.add(point.weight * zone.stiffness(point) *
                      std::copysign(now.slip, now.slip * q),
                    slack.force + point.weight * per_traction * slack.shear,
                    [&]() {
@@ -632,42 +655,15 @@ namespace Contact
 
 
   // @sect4{Small things}
-  //
-  // As ContactInterface::constraint_norm() makes a force of a gap.
-  double InvariantCheck::stiffness(const ContactPoint &point) const
-  {
-    return std::min(elasticity.young(
-                      interface->slave.edges[point.slave_edge].body),
-                    elasticity.young(interface->master.edges[0].body)) /
-           slave_edge_length(point);
-  }
-
-
-
   double InvariantCheck::slave_edge_length(const ContactPoint &point) const
   {
-    const Surface &slave = interface->slave;
-    const auto    &edge  = slave.edges[point.slave_edge].nodes;
-    return slave.nodes[edge[0]].X.distance(slave.nodes[edge[1]].X);
+    return interface->zone(point).slave.reference_length(point.slave_edge);
   }
 
 
 
   Point<2> InvariantCheck::place(const ContactPoint &point) const
   {
-    const Surface  &slave = interface->slave;
-    const EdgeShape shape(slave.degree, point.slave_xi);
-    Point<2>        X;
-    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
-      X +=
-        shape.value[a] * slave.nodes[slave.edges[point.slave_edge].nodes[a]].X;
-    return X;
-  }
-
-
-
-  bool InvariantCheck::has_point_per_multiplier() const
-  {
-    return interface->points.size() == interface->multipliers.n_multipliers;
+    return interface->zone(point).place(point);
   }
 } // namespace Contact

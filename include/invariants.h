@@ -226,7 +226,9 @@ namespace Contact
 
     void find_tractions(const Vector<double> &solution);
     void add_forces();
-    void check_balance(const Slack &slack, Invariants &found) const;
+    void check_balance(const ContactZone &zone,
+                       const Slack       &slack,
+                       Invariants        &found) const;
     void check_normal(const Slack &slack, Invariants &found) const;
     void check_tangential(const Slack &slack, Invariants &found) const;
     void balance_bodies(const double          load_factor,
@@ -236,10 +238,8 @@ namespace Contact
                         Invariants           &found);
     void check_energy(const Slack &slack, Invariants &found);
 
-    double   stiffness(const ContactPoint &point) const;
     double   slave_edge_length(const ContactPoint &point) const;
     Point<2> place(const ContactPoint &point) const;
-    bool     has_point_per_multiplier() const;
 
     const Discretization   &discretization;
     const Elasticity       &elasticity;

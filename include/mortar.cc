@@ -225,8 +225,8 @@ namespace Contact
 
 
 
-  bool MortarRule::pair(std::vector<ContactPoint> &points,
-                        const Vector<double>      &u) const
+  bool MortarRule::pair(const ArrayView<ContactPoint> &points,
+                        const Vector<double>          &u) const
   {
     const Configuration    now(slave, master, discretization, u);
     std::vector<Integrals> integrals(slave.nodes.size());

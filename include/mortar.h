@@ -6,6 +6,7 @@
 #ifndef contact_mortar_h
 #define contact_mortar_h
 
+#include <deal.II/base/array_view.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include "contact_points.h"
@@ -65,7 +66,8 @@ namespace Contact
      * surroundings do not face the master are marked so. Returns whether a
      * point has other nodes than before.
      */
-    bool pair(std::vector<ContactPoint> &points, const Vector<double> &u) const;
+    bool pair(const ArrayView<ContactPoint> &points,
+              const Vector<double>          &u) const;
 
   private:
     /// A quadrature point of a segment.

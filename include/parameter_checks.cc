@@ -12,6 +12,7 @@
 #include <set>
 
 #include "formula.h"
+#include "obstacle.h"
 #include "parameters.h"
 
 namespace Contact
@@ -263,7 +264,37 @@ namespace Contact
 
     void Contact::check() const
     {
-      const Names surfaces = {"Contact/Slave", "Contact/Master"};
+      if (std::any_of(name.begin(), name.end(), [](const unsigned char c) {
+            return !std::isalnum(c) && c != ' ' && c != '_' && c != '-';
+          }))
+        throw EntryError("The name of a zone is more than letters and digits.",
+                         {section() + "/Slave"},
+                         "use letters, digits, blanks, '_' and '-'");
+      check_surfaces();
+      check_positive(complementarity, section() + "/Complementarity");
+      check_friction();
+      check_excluded_points();
+    }
+
+
+
+    void Contact::check_surfaces() const
+    {
+      const Names surfaces = {section() + "/Slave", section() + "/Master"};
+      if (!obstacle.empty())
+        {
+          const std::string entry = section() + "/Obstacle";
+          if (!master.empty())
+            throw EntryError("There is a master and an obstacle.",
+                             {surfaces[1], entry},
+                             "set one of the two");
+          if (slave.empty())
+            throw EntryError("Nothing touches the obstacle.",
+                             {surfaces[0], entry},
+                             "set the slave");
+          Obstacle::create(obstacle, entry);
+          return;
+        }
       if (slave.empty() != master.empty())
         throw EntryError("Contact takes two surfaces, but there is only one.",
                          surfaces,
@@ -273,22 +304,23 @@ namespace Contact
                            in_quotes(slave) + ".",
                          surfaces,
                          "set two different boundary groups");
-      check_positive(complementarity, "Contact/Complementarity");
-      check_friction();
-      check_excluded_points();
+      if (slave.empty() && !name.empty())
+        throw EntryError("A zone has no surfaces.",
+                         surfaces,
+                         "set both, or remove the section");
     }
 
 
 
     void Contact::check_friction() const
     {
-      const std::string coulomb = "Contact/Friction coefficient";
-      const std::string tresca  = "Contact/Tresca limit";
+      const std::string coulomb = section() + "/Friction coefficient";
+      const std::string tresca  = section() + "/Tresca limit";
       if (slave.empty() && frictional())
         throw EntryError("There is friction, but no contact.",
                          {friction_coefficient > 0 ? coulomb : tresca,
-                          "Contact/Slave",
-                          "Contact/Master"},
+                          section() + "/Slave",
+                          section() + "/Master"},
                          "set slave and master, or no friction");
       if (friction_coefficient > 0 && tresca_limit > 0)
         throw EntryError("There are two laws of friction.",
@@ -300,18 +332,18 @@ namespace Contact
 
     void Contact::check_excluded_points() const
     {
-      const std::string entry = "Contact/Excluded points";
+      const std::string entry = section() + "/Excluded points";
       if (excluded_points.empty())
         return;
       if (slave.empty())
         throw EntryError("Points are excluded from contact, but there is "
                          "none.",
-                         {entry, "Contact/Slave"},
+                         {entry, section() + "/Slave"},
                          "set slave and master, or leave the points empty");
       if (rule == "Gauss")
         throw EntryError("Gauss points are inside the faces: there is none to "
                          "exclude at a point group.",
-                         {entry, "Contact/Rule"},
+                         {entry, section() + "/Rule"},
                          "set 'Rule = nodal', or leave the points empty");
       if (std::set<std::string>(excluded_points.begin(), excluded_points.end())
               .size() < excluded_points.size() ||
@@ -431,6 +463,8 @@ namespace Contact
       solids.check();
       boundary.check();
       contact.check();
+      for (const auto &further : further_contacts)
+        further.second.check();
       solution.check();
       refinement.check();
       probes.check();
@@ -462,11 +496,11 @@ namespace Contact
                          {"Probes/Concentric cylinders", "Solids/Symmetry"},
                          "leave the cylinders empty, or set 'Symmetry = plane "
                          "strain'");
-      if (!probes.hertz.empty() && contact.slave.empty())
+      if (!probes.hertz.empty() && contact.master.empty())
         throw EntryError("There is no contact pressure to compare with Hertz.",
                          {"Probes/Hertz", "Contact/Slave"},
                          "set slave and master, or leave Hertz empty");
-      if (!probes.concentric_cylinders.empty() && contact.slave.empty())
+      if (!probes.concentric_cylinders.empty() && contact.master.empty())
         throw EntryError("Concentric cylinders are compared with contact, but "
                          "there is none.",
                          {"Probes/Concentric cylinders", "Contact/Slave"},
@@ -481,8 +515,18 @@ namespace Contact
         return solution.system == "condensed";
       if (solution.linear_solver != "automatic")
         return solution.linear_solver != "UMFPACK";
-      return contact.slave.empty() || contact.rule == "mortar" ||
-             contact.tied || refinement.n_levels > 0 || n_ranks > 1;
+      if (refinement.n_levels > 0 || n_ranks > 1)
+        return true;
+      const auto zones = this->zones();
+      return std::all_of(zones.begin(),
+                         zones.end(),
+                         [](const Contact &zone) {
+                           return zone.rule != "Gauss";
+                         }) &&
+             (zones.empty() ||
+              std::any_of(zones.begin(), zones.end(), [](const Contact &zone) {
+                return zone.rule == "mortar" || zone.tied;
+              }));
     }
 
 
@@ -492,17 +536,28 @@ namespace Contact
     {
       const std::string system = "Solution/System";
       const std::string solver = "Solution/Linear solver";
-      const std::string rule   = "Contact/Rule";
-      const auto        clash  = [](const std::string &problem,
+      // The first zone that has something, if there is one.
+      const auto zones = this->zones();
+      const auto find  = [&](const auto &has) {
+        return std::find_if(zones.begin(), zones.end(), has);
+      };
+      const auto gauss =
+        find([](const Contact &zone) { return zone.rule == "Gauss"; });
+      const auto mortar =
+        find([](const Contact &zone) { return zone.rule == "mortar"; });
+      const bool is_frictional = find([](const Contact &zone) {
+                                   return zone.frictional();
+                                 }) != zones.end();
+      const auto clash         = [](const std::string &problem,
                             const Names       &entries,
                             const std::string &remedy) {
         throw EntryError(problem, entries, remedy);
       };
 
-      if (n_ranks > 1 && !contact.slave.empty() && contact.rule == "Gauss")
+      if (n_ranks > 1 && gauss != zones.end())
         clash("The rule Gauss is solved by one process, here are " +
                 std::to_string(n_ranks) + ".",
-              {rule},
+              {gauss->section() + "/Rule"},
               "run it without mpirun, or set 'Rule = mortar' or 'Rule = "
               "nodal'");
       if (n_ranks > 1 && solution.linear_solver == "CHOLMOD")
@@ -517,7 +572,7 @@ namespace Contact
             clash("A saddle point system is solved by one process.",
                   {system},
                   "run it without mpirun, or set 'System = condensed'");
-          if (contact.frictional() && solution.friction == "each step")
+          if (is_frictional && solution.friction == "each step")
             clash("With multipliers the bound follows in a loop or in the "
                   "tangent.",
                   {"Solution/Friction", system},
@@ -528,18 +583,14 @@ namespace Contact
                     solution.linear_solver + " can not solve it.",
                   {solver, system},
                   "set 'Linear solver = UMFPACK', or 'System = condensed'");
-          if (contact.tied)
-            clash("Tied surfaces have no saddle point system.",
-                  {"Contact/Tied", system},
-                  "set 'System = condensed'");
           if (refinement.n_levels > 0)
             clash("Nested iteration needs the condensed system.",
                   {"Refinement/Levels", system},
                   "set 'System = condensed', with the rule nodal or mortar, or "
                   "refine the first mesh with Mesh/Refinements");
-          if (contact.rule == "mortar" && solution.geometry == "Newton")
+          if (mortar != zones.end() && solution.geometry == "Newton")
             clash("The tangent does not know how mortar segments move.",
-                  {"Solution/Geometry", rule},
+                  {"Solution/Geometry", mortar->section() + "/Rule"},
                   "set 'Geometry = each step'");
           return;
         }
@@ -548,23 +599,23 @@ namespace Contact
         clash("UMFPACK is for saddle point systems.",
               {solver, system},
               "set 'Linear solver = CHOLMOD'");
-      if (!contact.slave.empty() && contact.rule == "Gauss")
+      if (gauss != zones.end())
         clash("The multipliers of the rule Gauss can not be eliminated: " +
                 (solution.linear_solver == "automatic"
                    ? "a condensed system"
                    : solution.linear_solver) +
                 " is not for it.",
-              {rule,
+              {gauss->section() + "/Rule",
                solution.system != "automatic"          ? system
                : solution.linear_solver != "automatic" ? solver
                                                        : "Refinement/Levels"},
               "set 'Rule = mortar' or 'Rule = nodal'; the rule Gauss takes "
               "'System = saddle point' and UMFPACK");
-      if (!contact.slave.empty() && solution.geometry == "Newton")
+      if (!zones.empty() && solution.geometry == "Newton")
         clash("The condensed system does not know how projections move.",
               {"Solution/Geometry", system},
               "set 'Geometry = each step'");
-      if (contact.frictional() && solution.friction == "Newton")
+      if (is_frictional && solution.friction == "Newton")
         clash("With the bound in the tangent the condensed system would not be "
               "symmetric.",
               {"Solution/Friction", system},

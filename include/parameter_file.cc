@@ -245,8 +245,12 @@ namespace Contact
 
 
 
-  ParameterReader::ParameterReader(ParameterHandler &prm)
+  ParameterReader::ParameterReader(ParameterHandler  &prm,
+                                   const std::string &kind,
+                                   const Declare     &declare)
     : prm(prm)
+    , kind(kind)
+    , declare(declare)
     , entries(declared_entries(prm))
   {
   }
@@ -376,6 +380,7 @@ namespace Contact
                          " starts inside section " + in_quotes(section) + ".",
                        place.name + ", " + section_place.name,
                        "close " + in_quotes(section) + " with 'end' first");
+    declare_section(name);
     if (!has_section(name))
       throw InputError("There is no section " + in_quotes(name) + ".",
                        place.name,
@@ -420,6 +425,7 @@ namespace Contact
                        "write a '=' between the name and the value");
 
     const auto [name, value] = split_at(assignment, equal_sign);
+    declare_section(in_section);
     const DeclaredEntry &entry =
       find_entry(in_section, with_single_blanks(name), place);
 
@@ -461,6 +467,17 @@ namespace Contact
                          ".",
                        entry_and_place,
                        "keep one of the two");
+  }
+
+
+
+  void ParameterReader::declare_section(const std::string &name)
+  {
+    const std::string begin = kind + " ";
+    if (name.compare(0, begin.size(), begin) != 0 || has_section(name))
+      return;
+    declare(name.substr(begin.size()));
+    entries = declared_entries(prm);
   }
 
 

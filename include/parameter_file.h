@@ -9,6 +9,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -51,8 +52,14 @@ namespace Contact
   class ParameterReader
   {
   public:
-    /// The entries have to be declared in @p prm already.
-    explicit ParameterReader(ParameterHandler &prm);
+    /// What makes a section of which there may be several.
+    using Declare = std::function<void(const std::string &name)>;
+
+    /// The entries have to be declared in @p prm already, but for those of the
+    /// sections "@p kind NAME", which @p declare declares.
+    ParameterReader(ParameterHandler  &prm,
+                    const std::string &kind,
+                    const Declare     &declare);
 
     /// Read a file and what it includes. @p asked_by is who wants it.
     void read_file(const std::filesystem::path &file,
@@ -101,6 +108,9 @@ namespace Contact
              const std::string   &value,
              const Place         &place);
 
+    /// Declare a section if it is one of those there may be several of.
+    void declare_section(const std::string &name);
+
     bool                 has_section(const std::string &name) const;
     const DeclaredEntry &find_entry(const std::string &in_section,
                                     const std::string &name,
@@ -109,8 +119,10 @@ namespace Contact
     std::string          nearest_entry(const std::string &in_section,
                                        const std::string &name) const;
 
-    ParameterHandler                &prm;
-    const std::vector<DeclaredEntry> entries;
+    ParameterHandler          &prm;
+    const std::string          kind;
+    const Declare              declare;
+    std::vector<DeclaredEntry> entries;
 
     std::string           main_file;  // the one that may include others
     std::vector<OpenFile> open_files; // innermost last

@@ -219,14 +219,22 @@ namespace Contact
 
     void Contact::add_parameters(ParameterHandler &prm)
     {
-      prm.enter_subsection("Contact");
+      prm.enter_subsection(section());
       prm.add_parameter("Slave",
                         slave,
                         "Boundary group that carries the contact points [-]; "
-                        "empty, together with Master: no contact.");
+                        "empty, together with Master: no contact. More zones "
+                        "have sections of their own, 'Contact NAME', with the "
+                        "same entries.");
       prm.add_parameter("Master",
                         master,
                         "Boundary group they are projected on [-].");
+      prm.add_parameter("Obstacle",
+                        obstacle,
+                        "A rigid master without a mesh, instead of Master "
+                        "[mm]: 'half plane: x, y, normal x, normal y', a point "
+                        "and the outward normal, or 'circle: x, y, radius', "
+                        "negative for a hole.");
       prm.add_parameter("Rule",
                         rule,
                         "Where the contact points are [-]; nodal: in the nodes "
@@ -468,6 +476,28 @@ namespace Contact
 
 
 
+    void All::add_zone(const std::string &name, ParameterHandler &prm)
+    {
+      Contact &zone = further_contacts[name];
+      zone.name     = name;
+      zone.add_parameters(prm);
+    }
+
+
+
+    std::vector<Contact> All::zones() const
+    {
+      std::vector<Contact> zones;
+      if (contact.is_zone())
+        zones.push_back(contact);
+      for (const auto &further : further_contacts)
+        if (further.second.is_zone())
+          zones.push_back(further.second);
+      return zones;
+    }
+
+
+
     void All::add_parameters(ParameterHandler &prm)
     {
       mesh.add_parameters(prm);
@@ -494,7 +524,9 @@ namespace Contact
     parameters.name = file.stem().string();
     parameters.add_parameters(prm);
 
-    ParameterReader reader(prm);
+    ParameterReader reader(prm, "Contact", [&](const std::string &name) {
+      parameters.add_zone(name, prm);
+    });
     reader.read_file(file);
     for (const std::string &assignment : overrides)
       reader.read_override(assignment);

@@ -154,11 +154,17 @@ namespace Contact
 
 
 
-    /// One pair of surfaces that may touch.
+    /// One pair of surfaces that may touch: a zone.
     struct Contact
     {
+      /// Of the section "Contact NAME"; empty for the section "Contact".
+      std::string name;
+
       std::string slave;
       std::string master;
+
+      /// Instead of a master: see Obstacle.
+      std::map<std::string, std::vector<double>> obstacle;
 
       /// "nodal", "Gauss" or "mortar".
       std::string  rule           = "Gauss";
@@ -185,10 +191,22 @@ namespace Contact
         return friction_coefficient > 0 || tresca_limit > 0;
       }
 
+      std::string section() const
+      {
+        return name.empty() ? "Contact" : "Contact " + name;
+      }
+
+      /// Whether there is anything that may touch.
+      bool is_zone() const
+      {
+        return !slave.empty();
+      }
+
       void add_parameters(ParameterHandler &prm);
       void check() const;
 
     private:
+      void check_surfaces() const;
       void check_friction() const;
       void check_excluded_points() const;
     };
@@ -312,11 +330,20 @@ namespace Contact
       Element    element;
       Solids     solids;
       Boundary   boundary;
-      Contact    contact;
+      Contact    contact; // the first zone
       Solution   solution;
       Refinement refinement;
       Probes     probes;
       Output     output;
+
+      /// The zones of the sections "Contact NAME".
+      std::map<std::string, Contact> further_contacts;
+
+      /// All zones, none without contact.
+      std::vector<Contact> zones() const;
+
+      /// Declare the entries of "Contact NAME", which are those of Contact.
+      void add_zone(const std::string &name, ParameterHandler &prm);
 
       /// How many processes work on the case.
       unsigned int n_ranks = 1;
@@ -355,7 +382,7 @@ namespace Contact
    * working directory); an entry set twice in one file is an error (a file may
    * override what it includes, and a later include an earlier one); an unknown
    * entry is answered with the nearest known one. Throws InputError with file
-   * and line.
+   * and line. A section "Contact NAME" is declared by its first mention.
    */
   void read_parameters(const std::filesystem::path    &file,
                        const std::vector<std::string> &overrides,

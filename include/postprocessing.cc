@@ -148,29 +148,27 @@ namespace Contact
 
     /// Gap and slip of the slave nodes, each paired on its own.
     void add_gap_and_slip(const ContactInterface  &interface,
-                          const Discretization    &discretization,
+                          const ContactZone       &zone,
                           const Vector<double>    &solution,
                           const Vector<double>    &u_start,
                           std::vector<ProfileRow> &rows)
     {
-      MultiplierSpace     numbering;
-      const SurfaceSearch search(interface.master, solution);
-      auto points = make_nodal_points(interface.slave, {}, numbering);
-      for (unsigned int n = 0; n < rows.size(); ++n)
+      // These points only look: they carry no multiplier.
+      MultiplierSpace numbering;
+      auto            points = make_nodal_points(zone.slave, {}, numbering);
+      for (ContactPoint &point : points)
         {
-          // These points only look: they carry no multiplier.
-          ContactPoint &point   = points[numbering.of_node[n]];
+          point.zone            = interface.points[zone.first_point].zone;
           point.n_multipliers   = 0;
           point.complementarity = 0;
-          pair_with_master(point,
-                           interface.master,
-                           search,
-                           discretization,
-                           solution);
-
-          const ContactState state = interface.state(point, solution, u_start);
-          rows[n].gap              = state.gap;
-          rows[n].slip             = state.slip;
+        }
+      zone.project(make_array_view(points), solution);
+      for (unsigned int n = 0; n < rows.size(); ++n)
+        {
+          const ContactState state =
+            interface.state(points[numbering.of_node[n]], solution, u_start);
+          rows[n].gap  = state.gap;
+          rows[n].slip = state.slip;
         }
     }
 
@@ -178,23 +176,24 @@ namespace Contact
 
     /// Pressure, shear, nodal force and status, which come with multipliers.
     void add_contact_values(const ContactInterface  &interface,
+                            const ContactZone       &zone,
                             const Vector<double>    &solution,
                             const Vector<double>    &u_start,
                             std::vector<ProfileRow> &rows)
     {
-      std::vector<unsigned int> node_of(interface.multipliers.n_multipliers);
+      std::vector<unsigned int> node_of(interface.n_normal_multipliers());
       for (unsigned int n = 0; n < rows.size(); ++n)
         {
-          const unsigned int k = interface.multipliers.of_node[n];
+          const unsigned int k = zone.multipliers.of_node[n];
           if (k == numbers::invalid_unsigned_int)
             continue;
           node_of[k]       = n;
           rows[n].pressure = solution[interface.normal_index(k)];
-          if (!interface.law.is_frictionless())
+          if (!zone.law.is_frictionless())
             rows[n].shear = solution[interface.tangential_index(k)];
         }
 
-      for (const ContactPoint &point : interface.points)
+      for (const ContactPoint &point : interface.points_of(zone))
         {
           const double force = normal_force(interface, point, solution);
           for (unsigned int k = 0; k < point.n_multipliers; ++k)
@@ -261,6 +260,7 @@ namespace Contact
 
   std::vector<ProfileRow>
   slave_profile(const ContactInterface                   &interface,
+                const ContactZone                        &zone,
                 const Discretization                     &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const Vector<double>                     &solution,
@@ -268,9 +268,9 @@ namespace Contact
                 const std::optional<ExactSolution>       &exact)
   {
     auto rows =
-      make_rows(interface.slave, discretization, vertex_stresses, solution);
-    add_gap_and_slip(interface, discretization, solution, u_start, rows);
-    add_contact_values(interface, solution, u_start, rows);
+      make_rows(zone.slave, discretization, vertex_stresses, solution);
+    add_gap_and_slip(interface, zone, solution, u_start, rows);
+    add_contact_values(interface, zone, solution, u_start, rows);
     add_exact_values(exact, rows);
     return rows;
   }
@@ -279,28 +279,31 @@ namespace Contact
 
   std::vector<ProfileRow>
   master_profile(const ContactInterface                   &interface,
+                 const ContactZone                        &zone,
                  const Discretization                     &discretization,
                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                  const Vector<double>                     &solution,
                  const std::vector<ProfileRow>            &slave,
                  const std::optional<ExactSolution>       &exact)
   {
-    const Surface &master = interface.master;
+    if (!zone.master)
+      return {};
+    const Surface &master = *zone.master;
     auto rows = make_rows(master, discretization, vertex_stresses, solution);
 
-    const SurfaceSearch search(interface.slave, solution);
+    const SurfaceSearch search(zone.slave, solution);
     for (unsigned int n = 0; n < rows.size(); ++n)
       {
         const Projection place =
           search.closest_point(master.position(n, solution));
         if (!place.off_the_end)
-          interpolate(interface.slave, slave, place, rows[n]);
+          interpolate(zone.slave, slave, place, rows[n]);
       }
 
     std::map<types::global_dof_index, unsigned int> node_of_dof;
     for (unsigned int n = 0; n < master.nodes.size(); ++n)
       node_of_dof[master.nodes[n].dofs[0]] = n;
-    for (const ContactPoint &point : interface.points)
+    for (const ContactPoint &point : interface.points_of(zone))
       for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
         rows[node_of_dof.at(point.dofs[a][0])].nodal_force -=
           point.C[a] * normal_force(interface, point, solution);

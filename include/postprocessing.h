@@ -50,9 +50,19 @@ namespace Contact
 
 
 
+  /// The rows of both surfaces of a zone.
+  struct ZoneProfile
+  {
+    std::string             name; // of the zone
+    const Surface          *slave;
+    std::vector<ProfileRow> slave_rows, master_rows;
+  };
+
+
+
   /**
-   * The profile of the slave surface, one row per node in the order of
-   * Surface::nodes. Here the multipliers live: pressure and shear are their
+   * The profile of the slave surface of a zone, one row per node in the order
+   * of Surface::nodes. Here the multipliers live: pressure and shear are their
    * values, the nodal force is
    *   sum over the points of w psi_k p
    * for the multiplier k of the node. Gap and slip are those of the node
@@ -65,6 +75,7 @@ namespace Contact
    */
   std::vector<ProfileRow>
   slave_profile(const ContactInterface                   &interface,
+                const ContactZone                        &zone,
                 const Discretization                     &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const Vector<double>                     &solution,
@@ -72,7 +83,8 @@ namespace Contact
                 const std::optional<ExactSolution>       &exact);
 
   /**
-   * The profile of the master surface. A master node has no contact values of
+   * The profile of the master surface of a zone, empty on an obstacle. A
+   * master node has no contact values of
    * its own: it gets those of the place of the deformed slave surface that is
    * closest, interpolated between the rows of @p slave there; the status is
    * that of the nearest slave node. Where the slave does not reach, all of
@@ -85,6 +97,7 @@ namespace Contact
    */
   std::vector<ProfileRow>
   master_profile(const ContactInterface                   &interface,
+                 const ContactZone                        &zone,
                  const Discretization                     &discretization,
                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                  const Vector<double>                     &solution,

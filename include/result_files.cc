@@ -78,7 +78,6 @@ namespace Contact
       patch.vertices[0]          = rows[nodes[0]].X;
       patch.vertices[1]          = rows[nodes[1]].X;
       patch.reference_cell       = ReferenceCells::Line;
-      patch.patch_index          = e;
       patch.n_subdivisions       = slave.degree;
       patch.points_are_available = true;
       patch.data.reinit(contact_fields.size() + 2, along.size());
@@ -366,14 +365,17 @@ namespace Contact
 
 
 
-  void ResultFiles::write_contact(const unsigned int             k,
-                                  const double                   load_factor,
-                                  const Surface                 &slave,
-                                  const std::vector<ProfileRow> &rows)
+  void ResultFiles::write_contact(const unsigned int              k,
+                                  const double                    load_factor,
+                                  const std::vector<ZoneProfile> &zones)
   {
     std::vector<DataOutBase::Patch<1, 2>> patches;
-    for (unsigned int e = 0; e < slave.edges.size(); ++e)
-      patches.push_back(make_patch(slave, rows, e));
+    for (const ZoneProfile &zone : zones)
+      for (unsigned int e = 0; e < zone.slave->edges.size(); ++e)
+        {
+          patches.push_back(make_patch(*zone.slave, zone.slave_rows, e));
+          patches.back().patch_index = patches.size() - 1;
+        }
 
     const std::string file =
       "contact_" + Utilities::int_to_string(k, 4) + ".vtu";
@@ -393,8 +395,7 @@ namespace Contact
 
 
 
-  void ResultFiles::write_profile(const std::vector<ProfileRow> &slave,
-                                  const std::vector<ProfileRow> &master) const
+  void ResultFiles::write_profile(const std::vector<ZoneProfile> &zones) const
   {
     write_first("profile.csv", [&](std::ostream &out) {
       out.precision(12);
@@ -403,8 +404,12 @@ namespace Contact
              "nodal_force_N_per_mm,gap_mm,slip_mm,"
              "status_0_open_1_slip_2_stick,extrapolated_pressure_MPa,"
              "exact_pressure_MPa,exact_shear_MPa\n";
-      write_rows(out, "slave", slave);
-      write_rows(out, "master", master);
+      for (const ZoneProfile &zone : zones)
+        {
+          const std::string name = zone.name.empty() ? "" : " " + zone.name;
+          write_rows(out, "slave" + name, zone.slave_rows);
+          write_rows(out, "master" + name, zone.master_rows);
+        }
     });
   }
 } // namespace Contact

@@ -67,7 +67,7 @@ namespace Contact
 
   /**
    * The files of one run for ParaView and for curves: two series, of the
-   * bodies and of the slave surface, and the profile of both surfaces. Both
+   * bodies and of the slave surfaces, and the profiles of all surfaces. Both
    * series hold reference positions and the field "displacement", so that
    * "warp by vector" moves both alike; their time is the load factor.
    */
@@ -92,18 +92,17 @@ namespace Contact
 
     /**
      * Write contact_000k.vtu of increment @p k, and contact.pvd anew: the
-     * edges of the slave surface with displacement, pressure, shear, gap, slip
-     * and status of @p rows, the profile of the slave.
+     * edges of the slave surfaces with displacement, pressure, shear, gap, slip
+     * and status of their rows.
      */
-    void write_contact(const unsigned int             k,
-                       const double                   load_factor,
-                       const Surface                 &slave,
-                       const std::vector<ProfileRow> &rows);
+    void write_contact(const unsigned int              k,
+                       const double                    load_factor,
+                       const std::vector<ZoneProfile> &zones);
 
     /// Write profile.csv: a line with names and units, then the rows of both
-    /// surfaces. Where there is no exact solution its fields are empty.
-    void write_profile(const std::vector<ProfileRow> &slave,
-                       const std::vector<ProfileRow> &master) const;
+    /// surfaces, "slave" and "master" with the name of the zone, if it has one.
+    /// Where there is no exact solution its fields are empty.
+    void write_profile(const std::vector<ZoneProfile> &zones) const;
 
     /// The increments written so far, for a restart.
     template<class Archive>

@@ -142,7 +142,6 @@ namespace Contact
                 {"unknowns",
                  {{"displacement", summary.n_displacements},
                   {"multipliers", summary.n_multipliers}}},
-                {"contact", summary.contact},
                 {"exact", summary.exact},
                 {"errors", summary.errors},
                 {"time", to_json(summary.time)},
@@ -154,6 +153,8 @@ namespace Contact
         json["increments"].push_back(to_json(increment));
       for (const LevelRecord &level : summary.levels)
         json["levels"].push_back(to_json(level));
+      for (const auto &[zone, values] : summary.contact)
+        json[zone.empty() ? "contact" : "contact " + zone] = values;
       for (const auto &[effect, value] : summary.effects)
         json["effects"][effect] = value;
       return json;

@@ -120,7 +120,8 @@ namespace Contact
     /// The contact zone at full load, see ContactResults; what the exact
     /// solution has instead, and the errors relative to that, see
     /// ExactSolution. By name; empty where there is none.
-    std::map<std::string, double> contact, exact, errors;
+    std::map<std::string, std::map<std::string, double>> contact; // by zone
+    std::map<std::string, double>                        exact, errors;
 
     std::map<std::string, PhaseTime> time; // by phase
     double                           peak_memory_mb = 0;

@@ -117,7 +117,7 @@ namespace
 
     const auto  &one = saddle.solution, &other = condensed.solution;
     const auto   n   = saddle.n_dofs();
-    const auto   n_k = saddle.interface.multipliers.n_multipliers;
+    const auto   n_k = saddle.interface.n_normal_multipliers();
     const double u   = difference(one, other, 0, n);
     const double p   = difference(one, other, n, n + n_k);
     const double q =

@@ -19,7 +19,7 @@ namespace Tests
       : Bodies(parameters)
       , interface(std::make_unique<ContactInterface>(discretization,
                                                      *elasticity,
-                                                     parameters.contact))
+                                                     parameters.zones()))
       , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
       , solution(n_dofs() + interface->n_multipliers())
       , start(solution)
@@ -51,7 +51,7 @@ namespace Tests
       elasticity = Elasticity::create(discretization, parameters.solids);
       interface  = std::make_unique<ContactInterface>(discretization,
                                                      *elasticity,
-                                                     parameters.contact);
+                                                     parameters.zones());
       solution.reinit(n_dofs() + interface->n_multipliers());
       start.reinit(solution.size());
       rhs.reinit(solution.size());

@@ -32,7 +32,7 @@ namespace
       interface.pair(solution);
       for (unsigned int k = 0; k < interface.n_multipliers(); ++k)
         solution[interface.normal_index(k)] = 1;
-      for (const auto &node : interface.slave.nodes)
+      for (const auto &node : interface.zones[0]->slave.nodes)
         start[node.dofs[0]] = -1;
     }
 
@@ -54,7 +54,7 @@ namespace
     // Where a point is.
     double x(const ContactPoint &point) const
     {
-      const auto     &slave = interface.slave;
+      const auto     &slave = interface.zones[0]->slave;
       const EdgeShape shape(slave.degree, point.slave_xi);
       double          x = 0;
       for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
@@ -83,7 +83,7 @@ namespace
 
     ContactResults results() const
     {
-      return contact_results(interface, solution, start);
+      return contact_results(interface, *interface.zones[0], solution, start);
     }
   };
 
@@ -120,7 +120,7 @@ namespace
 
     // Sticking, with the multipliers of the shear in place of the bound.
     model.set([](double) { return 2.; }, zero, 0.25);
-    for (unsigned int k = 0; k < model.interface.multipliers.n_multipliers; ++k)
+    for (unsigned int k = 0; k < model.interface.n_normal_multipliers(); ++k)
       model.solution[model.interface.tangential_index(k)] = 0.125;
     found = model.results();
     check_small(name + ", stick",

@@ -360,11 +360,11 @@ namespace
     });
     std::copy(u.begin(), u.end(), model.solution.begin());
     const auto &interface = model.interface;
-    for (unsigned int i = 0; i < interface.slave.nodes.size(); ++i)
+    for (unsigned int i = 0; i < interface.zones[0]->slave.nodes.size(); ++i)
       {
-        const unsigned int k = interface.multipliers.of_node[i];
+        const unsigned int k = interface.zones[0]->multipliers.of_node[i];
         model.solution[interface.normal_index(k)] =
-          P + a * interface.slave.nodes[i].X[0];
+          P + a * interface.zones[0]->slave.nodes[i].X[0];
         model.solution[interface.tangential_index(k)] = T + b;
       }
 

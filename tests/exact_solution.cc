@@ -57,7 +57,7 @@ namespace
   {
     return *make_exact_solution(parameters,
                                 model.discretization,
-                                model.interface,
+                                *model.interface.zones[0],
                                 results);
   }
 
@@ -81,9 +81,10 @@ namespace
             factor * exact.displacement(X[i], cell->material_id())[c[i]];
       }
     const auto &interface = model.interface;
-    for (unsigned int n = 0; n < interface.slave.nodes.size(); ++n)
-      model.solution[interface.normal_index(interface.multipliers.of_node[n])] =
-        factor * exact.pressure(interface.slave.nodes[n].X);
+    for (unsigned int n = 0; n < interface.zones[0]->slave.nodes.size(); ++n)
+      model.solution[interface.normal_index(
+        interface.zones[0]->multipliers.of_node[n])] =
+        factor * exact.pressure(interface.zones[0]->slave.nodes[n].X);
   }
 
 
@@ -95,6 +96,7 @@ namespace
                            model.discretization,
                            *model.elasticity,
                            model.interface,
+                           *model.interface.zones[0],
                            model.solution);
   }
 
@@ -176,10 +178,11 @@ namespace
       {
         interpolate(exact, factor, model);
         const auto &interface = model.interface;
-        for (unsigned int n = 0; n < interface.slave.nodes.size(); ++n)
+        for (unsigned int n = 0; n < interface.zones[0]->slave.nodes.size();
+             ++n)
           model.solution[interface.tangential_index(
-            interface.multipliers.of_node[n])] =
-            factor * exact.shear(interface.slave.nodes[n].X);
+            interface.zones[0]->multipliers.of_node[n])] =
+            factor * exact.shear(interface.zones[0]->slave.nodes[n].X);
         for (const auto &[name, error] : errors(exact, model))
           check_small("degree " + std::to_string(degree) + ", " + name + ", " +
                         two_digits(factor) + " of the solution",
@@ -326,7 +329,7 @@ namespace
     check("nothing to compare with",
           !make_exact_solution(parameters,
                                model.discretization,
-                               model.interface,
+                               *model.interface.zones[0],
                                results));
   }
 
@@ -369,10 +372,12 @@ namespace
           model.solution[interface.tangential_index(point.multipliers[k])] =
             (upper_is_slave ? sign : -sign) * (point.tangent[0] > 0 ? 1 : -1);
       }
-    const auto results =
-      contact_results(interface, model.solution, model.start);
-    const auto        exact = exact_solution(parameters, model, results);
-    const std::string name  = std::string(upper_is_slave ? "upper" : "lower") +
+    const auto        results = contact_results(interface,
+                                         *interface.zones[0],
+                                         model.solution,
+                                         model.start);
+    const auto        exact   = exact_solution(parameters, model, results);
+    const std::string name = std::string(upper_is_slave ? "upper" : "lower") +
                              " slave, " +
                              (sign > 0 ? "to the right" : "to the left");
     const CattaneoMindlin mindlin{{5, 100, 1000, 0.3, 1000, 0.3},

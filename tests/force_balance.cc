@@ -266,8 +266,8 @@ namespace
     print_contact(model);
 
     const Vector<double> forces = model.elasticity->forces(model.solution, 1);
-    const auto           slave  = unknowns_of(model.interface.slave);
-    const auto           master = unknowns_of(model.interface.master);
+    const auto           slave  = unknowns_of(model.interface.zones[0]->slave);
+    const auto master = unknowns_of((*model.interface.zones[0]->master));
 
     const auto on = [&](const auto &surface) {
       return sum(model, forces, [&](const unsigned int i) {

@@ -475,7 +475,7 @@ namespace
                    model.force,
                    &holds)
             .violations.empty());
-    holds[model.interface.slave.nodes[3].dofs[1]] += 1e-3;
+    holds[model.interface.zones[0]->slave.nodes[3].dofs[1]] += 1e-3;
     check("but where no support acts they raise an alarm",
           !model.invariants
              .check(model.solution,

@@ -87,6 +87,7 @@ namespace
   {
     const auto &disc  = model.discretization;
     const Rows  slave = slave_profile(model.interface,
+                                     *model.interface.zones[0],
                                      disc,
                                      stresses,
                                      model.solution,
@@ -94,6 +95,7 @@ namespace
                                      exact);
     return {{slave,
              master_profile(model.interface,
+                            *model.interface.zones[0],
                             disc,
                             stresses,
                             model.solution,
@@ -172,12 +174,12 @@ namespace
     PlacedModel model(parameters, stay);
 
     const auto &interface = model.interface;
-    for (unsigned int n = 0; n < interface.slave.nodes.size(); ++n)
+    for (unsigned int n = 0; n < interface.zones[0]->slave.nodes.size(); ++n)
       {
-        const unsigned int k = interface.multipliers.of_node[n];
+        const unsigned int k = interface.zones[0]->multipliers.of_node[n];
         if (k != numbers::invalid_unsigned_int)
           model.solution[interface.normal_index(k)] =
-            2 - interface.slave.nodes[n].X[0];
+            2 - interface.zones[0]->slave.nodes[n].X[0];
       }
 
     const auto [slave, master] =
@@ -206,12 +208,14 @@ namespace
     parameters.probes.hertz    = {5, 100};
     const PlacedModel model(parameters, stay);
     const Stresses    stresses(model.mesh.triangulation.n_vertices());
-    const auto        exact = make_exact_solution(parameters,
-                                           model.discretization,
-                                           model.interface,
-                                           contact_results(model.interface,
-                                                           model.solution,
-                                                           model.start));
+    const auto        exact =
+      make_exact_solution(parameters,
+                          model.discretization,
+                          *model.interface.zones[0],
+                          contact_results(model.interface,
+                                          *model.interface.zones[0],
+                                          model.solution,
+                                          model.start));
     for (const Rows &rows : profiles(model, stresses, exact))
       for (const ProfileRow &row : rows)
         if (row.exact_pressure > 0)
@@ -351,12 +355,15 @@ namespace
     const Stresses    stresses(model.mesh.triangulation.n_vertices());
     const auto [slave, master] = profiles(model, stresses);
 
+    const std::vector<ZoneProfile> zones{
+      {"", &model.interface.zones[0]->slave, slave, master}};
+
     const std::filesystem::path directory = "files/nested";
     ResultFiles                 files(directory, model.discretization);
     for (unsigned int k = 1; k <= 2; ++k)
       {
         files.write_bodies(k, 0.5 * k, stresses, model.solution);
-        files.write_contact(k, 0.5 * k, model.interface.slave, slave);
+        files.write_contact(k, 0.5 * k, zones);
         for (const std::string name : {"bodies", "contact"})
           {
             const std::string pvd = contents(directory / (name + ".pvd"));
@@ -370,7 +377,7 @@ namespace
     check_cells(directory / "bodies_0002.vtu");
     check_cells(directory / "contact_0002.vtu");
 
-    files.write_profile(slave, master);
+    files.write_profile(zones);
     std::ifstream            csv(directory / "profile.csv");
     std::string              line;
     std::map<long, unsigned> n_lines;

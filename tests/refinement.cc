@@ -388,8 +388,8 @@ namespace
 
     // Do nodes hang on slave nodes?
     unsigned int n_hanging = 0;
-    for (const Surface *surface :
-         {&model.interface->slave, &model.interface->master})
+    for (const Surface *surface : {&model.interface->zones[0]->slave,
+                                   &*model.interface->zones[0]->master})
       {
         std::set<types::global_dof_index> dofs;
         for (const auto &node : surface->nodes)
@@ -425,7 +425,7 @@ namespace
     {
       interface = std::make_unique<ContactInterface>(discretization,
                                                      *elasticity,
-                                                     parameters.contact);
+                                                     parameters.zones());
       solution.reinit(n_dofs() + interface->n_multipliers());
       interface->pair(solution);
     }

@@ -77,7 +77,7 @@ namespace
   {
     std::set<types::global_dof_index> unknowns;
     for (const Surface *surface :
-         {&model.interface.slave, &model.interface.master})
+         {&model.interface.zones[0]->slave, &*model.interface.zones[0]->master})
       for (const auto &node : surface->nodes)
         unknowns.insert(node.dofs.begin(), node.dofs.end());
     for (unsigned int i = model.n_dofs(); i < model.solution.size(); ++i)
@@ -98,7 +98,7 @@ namespace
     ContactInterface  &interface = model.interface;
 
     std::set<types::global_dof_index> slave;
-    for (const auto &node : interface.slave.nodes)
+    for (const auto &node : interface.zones[0]->slave.nodes)
       slave.insert(node.dofs.begin(), node.dofs.end());
     for (unsigned int i = 0; i < model.n_dofs(); ++i)
       {
@@ -191,7 +191,7 @@ namespace
 
             // Contact without friction has a potential, sticking has one as
             // long as the pairing stands still.
-            if (model.interface.law.is_frictionless() ||
+            if (model.interface.zones[0]->law.is_frictionless() ||
                 (!slips && !moving_geometry))
               check_small(name + ", asymmetry", result.asymmetry, 1e-14);
           }
@@ -225,7 +225,7 @@ namespace
     check("edges are curved at degree 2", curved == (degree == 2));
 
     check_decision(model, "open", {Status::open, 0});
-    if (model.interface.law.is_frictionless())
+    if (model.interface.zones[0]->law.is_frictionless())
       check_decision(model, "contact", {Status::slip, 0});
     else
       {

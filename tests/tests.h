@@ -305,7 +305,7 @@ namespace Tests
   {
     explicit ContactModel(const Parameters::All &parameters)
       : Bodies(parameters)
-      , interface(discretization, *elasticity, parameters.contact)
+      , interface(discretization, *elasticity, parameters.zones())
       , solution(n_dofs() + interface.n_multipliers())
       , start(solution)
     {

@@ -43,11 +43,15 @@ namespace
     for (const ContactPoint &point : model.interface.points)
       if (point.tangential_row_is_void)
         {
-          const auto     &edge = model.interface.slave.edges[point.slave_edge];
-          const EdgeShape shape(model.interface.slave.degree, point.slave_xi);
+          const auto &edge =
+            model.interface.zones[0]->slave.edges[point.slave_edge];
+          const EdgeShape shape(model.interface.zones[0]->slave.degree,
+                                point.slave_xi);
           Point<2>        X;
-          for (unsigned int a = 0; a <= model.interface.slave.degree; ++a)
-            X += shape.value[a] * model.interface.slave.nodes[edge.nodes[a]].X;
+          for (unsigned int a = 0; a <= model.interface.zones[0]->slave.degree;
+               ++a)
+            X += shape.value[a] *
+                 model.interface.zones[0]->slave.nodes[edge.nodes[a]].X;
           std::cout << " (" << X << ')';
           ++n_void;
         }
