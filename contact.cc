@@ -405,6 +405,8 @@ namespace Contact
   {
     auto &effects         = summary.effects;
     effects["kinematics"] = parameters.solids.kinematics;
+    if (discretization->axisymmetric)
+      effects["kinematics"] += ", axisymmetric";
     effects["element"] =
       parameters.element.degree == 1
         ? "linear"
@@ -861,7 +863,8 @@ namespace Contact
       softest = std::min(softest, elasticity->young(body.second));
     std::map<types::material_id, double> stiffness;
     for (const FreeMotion &motion : softly_held)
-      stiffness[motion.body] = 1e-6 * softest;
+      stiffness[motion.body] =
+        1e-6 * softest * elasticity->mean_circumference(motion.body);
 
     const unsigned int max_turns = 20;
     for (unsigned int turn = 1;; ++turn)

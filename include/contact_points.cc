@@ -115,6 +115,8 @@ namespace Contact
 
     std::vector<ContactPoint>   points;
     const std::array<double, 3> ends{{-1, 1, 0}};
+    const std::array<double, 3> centroids =
+      slave.degree == 1 ? std::array<double, 3>{{-1. / 3, 1. / 3, 0}} : ends;
     for (unsigned int e = 0; e < slave.edges.size(); ++e)
       for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
         {
@@ -136,8 +138,9 @@ namespace Contact
           const double share =
             slave.degree == 1 ? 1. : (a == 2 ? 4. / 3. : 1. / 3.);
           points[multipliers.of_node[node]].weight +=
-            share * slave.reference_jacobian(slave.edges[e],
-                                             EdgeShape(slave.degree, ends[a]));
+            share *
+            slave.reference_jacobian(slave.edges[e],
+                                     EdgeShape(slave.degree, centroids[a]));
         }
     return points;
   }

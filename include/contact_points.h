@@ -87,8 +87,9 @@ namespace Contact
     // The slave side, the same during the whole run.
     unsigned int slave_edge; // in the slave surface
     double       slave_xi;
-    double       weight;          // undeformed length it stands for [mm]
-    double       complementarity; // the c of p - c g [MPa/mm]
+    double       weight;    // undeformed length it stands for [mm];
+                            // of rings, the area [mm^2]
+    double complementarity; // the c of p - c g [MPa/mm]
 
     // The multipliers that act here: p = sum_k psi_k lambda_k.
     unsigned int                              n_multipliers;
@@ -152,8 +153,10 @@ namespace Contact
 
   /**
    * The nodal rule: one point per slave node, mid-sides included, weighted by
-   * the integral of its shape function (trapezoidal and Simpson's rule); the
-   * constraint is collocated. Without the nodes in @p excluded.
+   * the integral of its shape function (trapezoidal and Simpson's rule; of
+   * rings, times the circumference where the shape function has its centroid,
+   * which is exact on straight edges); the constraint is collocated. Without
+   * the nodes in @p excluded.
    */
   std::vector<ContactPoint>
   make_nodal_points(const Surface                &slave,

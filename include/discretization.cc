@@ -46,6 +46,7 @@ namespace Contact
     , communicator(communicator)
     , degree(parameters.element.degree)
     , bound_centre(degree == 2 && parameters.element.centre_node == "bound")
+    , axisymmetric(parameters.solids.symmetry == "axisymmetric")
     , mapping(MappingQ<2>(degree), MappingFE<2>(FE_SimplexP<2>(degree)))
     , fe(FESystem<2>(FE_Q<2>(degree), 2),
          FESystem<2>(FE_SimplexP<2>(degree), 2))
@@ -55,7 +56,32 @@ namespace Contact
   {
     for (const auto &[entry, formula] : boundary.histories)
       histories[entry] = parse_history(formula);
+    if (axisymmetric)
+      check_radii();
     redistribute();
+  }
+
+
+
+  // On the coarse mesh, which every rank has.
+  void Discretization::check_radii()
+  {
+    double largest = 0;
+    for (const auto &cell : mesh.triangulation.cell_iterators_on_level(0))
+      for (const unsigned int v : cell->vertex_indices())
+        largest = std::max(largest, cell->vertex(v)[0]);
+    axis_tolerance = 1e-10 * largest;
+
+    for (const auto &cell : mesh.triangulation.cell_iterators_on_level(0))
+      for (const unsigned int v : cell->vertex_indices())
+        if (const Point<2> X = cell->vertex(v); X[0] < -axis_tolerance)
+          throw InputError("with axisymmetry x is the radius, but the node at "
+                           "(" +
+                             std::to_string(X[0]) + ", " +
+                             std::to_string(X[1]) + ") mm has a negative one",
+                           "Solids/Symmetry",
+                           "mesh the half x >= 0 of the section, move it there "
+                           "with Mesh/Shift, or set 'Symmetry = plane strain'");
   }
 
 
@@ -205,9 +231,44 @@ namespace Contact
 
     collect(boundary.displacement_x, 0);
     collect(boundary.displacement_y, 1);
+    if (axisymmetric)
+      hold_axis();
     for (const auto &of_rank :
          Utilities::MPI::all_gather(communicator, prescribed))
       prescribed.insert(of_rank.begin(), of_rank.end());
+  }
+
+
+
+  // A ring of no radius can not grow.
+  void Discretization::hold_axis()
+  {
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        const auto on_axis = [&](const unsigned int v) {
+          return is_on_axis(cell->vertex(v));
+        };
+        const auto vertices = cell->vertex_indices();
+        if (cell->is_artificial() ||
+            std::none_of(vertices.begin(), vertices.end(), on_axis))
+          continue;
+
+        const auto &fe = cell->get_fe();
+        dofs.resize(fe.n_dofs_per_cell());
+        cell->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (fe.system_to_component_index(i).first == 0 &&
+              is_on_axis(
+                mapping[cell->active_fe_index()]
+                  .transform_unit_to_real_cell(cell, fe.unit_support_point(i))))
+            if (const Prescribed none{0, 0};
+                prescribed.emplace(dofs[i], none).first->second != none)
+              throw InputError("a node on the axis of symmetry is moved off it",
+                               "Boundary conditions/Displacement x",
+                               "u_x = 0 there: let the group end before the "
+                               "axis");
+      }
   }
 
 
@@ -248,7 +309,7 @@ namespace Contact
               integrate(ids, [&](const Point<2> &, const Tensor<1, 2> &) {
                 return direction;
               });
-            // The shares add up to the length.
+            // The shares add up to the length; of rings, to their area.
             load_of(spread).add(force / (shares.mean_value() * shares.size()),
                                 shares);
           }
@@ -262,8 +323,42 @@ namespace Contact
             load_of(nodal)[dof] += force;
             nodal_forces.insert(dof);
           }
+        collect_fields(c);
       }
     collect_pressures();
+  }
+
+
+
+  // Tractions and body forces in the direction c.
+  void Discretization::collect_fields(const unsigned int c)
+  {
+    Tensor<1, 2> direction;
+    direction[c] = 1;
+
+    const std::string traction = std::string("Traction ") + "xy"[c];
+    for (const auto &[name, formula] :
+         c == 0 ? boundary.traction_x : boundary.traction_y)
+      {
+        const auto  value = parse_formula<2>(formula, "x,y");
+        const auto &ids =
+          mesh.boundary(name, "Boundary conditions/" + traction);
+        loaded.insert(ids.begin(), ids.end());
+        load_of(traction) +=
+          integrate(ids, [&](const Point<2> &X, const Tensor<1, 2> &) {
+            return value(X) * direction;
+          });
+      }
+
+    const std::string body_force = std::string("Body force ") + "xy"[c];
+    for (const auto &[name, formula] :
+         c == 0 ? boundary.body_force_x : boundary.body_force_y)
+      {
+        const auto value = parse_formula<2>(formula, "x,y");
+        load_of(body_force) +=
+          integrate(mesh.body(name, "Boundary conditions/" + body_force),
+                    [&](const Point<2> &X) { return value(X) * direction; });
+      }
   }
 
 
@@ -289,16 +384,15 @@ namespace Contact
   Discretization::integrate(const std::set<types::boundary_id> &ids,
                             const TractionField                &traction) const
   {
-    const QGauss<1>                      edge_quadrature(degree + 1);
-    hp::FEFaceValues<2>                  hp_values(mapping,
+    const QGauss<1>     edge_quadrature(degree + 1);
+    hp::FEFaceValues<2> hp_values(mapping,
                                   fe,
                                   hp::QCollection<1>(edge_quadrature,
                                                      edge_quadrature),
                                   update_values | update_JxW_values |
                                     update_quadrature_points |
                                     update_normal_vectors);
-    Vector<double>                       integrals(dof_handler.n_dofs());
-    std::vector<types::global_dof_index> dofs;
+    Vector<double>      integrals(dof_handler.n_dofs());
     for (const auto &cell : dof_handler.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (cell->is_locally_owned() && cell->face(f)->at_boundary() &&
@@ -306,22 +400,70 @@ namespace Contact
           {
             hp_values.reinit(cell, f);
             const auto &values = hp_values.get_present_fe_values();
-            const auto &fe     = values.get_fe();
-            dofs.resize(values.dofs_per_cell);
-            cell->get_dof_indices(dofs);
-            for (const unsigned int q : values.quadrature_point_indices())
-              {
-                const Tensor<1, 2> force =
-                  values.JxW(q) *
-                  traction(values.quadrature_point(q), values.normal_vector(q));
-                for (unsigned int i = 0; i < dofs.size(); ++i)
-                  integrals[dofs[i]] +=
-                    force[fe.system_to_component_index(i).first] *
-                    values.shape_value(i, q);
-              }
+            add_integrals(
+              values,
+              cell,
+              [&](const unsigned int q) {
+                return traction(values.quadrature_point(q),
+                                values.normal_vector(q));
+              },
+              integrals);
           }
     Utilities::MPI::sum(integrals, communicator, integrals);
     return integrals;
+  }
+
+
+
+  // The same of a body. A constant force times the radius times the shape
+  // functions is integrated exactly on straight cells.
+  Vector<double> Discretization::integrate(const types::material_id body,
+                                           const BodyForceField    &force) const
+  {
+    hp::FEValues<2> hp_values(mapping,
+                              fe,
+                              hp::QCollection<2>(QGauss<2>(degree + 1),
+                                                 QGaussSimplex<2>(degree + 1)),
+                              update_values | update_JxW_values |
+                                update_quadrature_points);
+    Vector<double>  integrals(dof_handler.n_dofs());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->material_id() == body)
+        {
+          hp_values.reinit(cell);
+          const auto &values = hp_values.get_present_fe_values();
+          add_integrals(
+            values,
+            cell,
+            [&](const unsigned int q) {
+              return force(values.quadrature_point(q));
+            },
+            integrals);
+        }
+    Utilities::MPI::sum(integrals, communicator, integrals);
+    return integrals;
+  }
+
+
+
+  void Discretization::add_integrals(
+    const FEValuesBase<2>                                   &values,
+    const DoFHandler<2>::active_cell_iterator               &cell,
+    const std::function<Tensor<1, 2>(const unsigned int q)> &density,
+    Vector<double>                                          &integrals) const
+  {
+    const auto                          &fe = values.get_fe();
+    std::vector<types::global_dof_index> dofs(values.dofs_per_cell);
+    cell->get_dof_indices(dofs);
+    for (const unsigned int q : values.quadrature_point_indices())
+      {
+        const Tensor<1, 2> force = values.JxW(q) *
+                                   circumference(values.quadrature_point(q)) *
+                                   density(q);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          integrals[dofs[i]] += force[fe.system_to_component_index(i).first] *
+                                values.shape_value(i, q);
+      }
   }
 
 

@@ -7,6 +7,7 @@
 #define contact_discretization_h
 
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_collection.h>
 #include <deal.II/hp/mapping_collection.h>
 #include <deal.II/hp/q_collection.h>
@@ -43,6 +44,10 @@ namespace Contact
    * With <code>bound_centre</code> the centre value of a quadrangle of degree 2
    * is 1/2 sum(mid-sides) - 1/4 sum(corners): the 8-node element.
    *
+   * With axisymmetry x is the radius and y the axis. Whatever integrates
+   * multiplies with circumference(); u_x = 0 on the axis without being asked
+   * for.
+   *
    * With several ranks each has the unknowns of its cells and their neighbors;
    * supports, dead loads and the unknowns of named points are known to all.
    * Vectors of the displacement are held in full by every rank.
@@ -54,6 +59,19 @@ namespace Contact
                    const Parameters::All &parameters,
                    const MPI_Comm         communicator = MPI_COMM_SELF);
 
+    /// How much of the body stands behind a place X of the plane: 1 in plane
+    /// strain, the circumference 2 pi x of its ring with axisymmetry [mm].
+    double circumference(const Point<2> &X) const
+    {
+      return axisymmetric ? 2 * numbers::PI * X[0] : 1.;
+    }
+
+    /// Whether a place is on the axis of symmetry.
+    bool is_on_axis(const Point<2> &X) const
+    {
+      return axisymmetric && X[0] <= axis_tolerance;
+    }
+
     /// Number the unknowns anew after the mesh was refined.
     void redistribute();
 
@@ -61,6 +79,7 @@ namespace Contact
     const MPI_Comm     communicator;
     const unsigned int degree;
     const bool         bound_centre;
+    const bool         axisymmetric;
 
     const hp::MappingCollection<2> mapping;
     const hp::FECollection<2>      fe;
@@ -71,17 +90,17 @@ namespace Contact
     /// update.
     AffineConstraints<double> constraints;
 
-    /// The dead forces under a load factor [N per mm of thickness].
+    /// The dead forces under a load factor [N per mm of thickness; rings: N].
     Vector<double> dead_load(const double load_factor) const;
 
-    /// The sum of all their magnitudes at their full values [N per mm of
-    /// thickness]: what is small against it is small.
+    /// The sum of all their magnitudes at their full values, in the same unit:
+    /// what is small against it is small.
     double whole_load() const;
 
     /// Whether a nodal force acts on this unknown.
     bool carries_nodal_force(const types::global_dof_index dof) const;
 
-    /// Whether a spread force or a pressure acts on a boundary.
+    /// Whether a spread force, a pressure or a traction acts on a boundary.
     bool is_loaded(const types::boundary_id id) const;
 
     /// The unknowns of each vertex of the triangulation; invalid where no cell
@@ -135,18 +154,34 @@ namespace Contact
       }
     };
 
+    void check_radii();
+    void hold_axis();
     void collect_vertex_dofs();
     void share_named_points();
     void collect_supports();
     void collect_ties();
     void collect_loads();
     void collect_pressures();
+    void collect_fields(const unsigned int c);
 
     /// Traction [MPa] by place and outward normal.
     using TractionField =
       std::function<Tensor<1, 2>(const Point<2> &, const Tensor<1, 2> &)>;
     Vector<double> integrate(const std::set<types::boundary_id> &ids,
                              const TractionField &traction) const;
+
+    /// Force by volume [N/mm^3] by place.
+    using BodyForceField = std::function<Tensor<1, 2>(const Point<2> &)>;
+    Vector<double> integrate(const types::material_id body,
+                             const BodyForceField    &force) const;
+
+    /// Add the integrals of a density times the shape functions of a cell, over
+    /// the cell or one of its faces.
+    void add_integrals(
+      const FEValuesBase<2>                                   &values,
+      const DoFHandler<2>::active_cell_iterator               &cell,
+      const std::function<Tensor<1, 2>(const unsigned int q)> &density,
+      Vector<double>                                          &integrals) const;
 
     /// The factor of an entry of the boundary conditions under a load factor.
     double factor(const std::string &entry, const double load_factor) const;
@@ -166,6 +201,7 @@ namespace Contact
     std::map<std::string, Vector<double>>                      loads;
     std::set<types::global_dof_index>                          nodal_forces;
     std::set<types::boundary_id>                               loaded;
+    double axis_tolerance       = 0; // round-off of the radii [mm]
     bool   updates_vanish       = true;
     double largest_displacement = 0;
   };

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "errors.h"
+#include "symmetry.h"
 
 namespace Contact
 {
@@ -59,8 +60,9 @@ namespace Contact
 
 
 
-    /// The bodies with one kinematics, which no quadrature loop has to ask for.
-    template<class Kinematics>
+    /// The bodies with one kinematics and one symmetry, which no quadrature
+    /// loop has to ask for.
+    template<class Kinematics, class Symmetry>
     class Solid : public Elasticity
     {
     public:
@@ -76,6 +78,12 @@ namespace Contact
       bool is_linear() const override
       {
         return !Kinematics::has_geometric_stiffness;
+      }
+
+      double energy_density(const types::material_id     body,
+                            const SymmetricTensor<2, 3> &stress) const override
+      {
+        return Symmetry::energy_density(materials.at(body), stress);
       }
 
     private:
@@ -97,6 +105,16 @@ namespace Contact
                                          const unsigned int    q,
                                          const Vector<double> &u) const;
 
+      /// The hoop part of it, u_x/X; zero if nothing strains across the plane.
+      double hoop_gradient(const Cell           &cell,
+                           const unsigned int    q,
+                           const Vector<double> &u) const;
+
+      /// tr E without projection.
+      double dilatation(const Cell           &cell,
+                        const unsigned int    q,
+                        const Vector<double> &u) const;
+
       template<bool with_tangent, bool projected>
       SmallestInCell assemble_cell(const Cell           &cell,
                                    const Vector<double> &u,
@@ -106,11 +124,11 @@ namespace Contact
 
 
 
-    template<class Kinematics>
-    Tensor<2, 2>
-    Solid<Kinematics>::displacement_gradient(const Cell           &cell,
-                                             const unsigned int    q,
-                                             const Vector<double> &u) const
+    template<class Kinematics, class Symmetry>
+    Tensor<2, 2> Solid<Kinematics, Symmetry>::displacement_gradient(
+      const Cell           &cell,
+      const unsigned int    q,
+      const Vector<double> &u) const
     {
       const unsigned int  n = cell.n_nodes();
       const Tensor<1, 2> *N = &cell.gradients[q * n];
@@ -123,19 +141,46 @@ namespace Contact
 
 
 
+    template<class Kinematics, class Symmetry>
+    double
+    Solid<Kinematics, Symmetry>::hoop_gradient(const Cell           &cell,
+                                               const unsigned int    q,
+                                               const Vector<double> &u) const
+    {
+      double h = 0;
+      if constexpr (Symmetry::has_hoop)
+        for (unsigned int a = 0; a < cell.n_nodes(); ++a)
+          h +=
+            u[cell.dofs[2 * a]] * cell.hoop_gradients[q * cell.n_nodes() + a];
+      return h;
+    }
+
+
+
+    template<class Kinematics, class Symmetry>
+    double
+    Solid<Kinematics, Symmetry>::dilatation(const Cell           &cell,
+                                            const unsigned int    q,
+                                            const Vector<double> &u) const
+    {
+      return trace(Kinematics::strain(displacement_gradient(cell, q, u))) +
+             Kinematics::strain(hoop_gradient(cell, q, u));
+    }
+
+
+
     // With the orthonormal modes phi_m of the cell,
     //   P tr E = sum_m theta_m phi_m,   theta_m = sum_q JxW phi_m tr E.
-    template<class Kinematics>
-    typename Solid<Kinematics>::AtPoints
-    Solid<Kinematics>::dilatations(const Cell           &cell,
-                                   const Vector<double> &u) const
+    template<class Kinematics, class Symmetry>
+    typename Solid<Kinematics, Symmetry>::AtPoints
+    Solid<Kinematics, Symmetry>::dilatations(const Cell           &cell,
+                                             const Vector<double> &u) const
     {
       AtPoints              dilatations{};
       std::array<double, 3> theta{};
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)
         {
-          dilatations[q] =
-            trace(Kinematics::strain(displacement_gradient(cell, q, u)));
+          dilatations[q] = dilatation(cell, q, u);
           if (!cell.modes.empty())
             for (unsigned int m = 0; m < 3; ++m)
               theta[m] += cell.JxW[q] * cell.modes[q][m] * dilatations[q];
@@ -158,19 +203,20 @@ namespace Contact
     //           f11 N,2 + f12 N,1  f21 N,2 + f22 N,1 ],
     // and the tangent of the nodes a and b is
     //   K_ab = B_a^T D B_b + (grad N_a . S grad N_b) I,
-    // symmetric: the upper half is computed and mirrored. Projected, the part
-    // of D with lambda becomes
-    //   lambda sum_m g_m g_m^T,   g_m = sum_q JxW phi_m (row 1 + row 2 of B),
+    // symmetric: the upper half is computed and mirrored. Of rings E33 varies
+    // by the row (f33 N/X, 0) of B_a, and S33 N_a N_b/X^2 is added to K_ab in
+    // x. Projected, the part of D with lambda becomes
+    //   lambda sum_m g_m g_m^T,   g_m = sum_q JxW phi_m (trace of B),
     // while S has the projected dilatation and all else stays.
-    template<class Kinematics>
+    template<class Kinematics, class Symmetry>
     template<bool with_tangent, bool projected>
-    typename Solid<Kinematics>::SmallestInCell
-    Solid<Kinematics>::assemble_cell(const Cell           &cell,
-                                     const Vector<double> &u,
-                                     FullMatrix<double>   &matrix,
-                                     Vector<double>       &residual) const
+    typename Solid<Kinematics, Symmetry>::SmallestInCell
+    Solid<Kinematics, Symmetry>::assemble_cell(const Cell           &cell,
+                                               const Vector<double> &u,
+                                               FullMatrix<double>   &matrix,
+                                               Vector<double> &residual) const
     {
-      using StrainRows = std::array<std::array<double, 3>, 2>;
+      using StrainRows = std::array<typename Symmetry::StrainRow, 2>;
 
       const unsigned int n      = cell.n_nodes();
       const double       lambda = projected ? 0. : cell.material->lambda;
@@ -196,11 +242,19 @@ namespace Contact
           const Tensor<1, 2> *N   = &cell.gradients[q * n];
           const double        JxW = cell.JxW[q];
 
-          const auto S =
-            cell.material->stress(E, projected ? P_tr_E[q] : trace(E));
+          // Across the plane; of these, plane strain uses nothing.
+          const double  h   = hoop_gradient(cell, q, u);
+          const double  f33 = Kinematics::gradient_of_motion(h);
+          const double  E33 = Kinematics::strain(h);
+          const double *N_X =
+            Symmetry::has_hoop ? &cell.hoop_gradients[q * n] : nullptr;
+
+          const double tr_E = projected ? P_tr_E[q] : trace(E) + E33;
+          const auto   S    = cell.material->stress(E, tr_E);
+          const double S33  = cell.material->hoop_stress(E33, tr_E);
           if constexpr (Kinematics::has_geometric_stiffness)
             {
-              const double det_F = determinant(F);
+              const double det_F = determinant(F) * f33;
               if (det_F < smallest.value)
                 smallest = {det_F, q};
             }
@@ -215,13 +269,19 @@ namespace Contact
                   JxW * (B[a][i][0] * S[0][0] + B[a][i][1] * S[1][1] +
                          B[a][i][2] * S[0][1]);
               }
+          if constexpr (Symmetry::has_hoop)
+            for (unsigned int a = 0; a < n; ++a)
+              {
+                B[a][0][3] = f33 * N_X[a];
+                residual[2 * a] += JxW * B[a][0][3] * S33;
+              }
 
           if constexpr (with_tangent && projected)
             for (unsigned int m = 0; m < 3; ++m)
               for (unsigned int a = 0; a < n; ++a)
                 for (unsigned int i = 0; i < 2; ++i)
                   g[m][2 * a + i] +=
-                    JxW * cell.modes[q][m] * (B[a][i][0] + B[a][i][1]);
+                    JxW * cell.modes[q][m] * Symmetry::trace(B[a][i]);
 
           if constexpr (with_tangent)
             for (unsigned int a = 0; a < n; ++a)
@@ -229,10 +289,12 @@ namespace Contact
                 StrainRows DB;
                 for (unsigned int i = 0; i < 2; ++i)
                   {
-                    const double tr = lambda * (B[a][i][0] + B[a][i][1]);
+                    const double tr = lambda * Symmetry::trace(B[a][i]);
                     DB[i]           = {{JxW * (tr + 2 * mu * B[a][i][0]),
                                         JxW * (tr + 2 * mu * B[a][i][1]),
                                         JxW * mu * B[a][i][2]}};
+                    if constexpr (Symmetry::has_hoop)
+                      DB[i][3] = JxW * (tr + 2 * mu * B[a][i][3]);
                   }
                 const Tensor<1, 2> SN = JxW * (S * N[a]);
                 for (unsigned int b = a; b < n; ++b)
@@ -242,11 +304,16 @@ namespace Contact
                         matrix(2 * a + i, 2 * b + j) += DB[i][0] * B[b][j][0] +
                                                         DB[i][1] * B[b][j][1] +
                                                         DB[i][2] * B[b][j][2];
+                    if constexpr (Symmetry::has_hoop)
+                      for (unsigned int i = 0; i < 2; ++i)
+                        matrix(2 * a + i, 2 * b) += DB[i][3] * B[b][0][3];
                     if constexpr (Kinematics::has_geometric_stiffness)
                       {
                         const double geometric = SN * N[b];
                         matrix(2 * a, 2 * b) += geometric;
                         matrix(2 * a + 1, 2 * b + 1) += geometric;
+                        if constexpr (Symmetry::has_hoop)
+                          matrix(2 * a, 2 * b) += JxW * S33 * N_X[a] * N_X[b];
                       }
                   }
               }
@@ -267,12 +334,12 @@ namespace Contact
 
 
 
-    template<class Kinematics>
-    typename Solid<Kinematics>::SmallestInCell
-    Solid<Kinematics>::cell_forces(const Cell           &cell,
-                                   const Vector<double> &u,
-                                   FullMatrix<double>   *tangent,
-                                   Vector<double>       &forces) const
+    template<class Kinematics, class Symmetry>
+    typename Solid<Kinematics, Symmetry>::SmallestInCell
+    Solid<Kinematics, Symmetry>::cell_forces(const Cell           &cell,
+                                             const Vector<double> &u,
+                                             FullMatrix<double>   *tangent,
+                                             Vector<double>       &forces) const
     {
       const bool projected = !cell.modes.empty();
       if (tangent == nullptr)
@@ -288,26 +355,27 @@ namespace Contact
 
 
 
-    template<class Kinematics>
-    double Solid<Kinematics>::cell_energy(const Cell           &cell,
-                                          const Vector<double> &u) const
+    template<class Kinematics, class Symmetry>
+    double
+    Solid<Kinematics, Symmetry>::cell_energy(const Cell           &cell,
+                                             const Vector<double> &u) const
     {
       const AtPoints P_tr_E = dilatations(cell, u);
       double         energy = 0;
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)
         energy +=
-          cell.JxW[q] *
-          cell.material->stored_energy(Kinematics::strain(
-                                         displacement_gradient(cell, q, u)),
-                                       P_tr_E[q]);
+          cell.JxW[q] * cell.material->stored_energy(
+                          Kinematics::strain(displacement_gradient(cell, q, u)),
+                          Kinematics::strain(hoop_gradient(cell, q, u)),
+                          P_tr_E[q]);
       return energy;
     }
 
 
 
-    template<class Kinematics>
+    template<class Kinematics, class Symmetry>
     std::vector<std::vector<SymmetricTensor<2, 3>>>
-    Solid<Kinematics>::stresses(const Vector<double> &u) const
+    Solid<Kinematics, Symmetry>::stresses(const Vector<double> &u) const
     {
       std::vector<std::vector<SymmetricTensor<2, 3>>> stresses(
         discretization.mesh.triangulation.n_active_cells());
@@ -319,14 +387,16 @@ namespace Contact
           for (unsigned int q = 0; q < cell.JxW.size(); ++q)
             {
               const Tensor<2, 2> H      = displacement_gradient(cell, q, u);
+              const double       h      = hoop_gradient(cell, q, u);
               const auto         strain = Kinematics::strain(H);
               const auto plane = cell.material->stress(strain, P_tr_E[q]);
               SymmetricTensor<2, 3> S;
               for (unsigned int i = 0; i < 2; ++i)
                 for (unsigned int j = 0; j <= i; ++j)
                   S[i][j] = plane[i][j];
-              S[2][2]    = cell.material->stress_out_of_plane(P_tr_E[q]);
-              of_cell[q] = Kinematics::cauchy(H, S);
+              S[2][2] =
+                cell.material->hoop_stress(Kinematics::strain(h), P_tr_E[q]);
+              of_cell[q] = Kinematics::cauchy(H, h, S);
             }
         }
       return stresses;
@@ -356,10 +426,18 @@ namespace Contact
   Elasticity::create(const Discretization     &discretization,
                      const Parameters::Solids &parameters)
   {
-    if (parameters.kinematics == "small strain")
-      return std::make_unique<Solid<SmallStrain>>(discretization, parameters);
-    return std::make_unique<Solid<LargeDisplacement>>(discretization,
-                                                      parameters);
+    const auto create_with =
+      [&](const auto symmetry) -> std::unique_ptr<Elasticity> {
+      using Symmetry = std::decay_t<decltype(symmetry)>;
+      if (parameters.kinematics == "small strain")
+        return std::make_unique<Solid<SmallStrain, Symmetry>>(discretization,
+                                                              parameters);
+      return std::make_unique<Solid<LargeDisplacement, Symmetry>>(
+        discretization,
+        parameters);
+    };
+    return discretization.axisymmetric ? create_with(Axisymmetric())
+                                       : create_with(PlaneStrain());
   }
 
 
@@ -387,7 +465,7 @@ namespace Contact
            material.lambda > 10 * material.mu))
         projected.insert(body);
     tabulate();
-    sum_areas();
+    sum_volumes();
   }
 
 
@@ -555,7 +633,7 @@ namespace Contact
     std::map<types::material_id, double> positive;
     for (const auto &[body, k] : stiffness)
       {
-        Assert(areas.count(body) > 0, ExcMessage("no such body"));
+        Assert(volumes.count(body) > 0, ExcMessage("no such body"));
         Assert(k >= 0, ExcMessage("a negative stiffness"));
         if (k > 0)
           positive[body] = k;
@@ -597,10 +675,10 @@ namespace Contact
     const auto held = hold_stiffness.find(cell.body);
     if (held == hold_stiffness.end())
       return 0;
-    double area = 0;
+    double volume = 0;
     for (const double JxW : cell.JxW)
-      area += JxW;
-    return held->second * area / areas.at(cell.body) / cell.n_corners();
+      volume += JxW;
+    return held->second * volume / volumes.at(cell.body) / cell.n_corners();
   }
 
 
@@ -642,26 +720,39 @@ namespace Contact
 
 
 
-  void Elasticity::sum_areas()
+  double Elasticity::mean_circumference(const types::material_id body) const
+  {
+    return volumes.at(body) / areas.at(body);
+  }
+
+
+
+  void Elasticity::sum_volumes()
   {
     for (const auto &[name, body] : discretization.mesh.bodies)
-      areas[body] = 0;
+      areas[body] = volumes[body] = 0;
     for (unsigned int c = 0; c < n_own_cells; ++c)
-      for (const double JxW : cells[c].JxW)
-        areas[cells[c].body] += JxW;
-    for (auto &[body, area] : areas)
-      area = Utilities::MPI::sum(area, discretization.communicator);
+      for (unsigned int q = 0; q < cells[c].JxW.size(); ++q)
+        {
+          volumes[cells[c].body] += cells[c].JxW[q];
+          areas[cells[c].body] +=
+            cells[c].JxW[q] / discretization.circumference(cells[c].points[q]);
+        }
+    for (auto *sums : {&areas, &volumes})
+      for (auto &[body, sum] : *sums)
+        sum = Utilities::MPI::sum(sum, discretization.communicator);
   }
 
 
 
   void Elasticity::tabulate()
   {
-    hp::FEValues<2> hp_fe_values(discretization.mapping,
-                                 discretization.fe,
-                                 discretization.quadrature,
-                                 update_gradients | update_JxW_values |
-                                   update_quadrature_points);
+    hp::FEValues<2> hp_fe_values(
+      discretization.mapping,
+      discretization.fe,
+      discretization.quadrature,
+      update_gradients | update_JxW_values | update_quadrature_points |
+        (discretization.axisymmetric ? update_values : update_default));
 
     std::vector<types::global_dof_index> dofs;
     std::vector<Cell>                    neighbors;
@@ -685,6 +776,8 @@ namespace Contact
         cell.material     = &materials.at(cell.body);
         cell.JxW          = fe_values.get_JxW_values();
         cell.points       = fe_values.get_quadrature_points();
+        for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+          cell.JxW[q] *= discretization.circumference(cell.points[q]);
         if (is_projected(cell.body))
           cell.modes =
             orthonormal_modes(fe_values.get_quadrature(),
@@ -702,17 +795,26 @@ namespace Contact
 
         // Bound, the centre moves with the corners (-1/4) and the mid-sides
         // (1/2) and hands its shape function on to them.
+        const auto handed_over = [&](const unsigned int a, const auto &of) {
+          return bound ? of(a) + (a < 4 ? -0.25 : 0.5) * of(8) : of(a);
+        };
         for (const unsigned int q : fe_values.quadrature_point_indices())
           for (unsigned int a = 0; a < n_free; ++a)
             {
-              const auto gradient = [&](const unsigned int node) {
-                return fe_values.shape_grad(fe.component_to_system_index(0,
-                                                                         node),
-                                            q);
-              };
               cell.gradients.push_back(
-                bound ? gradient(a) + (a < 4 ? -0.25 : 0.5) * gradient(8)
-                      : gradient(a));
+                handed_over(a, [&](const unsigned int node) {
+                  return fe_values
+                    .shape_grad(fe.component_to_system_index(0, node), q);
+                }));
+              if (discretization.axisymmetric)
+                cell.hoop_gradients.push_back(
+                  handed_over(a,
+                              [&](const unsigned int node) {
+                                return fe_values.shape_value(
+                                  fe.component_to_system_index(0, node),
+                                  q);
+                              }) /
+                  cell.points[q][0]);
             }
         (dof_cell->is_locally_owned() ? cells : neighbors)
           .push_back(std::move(cell));

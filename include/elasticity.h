@@ -54,17 +54,21 @@ namespace Contact
    * of a quadrangle is bound, they are those of the eight free nodes, so that
    * the centre costs nothing in assembly.
    *
+   * Forces are in N per mm of thickness and energies in N mm per mm; of rings,
+   * whose integrals hold the circumference, in N and N mm (symmetry.h).
+   *
    * Dilatation. The stresses are the derivatives of the energy
    *   integral 1/2 lambda (P tr E)^2 + mu E : E dX,
    * where P is the identity ("full") or, cell by cell, the L2 projection onto
    * the polynomials of degree k-1 in the coordinates of the reference cell
    * ("projected"), weighted with the undeformed volume and integrated with the
-   * points of the cell. As nu approaches 1/2, tr E has to vanish wherever P
-   * asks for it: with the identity in more points than elements of degree 1 can
-   * afford, and they lock. P asks for one condition in a cell of degree 1
-   * (selective integration, B-bar: T. J. R. Hughes, Int. J. Numer. Methods Eng.
-   * 15, 1980) and for three at degree 2 (Q2-P1). "automatic" projects where
-   * lambda > 10 mu, that is nu > 5/11.
+   * points of the cell; of rings tr E has the hoop strain in it. As nu
+   * approaches 1/2, tr E has to vanish wherever P asks for it: with the
+   * identity in more points than elements of degree 1 can afford, and they
+   * lock. P asks for one condition in a cell of degree 1 (selective
+   * integration, B-bar: T. J. R. Hughes, Int. J. Numer. Methods Eng. 15, 1980)
+   * and for three at degree 2 (Q2-P1). "automatic" projects where lambda > 10
+   * mu, that is nu > 5/11.
    *
    * Triangles of degree 1 have one point: P is the identity, and they lock
    * either way. In those of degree 2 P is the mean: three conditions would be
@@ -82,7 +86,7 @@ namespace Contact
   public:
     virtual ~Elasticity() = default;
 
-    /// The kinematics named in the parameters.
+    /// The kinematics and the symmetry named in the parameters.
     static std::unique_ptr<Elasticity>
     create(const Discretization     &discretization,
            const Parameters::Solids &parameters);
@@ -138,10 +142,10 @@ namespace Contact
     double strain_energy(const Vector<double> &u) const;
 
     /**
-     * Hold bodies softly, by body with a stiffness k [MPa] (N/mm per mm of
-     * thickness): under a rigid translation d away from @p rest the springs of
-     * the body exert k d together. Each cell gives its corners equal shares of
-     * its part of the area of the body. A body that is not named, or with
+     * Hold bodies softly, by body with a stiffness k [N/mm per mm of thickness;
+     * rings: N/mm]: under a rigid translation d away from @p rest the springs
+     * of the body exert k d together. Each cell gives its corners equal shares
+     * of its part of the volume of the body. A body that is not named, or with
      * k = 0, is not held. Replaces what held before. Not collective, but has to
      * be the same on all ranks.
      */
@@ -151,7 +155,7 @@ namespace Contact
     /// Hold nothing any longer.
     void release();
 
-    /// The bodies that are held softly, and their stiffness [MPa].
+    /// The bodies that are held softly, and their stiffness k.
     const std::map<types::material_id, double> &softly_held() const;
 
     /**
@@ -165,6 +169,9 @@ namespace Contact
     /// bodies are held, released, or held with another stiffness.
     unsigned int tangent_version() const;
 
+    /// The volume of a body by its area in the plane [-]; rings: [mm].
+    double mean_circumference(const types::material_id body) const;
+
     /// Whether the dilatation of the quadrangles of a body is projected.
     bool is_projected(const types::material_id body) const;
 
@@ -175,6 +182,11 @@ namespace Contact
 
     /// The tangent does not depend on the displacement.
     virtual bool is_linear() const = 0;
+
+    /// s : D^-1 : s [MPa], twice the energy by volume of a stress s in a body.
+    virtual double
+    energy_density(const types::material_id     body,
+                   const SymmetricTensor<2, 3> &stress) const = 0;
 
     /// Young's modulus [MPa] of a body.
     double young(const types::material_id body) const;
@@ -196,6 +208,7 @@ namespace Contact
       std::vector<double>                  JxW;       // by point
       std::vector<Point<2>>                points;    // X by point
       std::vector<Tensor<1, 2>>            gradients; // by point, then node
+      std::vector<double> hoop_gradients; // N_a/X, likewise, of rings
 
       /// Where the dilatation is projected: polynomials phi_m with
       /// sum_q JxW phi_m phi_n = delta_mn, by point. Else empty.
@@ -247,7 +260,7 @@ namespace Contact
                     const CellVisitor    &visitor,
                     VolumeRatio          &smallest) const;
 
-    /// The springs of a cell: the stiffness of each of its corners [MPa].
+    /// The springs of a cell: the stiffness of each of its corners, as k.
     double spring(const Cell &cell) const;
     void   add_springs(const Cell           &cell,
                        const Vector<double> &u,
@@ -255,10 +268,10 @@ namespace Contact
                        Vector<double>       &forces) const;
 
     void tabulate();
-    void sum_areas();
+    void sum_volumes();
 
     std::set<types::material_id>         projected;
-    std::map<types::material_id, double> areas; // [mm^2], of all ranks
+    std::map<types::material_id, double> areas, volumes; // of all ranks
 
     std::map<types::material_id, double> hold_stiffness;
     Vector<double>                       hold_rest;

@@ -79,18 +79,6 @@ namespace Contact
             return true;
       return false;
     }
-
-
-
-    /// The stress in the plane.
-    SymmetricTensor<2, 2> plane(const SymmetricTensor<2, 3> &stress)
-    {
-      SymmetricTensor<2, 2> s;
-      for (unsigned int i = 0; i < 2; ++i)
-        for (unsigned int j = 0; j <= i; ++j)
-          s[i][j] = stress[i][j];
-      return s;
-    }
   } // namespace
 
 
@@ -302,7 +290,7 @@ namespace Contact
     hp::FEValues<2>          hp_fe_values(discretization.mapping,
                                  discretization.fe,
                                  quadratures,
-                                 update_JxW_values);
+                                 update_JxW_values | update_quadrature_points);
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
@@ -310,7 +298,6 @@ namespace Contact
           const auto &fe_values  = hp_fe_values.get_present_fe_values();
           const auto &quadrature = fe_values.get_quadrature();
           const auto &at_points  = stresses[cell->active_cell_index()];
-          const auto &material   = elasticity.material(cell->material_id());
           for (const unsigned int q : fe_values.quadrature_point_indices())
             {
               auto difference = -at_points[at_points.size() == 1 ? 0 : q];
@@ -320,7 +307,9 @@ namespace Contact
                                 v) *
                               vertex_stresses[cell->vertex_index(v)];
               eta_square[cell->active_cell_index()] +=
-                material.energy_density(plane(difference)) * fe_values.JxW(q);
+                elasticity.energy_density(cell->material_id(), difference) *
+                discretization.circumference(fe_values.quadrature_point(q)) *
+                fe_values.JxW(q);
             }
         }
   }
@@ -357,8 +346,8 @@ namespace Contact
   {
     const Surface::Edge &edge  = boundary.edges[e];
     const auto          &ends  = neighborhoods[e].vertices;
-    const auto           first = plane(vertex_stresses[ends[0]]);
-    const auto           last  = plane(vertex_stresses[ends[1]]);
+    const auto           first = in_plane(vertex_stresses[ends[0]]);
+    const auto           last  = in_plane(vertex_stresses[ends[1]]);
     const double         h     = length(boundary, edge);
 
     const QGauss<1> quadrature(boundary.degree + 1);
@@ -383,7 +372,7 @@ namespace Contact
         for (unsigned int c = 0; c < 2; ++c)
           if (!is_supported(edge, c))
             integral += 2 * quadrature.weight(q) *
-                        place.along_undeformed.norm() *
+                        boundary.reference_jacobian(edge, place.shape) *
                         std::pow(residual[c], 2);
       }
     return h / elasticity.young(edge.body) * integral;

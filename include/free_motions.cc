@@ -40,11 +40,12 @@ namespace Contact
 
 
     std::map<types::material_id, RigidMotions>
-    make_motions(const Triangulation<2> &triangulation)
+    make_motions(const Discretization &discretization)
     {
       // The coarse mesh, which every rank has.
       std::map<types::material_id, BoundingBox<2>> boxes;
-      for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      for (const auto &cell :
+           discretization.mesh.triangulation.cell_iterators_on_level(0))
         for (const unsigned int v : cell->vertex_indices())
           {
             const BoundingBox<2> vertex({cell->vertex(v), cell->vertex(v)});
@@ -59,6 +60,9 @@ namespace Contact
           motions[body].centre = box.center();
           motions[body].size   = 0.5 * box.get_boundary_points().first.distance(
                                        box.get_boundary_points().second);
+          // Rings resist growing and turning inside out.
+          if (discretization.axisymmetric)
+            motions[body].held[0][0] = motions[body].held[2][2] = 1;
         }
       return motions;
     }
@@ -130,7 +134,7 @@ namespace Contact
   std::vector<FreeMotion> free_motions(const Discretization   &discretization,
                                        const ContactInterface *interface)
   {
-    auto motions = make_motions(discretization.mesh.triangulation);
+    auto motions = make_motions(discretization);
     hold_by_supports(discretization, motions);
     for (auto &motion : motions)
       motion.second.held =

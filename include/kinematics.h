@@ -13,8 +13,20 @@ namespace Contact
 {
   using namespace dealii;
 
+  /// The part of a stress in the plane.
+  inline SymmetricTensor<2, 2> in_plane(const SymmetricTensor<2, 3> &stress)
+  {
+    SymmetricTensor<2, 2> s;
+    for (unsigned int i = 0; i < 2; ++i)
+      for (unsigned int j = 0; j <= i; ++j)
+        s[i][j] = stress[i][j];
+    return s;
+  }
+
+
+
   /**
-   * Isotropic linear elasticity in plane strain, by the Lame parameters [MPa]:
+   * Isotropic linear elasticity, by the Lame parameters [MPa]:
    * stress = lambda tr(strain) I + 2 mu strain. With the Green-Lagrange strain
    * and the second Piola-Kirchhoff stress it is the St. Venant-Kirchhoff
    * material.
@@ -27,16 +39,17 @@ namespace Contact
     {
     }
 
-    /// The stress in the plane; plane strain adds lambda tr(strain) across it.
+    /// The stress in the plane, in plane strain.
     SymmetricTensor<2, 2> stress(const SymmetricTensor<2, 2> &strain) const
     {
       return stress(strain, trace(strain));
     }
 
     /**
-     * The same with another value in the place of tr(strain): the stress in the
-     * plane, the stress across it, and the energy by volume
-     *   1/2 lambda dilatation^2 + mu strain : strain
+     * The same with any value in the place of tr(strain), and with a strain
+     * across the plane, the @p hoop strain (none in plane strain): the stress
+     * in the plane, the stress across it, and the energy by volume
+     *   1/2 lambda dilatation^2 + mu (strain : strain + hoop^2)
      * [MPa].
      */
     SymmetricTensor<2, 2> stress(const SymmetricTensor<2, 2> &strain,
@@ -45,15 +58,17 @@ namespace Contact
       return lambda * dilatation * unit_symmetric_tensor<2>() + 2 * mu * strain;
     }
 
-    double stress_out_of_plane(const double dilatation) const
+    double hoop_stress(const double hoop, const double dilatation) const
     {
-      return lambda * dilatation;
+      return lambda * dilatation + 2 * mu * hoop;
     }
 
     double stored_energy(const SymmetricTensor<2, 2> &strain,
+                         const double                 hoop,
                          const double                 dilatation) const
     {
-      return 0.5 * lambda * dilatation * dilatation + mu * (strain * strain);
+      return 0.5 * lambda * dilatation * dilatation +
+             mu * (strain * strain + hoop * hoop);
     }
 
     /**
@@ -68,6 +83,13 @@ namespace Contact
       return (s * s - lambda * trace(s) * tr) / (2 * mu);
     }
 
+    /// The same of any stress: tr(e) = tr(s) / (3 lambda + 2 mu).
+    double energy_density(const SymmetricTensor<2, 3> &s) const
+    {
+      const double tr = trace(s) / (3 * lambda + 2 * mu);
+      return (s * s - lambda * trace(s) * tr) / (2 * mu);
+    }
+
     const double lambda;
     const double mu;
   };
@@ -76,12 +98,15 @@ namespace Contact
 
   /**
    * The two kinematics have the same functions, of the displacement gradient
-   * H = grad u with respect to the reference configuration:
-   *  - strain(H) and its variation through the gradient of motion F:
-   *    delta strain = sym(F^T grad delta u);
-   *  - cauchy(H, S): the true stress of a material stress S;
+   * H = grad u with respect to the reference configuration, and of h across the
+   * plane, where the third axis stretches but does not turn (see
+   * symmetry.h; in plane strain h = 0):
+   *  - strain(H), strain(h) and their variations through the gradient of motion
+   *    F: delta strain = sym(F^T grad delta u), f delta h;
+   *  - cauchy(H, h, S): the true stress of a material stress S;
    *  - has_geometric_stiffness: whether the strain itself depends on H to the
-   *    second order, which adds S : (grad delta u^T grad u) to the tangent.
+   *    second order, which adds S : (grad delta u^T grad u) to the tangent,
+   *    and across the plane S33 delta h delta h.
    */
   struct SmallStrain
   {
@@ -92,13 +117,23 @@ namespace Contact
       return unit_symmetric_tensor<2>();
     }
 
+    static double gradient_of_motion(const double)
+    {
+      return 1;
+    }
+
     static SymmetricTensor<2, 2> strain(const Tensor<2, 2> &H)
     {
       return symmetrize(H);
     }
 
-    static SymmetricTensor<2, 3> cauchy(const Tensor<2, 2> &,
-                                        const SymmetricTensor<2, 3> &S)
+    static double strain(const double h)
+    {
+      return h;
+    }
+
+    static SymmetricTensor<2, 3>
+    cauchy(const Tensor<2, 2> &, const double, const SymmetricTensor<2, 3> &S)
     {
       return S;
     }
@@ -116,19 +151,30 @@ namespace Contact
       return H + static_cast<Tensor<2, 2>>(unit_symmetric_tensor<2>());
     }
 
+    static double gradient_of_motion(const double h)
+    {
+      return 1 + h;
+    }
+
     static SymmetricTensor<2, 2> strain(const Tensor<2, 2> &H)
     {
       return symmetrize(H) + 0.5 * symmetrize(transpose(H) * H);
     }
 
+    static double strain(const double h)
+    {
+      return h + 0.5 * h * h;
+    }
+
     static SymmetricTensor<2, 3> cauchy(const Tensor<2, 2>          &H,
+                                        const double                 h,
                                         const SymmetricTensor<2, 3> &S)
     {
-      // Plane strain: the third direction neither stretches nor turns.
       Tensor<2, 3> F;
       for (unsigned int i = 0; i < 2; ++i)
         for (unsigned int j = 0; j < 2; ++j)
           F[i][j] = H[i][j];
+      F[2][2] = h;
       for (unsigned int i = 0; i < 3; ++i)
         F[i][i] += 1;
       return symmetrize(F * static_cast<Tensor<2, 3>>(S) * transpose(F)) /

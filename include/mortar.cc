@@ -503,11 +503,10 @@ namespace Contact
     point.keep_nodes(0);
     if (!point.facing)
       {
-        // Only to keep the equation of its multiplier, which is zero.
-        const auto &edge = slave.edges[point.slave_edge];
-        point.weight =
-          slave.reference_jacobian(edge,
-                                   EdgeShape(slave.degree, point.slave_xi));
+        // Only to keep the equation of its multiplier, which is zero. In the
+        // middle of the edge, which is never on an axis.
+        point.weight = slave.reference_jacobian(slave.edges[point.slave_edge],
+                                                EdgeShape(slave.degree, 0));
         point.add_node(slave.nodes[node], 1, 0, 0);
         point.n_slave_nodes = 1;
         return;

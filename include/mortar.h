@@ -74,7 +74,7 @@ namespace Contact
     struct Sample
     {
       double       xi;     // on the slave edge
-      double       weight; // undeformed length [mm]
+      double       weight; // undeformed length [mm]; of rings, area [mm^2]
       unsigned int master_edge;
       double       master_xi;
     };
@@ -89,7 +89,7 @@ namespace Contact
     /// Integrals of the dual function of one slave node.
     struct Integrals
     {
-      double                         weight = 0; // D_k [mm]
+      double                         weight = 0; // D_k, likewise
       std::map<unsigned int, double> slave;      // Phi_k N_a, by slave node
       std::map<unsigned int, double> master;     // Phi_k N_m, by master node
       std::map<unsigned int, double> shift; // Phi_k dN_m/ds, by master node

@@ -126,7 +126,11 @@ namespace Contact
                                         "Force y",
                                         "Spread force x",
                                         "Spread force y",
-                                        "Pressure"};
+                                        "Pressure",
+                                        "Traction x",
+                                        "Traction y",
+                                        "Body force x",
+                                        "Body force y"};
   } // namespace
 
 
@@ -227,8 +231,16 @@ namespace Contact
                      section + "Tied y",
                      displacement_y,
                      section + "Displacement y");
-      for (const auto &[group, formula] : pressure)
-        check_formula<2>(formula, "x,y", section + "Pressure");
+      const auto check_formulas = [&](const auto        &formulas,
+                                      const std::string &entry) {
+        for (const auto &[group, formula] : formulas)
+          check_formula<2>(formula, "x,y", section + entry);
+      };
+      check_formulas(pressure, "Pressure");
+      check_formulas(traction_x, "Traction x");
+      check_formulas(traction_y, "Traction y");
+      check_formulas(body_force_x, "Body force x");
+      check_formulas(body_force_y, "Body force y");
       for (const auto &[entry, formula] : histories)
         {
           if (std::count(entries_with_history.begin(),
@@ -457,6 +469,33 @@ namespace Contact
       refinement.check();
       probes.check();
 
+      check_theory();
+      if (solution.geometry == "undeformed" &&
+          solids.kinematics != "small strain")
+        throw EntryError("Large displacements are not those of undeformed "
+                         "surfaces.",
+                         {"Solution/Geometry", "Solids/Kinematics"},
+                         "set 'Kinematics = small strain', or another "
+                         "geometry");
+      check_system();
+    }
+
+
+
+    // Which closed form belongs to which scene.
+    void All::check_theory() const
+    {
+      const bool plane = solids.symmetry == "plane strain";
+      if (!probes.hertz.empty() && !plane)
+        throw EntryError("The line contact of Hertz is one of plane strain.",
+                         {"Probes/Hertz", "Solids/Symmetry"},
+                         "leave Hertz empty, or set 'Symmetry = plane strain'");
+      if (!probes.concentric_cylinders.empty() && !plane)
+        throw EntryError("The concentric cylinders are a section in x and y, "
+                         "not rings about y.",
+                         {"Probes/Concentric cylinders", "Solids/Symmetry"},
+                         "leave the cylinders empty, or set 'Symmetry = plane "
+                         "strain'");
       if (!probes.hertz.empty() && contact.master.empty())
         throw EntryError("There is no contact pressure to compare with Hertz.",
                          {"Probes/Hertz", "Contact/Slave"},
@@ -466,14 +505,6 @@ namespace Contact
                          "there is none.",
                          {"Probes/Concentric cylinders", "Contact/Slave"},
                          "set slave and master, or leave the cylinders empty");
-      if (solution.geometry == "undeformed" &&
-          solids.kinematics != "small strain")
-        throw EntryError("Large displacements are not those of undeformed "
-                         "surfaces.",
-                         {"Solution/Geometry", "Solids/Kinematics"},
-                         "set 'Kinematics = small strain', or another "
-                         "geometry");
-      check_system();
     }
 
 

@@ -112,6 +112,14 @@ namespace Contact
                         poisson,
                         "'body: nu' [-], separated by ','; the same bodies "
                         "as in Young's modulus, -1 < nu < 0.5.");
+      prm.add_parameter("Symmetry",
+                        symmetry,
+                        "What the mesh is a section of [-]; plane strain: a "
+                        "slice of 1 mm; axisymmetric: rings about the axis x "
+                        "= 0, x >= 0 being the radius, without torsion. Forces "
+                        "are then those of whole rings [N], stress zz is that "
+                        "of the hoops, and u_x = 0 on the axis.",
+                        Patterns::Selection("plane strain|axisymmetric"));
       prm.add_parameter("Kinematics",
                         kinematics,
                         "How the bodies move [-]; large displacement: Green "
@@ -148,22 +156,20 @@ namespace Contact
                         "point group moves in y as the second one does.");
       prm.add_parameter("Force x",
                         force_x,
-                        "'point: value' [N per mm of thickness], separated "
-                        "by ','; a point group and its dead force at full "
-                        "load.");
-      prm.add_parameter("Force y",
-                        force_y,
-                        "As Force x, in direction y [N per mm of thickness].");
+                        "'point: value' [N per mm of thickness; axisymmetric: "
+                        "N on the ring], separated by ','; a point group and "
+                        "its dead force at full load.");
+      prm.add_parameter("Force y", force_y, "As Force x, in direction y.");
       prm.add_parameter("Spread force x",
                         spread_force_x,
-                        "'boundary: value' [N per mm of thickness], separated "
-                        "by ','; a boundary group and its dead force at full "
-                        "load, spread evenly over its undeformed length. Of a "
-                        "nodal force the finer mesh sees the singularity.");
+                        "'boundary: value' [N per mm of thickness; "
+                        "axisymmetric: N on all rings], separated by ','; a "
+                        "boundary group and its dead force at full load, "
+                        "spread evenly over its undeformed area. Of a nodal "
+                        "force the finer mesh sees the singularity.");
       prm.add_parameter("Spread force y",
                         spread_force_y,
-                        "As Spread force x, in direction y [N per mm of "
-                        "thickness].");
+                        "As Spread force x, in direction y.");
       const Patterns::Map formulas(Patterns::Anything(),
                                    Patterns::Anything(),
                                    0,
@@ -175,6 +181,27 @@ namespace Contact
                         "boundary group and the pressure on it at full load, a "
                         "formula in x and y [mm], positive in compression. It "
                         "acts along the normal of the undeformed boundary.",
+                        formulas);
+      prm.add_parameter("Traction x",
+                        traction_x,
+                        "'boundary: formula' [MPa], separated by ';'; a "
+                        "boundary group and the force on it by undeformed "
+                        "area at full load, a formula in x and y [mm].",
+                        formulas);
+      prm.add_parameter("Traction y",
+                        traction_y,
+                        "As Traction x, in direction y [MPa].",
+                        formulas);
+      prm.add_parameter("Body force x",
+                        body_force_x,
+                        "'body: formula' [N/mm^3], separated by ';'; a body "
+                        "and the force on it by undeformed volume at full "
+                        "load, a formula in x and y [mm].",
+                        formulas);
+      prm.add_parameter("Body force y",
+                        body_force_y,
+                        "As Body force x, in direction y [N/mm^3]; weight is "
+                        "-density times gravity, of steel -7.7e-5.",
                         formulas);
       prm.add_parameter("Histories",
                         histories,

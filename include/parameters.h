@@ -45,7 +45,8 @@ namespace Contact
    * entry alone can not know.
    *
    * Units: mm, N, MPa = N/mm^2; forces are per mm of thickness (plane strain),
-   * which for the thickness 1 mm is the same number.
+   * which for the thickness 1 mm is the same number, or those of whole rings
+   * (axisymmetric), in N.
    */
   namespace Parameters
   {
@@ -94,6 +95,9 @@ namespace Contact
       std::map<std::string, double> young;
       std::map<std::string, double> poisson;
 
+      /// "plane strain" or "axisymmetric", see symmetry.h.
+      std::string symmetry = "plane strain";
+
       /// "small strain" or "large displacement".
       std::string kinematics = "large displacement";
 
@@ -128,6 +132,16 @@ namespace Contact
       /// Boundary group -> dead pressure at full load [MPa], a formula in x and
       /// y; normal to the undeformed boundary, positive in compression.
       std::map<std::string, std::string> pressure;
+
+      /// Boundary group -> dead traction at full load by undeformed area [MPa],
+      /// a formula in x and y.
+      std::map<std::string, std::string> traction_x;
+      std::map<std::string, std::string> traction_y;
+
+      /// Body group -> dead force at full load by undeformed volume [N/mm^3], a
+      /// formula in x and y.
+      std::map<std::string, std::string> body_force_x;
+      std::map<std::string, std::string> body_force_y;
 
       /// Entry of this section -> its factor, a formula in the load factor t
       /// or a table, see parse_history().
@@ -349,6 +363,7 @@ namespace Contact
       void check() const;
 
     private:
+      void check_theory() const;
       void check_system() const;
     };
   } // namespace Parameters

@@ -67,8 +67,9 @@ namespace Contact
                    const std::set<types::boundary_id> &boundary_ids,
                    const std::string                  &name)
     : degree(discretization.degree)
+    , discretization(discretization)
   {
-    collect_edges(discretization, boundary_ids);
+    collect_edges(boundary_ids);
     if (edges.empty())
       throw InputError("the surface '" + name + "' has no edge",
                        "Contact",
@@ -81,8 +82,7 @@ namespace Contact
 
   // Every rank collects the edges of its own cells; put together, all have the
   // whole surface.
-  void Surface::collect_edges(const Discretization &discretization,
-                              const std::set<types::boundary_id> &boundary_ids)
+  void Surface::collect_edges(const std::set<types::boundary_id> &boundary_ids)
   {
     std::vector<LooseEdge>               own;
     std::vector<types::global_dof_index> dofs;
@@ -249,10 +249,13 @@ namespace Contact
   double Surface::reference_jacobian(const Edge      &edge,
                                      const EdgeShape &shape) const
   {
-    Tensor<1, 2> tangent;
+    Tensor<1, 2> X, tangent;
     for (unsigned int a = 0; a <= degree; ++a)
-      tangent += shape.first[a] * nodes[edge.nodes[a]].X;
-    return tangent.norm();
+      {
+        X += shape.value[a] * nodes[edge.nodes[a]].X;
+        tangent += shape.first[a] * nodes[edge.nodes[a]].X;
+      }
+    return tangent.norm() * discretization.circumference(Point<2>(X));
   }
 
 

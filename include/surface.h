@@ -70,7 +70,8 @@ namespace Contact
     /// The distance of the ends of an edge, undeformed [mm].
     double reference_length(const unsigned int edge) const;
 
-    /// Length of an edge per unit of its coordinate, undeformed [mm].
+    /// The measure of integrals per unit of an edge's coordinate, undeformed:
+    /// its length [mm]; of rings the area [mm^2].
     double reference_jacobian(const Edge &edge, const EdgeShape &shape) const;
 
     /// Arc length of all nodes from the first one [mm], from the positions
@@ -78,10 +79,11 @@ namespace Contact
     std::vector<double> arc_length(const std::vector<Point<2>> &x) const;
 
   private:
-    void collect_edges(const Discretization               &discretization,
-                       const std::set<types::boundary_id> &boundary_ids);
+    void collect_edges(const std::set<types::boundary_id> &boundary_ids);
     void chain_edges();
     void renumber_nodes();
+
+    const Discretization &discretization;
   };
 
 

@@ -82,6 +82,11 @@ Physical Curve("Outside", 6) = {22};    // r = c
 Physical Surface("Inner", 7) = {10};
 Physical Surface("Outer", 8) = {20};
 
+Physical Point("Bore_x", 9) = {11};   // on the axis y = 0: r = a
+Physical Point("Inner_x", 10) = {12}; // r = b of Inner
+Physical Point("Outer_x", 11) = {21}; // r = b of Outer
+Physical Point("Outside_x", 12) = {22};
+
 // ------------------------------------------------------------------- options
 
 // The defaults, repeated because a user's own gmsh settings would otherwise

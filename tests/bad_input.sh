@@ -153,6 +153,17 @@ expect_entry "two solutions" "Probes/Concentric cylinders=20, 50, 100, 1, 0"
 expect_entry "quantity and a point or two" \
   "Probes/Probes=DY(B): displacement y, B, C, B"
 
+# Symmetry; the section of the good case lies on both sides of x = 0 once it is
+# shifted
+expect "negative one" "$good" --set Solids/Symmetry=axisymmetric \
+  --set "Mesh/Shift=-1, 0" --set "Probes/Hertz="
+expect_entry "one of plane strain" "Solids/Symmetry=axisymmetric"
+expect "section in x and y" "$good" --set Solids/Symmetry=axisymmetric \
+  --set "Probes/Hertz=" --set "Probes/Concentric cylinders=20, 50, 100, 1, 0"
+expect_entry "is no formula in x,y" "Boundary conditions/Traction y=Top_B: z"
+expect_entry "is no formula in x,y" "Boundary conditions/Body force x=Block: z"
+expect_entry "no body" "Boundary conditions/Body force y=Top_B: 1"
+
 # Several processes, one message
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_rmaps_base_oversubscribe=1

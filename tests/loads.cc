@@ -3,8 +3,9 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// Dead loads and prescribed displacements: what pressures and spread forces
-// add up to, where they point, and how they follow the load factor.
+// Dead loads and prescribed displacements: what pressures, tractions, spread
+// forces and body forces add up to, where they point, and how they follow the
+// load factor.
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -243,6 +244,59 @@ namespace
 
 
 
+  // Proves that tractions and body forces add up to the integrals of their
+  // formulas, with the moments of those: on the parallelogram with the corner
+  // (1, 2) and the sides (3, 1) and (0.5, 2), whose top is (1.5, 4) + s (3, 1)
+  // and whose area is 5.5.
+  void check_fields(const std::string &name,
+                    const unsigned int degree,
+                    const Split       &split)
+  {
+    const std::string text      = name + ", degree " + std::to_string(degree);
+    const auto        deviation = [&](const auto &set, const Resultant &exact) {
+      auto parameters = body(degree, false, split);
+      set(parameters.boundary);
+      const Bodies bodies(parameters);
+      return resultant(bodies, bodies.discretization.dead_load(1))
+        .distance(exact);
+    };
+    const double length = std::sqrt(10.);
+
+    // integral 2 x ds = 6 length about the middle (3, 4.5), and its moment is
+    // that of x^2: integral (1.5 + 3 s)^2 ds = 9.75.
+    Resultant exact;
+    exact.force[1] = 6 * length;
+    exact.moment   = 2 * 9.75 * length;
+    check_small(text + ": traction y",
+                deviation(
+                  [](auto &b) {
+                    b.traction_y = {{"body top", "2*x"}};
+                  },
+                  exact),
+                1e-11);
+    exact = Resultant();
+    exact.add(Point<2>(3, 4.5), Tensor<1, 2>({-7 * length, 0}));
+    check_small(text + ": traction x",
+                deviation(
+                  [](auto &b) {
+                    b.traction_x = {{"body top", "-7"}};
+                  },
+                  exact),
+                1e-11);
+    exact = Resultant();
+    exact.add(Point<2>(2.75, 3.5), Tensor<1, 2>({2 * 5.5, -3 * 5.5}));
+    check_small(text + ": body forces",
+                deviation(
+                  [](auto &b) {
+                    b.body_force_x = {{"body", "2"}};
+                    b.body_force_y = {{"body", "-3"}};
+                  },
+                  exact),
+                1e-11);
+  }
+
+
+
   // A body with one of each load, or of that with the name @p only.
   Parameters::All loaded_body(const std::string &only = "")
   {
@@ -261,6 +315,14 @@ namespace
       boundary.spread_force_y = {{"body top", -9}};
     if (wanted("Pressure"))
       boundary.pressure = {{"body top", "2 + x"}, {"body right", "y"}};
+    if (wanted("Traction x"))
+      boundary.traction_x = {{"body left", "y"}};
+    if (wanted("Traction y"))
+      boundary.traction_y = {{"body right", "1 - x"}};
+    if (wanted("Body force x"))
+      boundary.body_force_x = {{"body", "0.5*y"}};
+    if (wanted("Body force y"))
+      boundary.body_force_y = {{"body", "-2"}};
     boundary.displacement_x = {{"body bottom", 0.5}};
     boundary.displacement_y = {{"body bottom", 0}, {"body top right", -0.25}};
     return parameters;
@@ -272,9 +334,9 @@ namespace
   {
     if (entry == "Force y" || entry == "Displacement y")
       return std::min(1., 2 * t);
-    if (entry == "Pressure")
+    if (entry == "Pressure" || entry == "Body force y")
       return t * t;
-    if (entry == "Spread force y")
+    if (entry == "Spread force y" || entry == "Traction x")
       return 1;
     if (entry == "Displacement x")
       return std::max(0., 2 * t - 1);
@@ -285,6 +347,8 @@ namespace
     {"Force y", "min(1, 2*t)"},
     {"Pressure", "t^2"},
     {"Spread force y", "1"},
+    {"Traction x", "1"},
+    {"Body force y", "t^2"},
     {"Displacement x", "max(0, 2*t - 1)"},
     {"Displacement y", "min(1, 2*t)"}};
 
@@ -302,8 +366,15 @@ namespace
 
     std::map<std::string, Vector<double>> loads;
     double                                whole = 0;
-    for (const std::string entry :
-         {"Force x", "Force y", "Spread force x", "Spread force y", "Pressure"})
+    for (const std::string entry : {"Force x",
+                                    "Force y",
+                                    "Spread force x",
+                                    "Spread force y",
+                                    "Pressure",
+                                    "Traction x",
+                                    "Traction y",
+                                    "Body force x",
+                                    "Body force y"})
       {
         loads[entry] = Bodies(loaded_body(entry)).discretization.dead_load(1);
         whole += loads[entry].l1_norm();
@@ -406,6 +477,11 @@ int main()
     for (const unsigned int degree : {1, 2})
       for (const bool round : {false, true})
         check_pressure(name, degree, round, split);
+
+  headline("tractions and body forces");
+  for (const auto &[name, split] : meshes)
+    for (const unsigned int degree : {1, 2})
+      check_fields(name, degree, split);
 
   headline("sign");
   for (const unsigned int degree : {1, 2})
