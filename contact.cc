@@ -89,6 +89,7 @@
 #include "command_line.h"
 #include "condensed_system.h"
 #include "contact_interface.h"
+#include "counters.h"
 #include "discretization.h"
 #include "elasticity.h"
 #include "error_estimator.h"
@@ -97,6 +98,7 @@
 #include "free_motions.h"
 #include "interruption.h"
 #include "invariants.h"
+#include "ledger.h"
 #include "linear_solver.h"
 #include "load_steps.h"
 #include "newton_guard.h"
@@ -179,6 +181,7 @@ namespace Contact
     void        update_reference_force();
     double      newton_tolerance() const;
     void        assemble_and_factorize();
+    void        add_tangent_of_linear_bodies();
     bool        factorization_serves(const double residual,
                                      const double last_residual) const;
     void        update_solution();
@@ -192,6 +195,7 @@ namespace Contact
 
     bool   has_friction() const;
     bool   pairs_each_step() const;
+    bool   geometry_follows() const;
     bool   is_last_level() const;
     double largest_change(const Vector<double> &from) const;
     const std::vector<SymmetricTensor<2, 3>> &recovered_stresses();
@@ -210,7 +214,7 @@ namespace Contact
     std::unique_ptr<Elasticity>       elasticity;
     std::unique_ptr<ContactInterface> interface; // none without contact
     std::unique_ptr<InvariantCheck>   invariants;
-    std::unique_ptr<StressRecovery>   stress_recovery;
+    std::unique_ptr<StressRecovery>   stress_recovery; // as it is asked for
     std::unique_ptr<ResultFiles>      files;
 
     // The linear system, with the multipliers or without. The unknowns are the
@@ -222,6 +226,11 @@ namespace Contact
     Vector<double>                      system_rhs;
     Vector<double>                      update; // of the displacements
     DirectSolver                        solver;
+
+    // The tangent of linear bodies without contact, and of which version.
+    SparsityPattern      bodies_pattern;
+    SparseMatrix<double> bodies_tangent;
+    unsigned int         bodies_version = 0;
 
     // The decisions of the points under which the matrix was factorized.
     std::vector<signed char> factorized_decisions;
@@ -266,6 +275,7 @@ namespace Contact
                Utilities::MPI::this_mpi_process(communicator) == 0)
     , timer(std::cout, TimerOutput::never, TimerOutput::cpu_and_wall_times)
   {
+    counters()        = Counters();
     summary.case_name = parameters.name;
     summary.mesh_file =
       std::filesystem::path(parameters.mesh.file).filename().string();
@@ -323,7 +333,6 @@ namespace Contact
       check_adaptive(*mesh);
     discretization =
       std::make_unique<Discretization>(*mesh, parameters, communicator);
-    stress_recovery = std::make_unique<StressRecovery>(*discretization);
 
     linearization.moving_geometry = parameters.solution.geometry == "Newton";
     linearization.moving_bound    = parameters.solution.friction == "Newton";
@@ -369,6 +378,7 @@ namespace Contact
     start.reinit(n_unknowns);
     system_rhs.reinit(n_unknowns);
     update.reinit(summary.n_displacements);
+    bodies_tangent.clear();
     reference_force    = discretization->whole_load();
     reference_is_known = false;
     invariants         = std::make_unique<InvariantCheck>(*discretization,
@@ -434,14 +444,22 @@ namespace Contact
         effects["geometry"] = parameters.solution.geometry;
       }
 
+    effects["increments"] = std::to_string(parameters.solution.n_increments);
+    if (parameters.refinement.n_levels > 0)
+      effects["levels"] = std::to_string(parameters.refinement.n_levels) +
+                          ", " + parameters.refinement.strategy;
+    const auto &output = parameters.output;
+    effects["files"]   = std::string("summary") +
+                       (output.vtu ? ", VTU of each increment" : "") +
+                       (output.profile && interface ? ", profile" : "");
+
     screen << "Case " << parameters.name << ": "
            << mesh->triangulation.n_global_active_cells() << " cells of "
            << summary.mesh_file << ", " << summary.n_displacements
            << " displacements, " << summary.n_multipliers << " multipliers"
            << std::endl;
-    for (const auto &[effect, choice] : effects)
-      screen << "  " << std::left << std::setw(12) << effect << std::right
-             << choice << std::endl;
+    if (screen.is_active())
+      print_effects(screen.get_stream(), summary, parameters);
   }
 
 
@@ -646,16 +664,17 @@ namespace Contact
   // Also what can be told by now, should the run not come to its end.
   void ContactProblem::write_restart_file(LoadSteps &steps)
   {
+    if (steps.finished())
+      return;
     TimerOutput::Scope scope(timer, "output");
     files->write_first("summary.json", [this](std::ostream &out) {
       write_summary(summary, out);
     });
-    if (!steps.finished())
-      files->write_first("restart.bin", [&](std::ostream &out) {
-        write_restart(out, restart_key(), [&](auto &archive) {
-          serialize(archive, steps);
-        });
+    files->write_first("restart.bin", [&](std::ostream &out) {
+      write_restart(out, restart_key(), [&](auto &archive) {
+        serialize(archive, steps);
       });
+    });
   }
 
 
@@ -752,11 +771,14 @@ namespace Contact
     if (parameters.refinement.strategy == "adaptive")
       {
         TimerOutput::Scope scope(timer, "estimate");
-        flag_cells(
-          *mesh,
-          ErrorEstimator(*discretization, *elasticity, *stress_recovery)
-            .indicators(recovered_stresses(), interface.get(), solution),
-          parameters.refinement.fraction);
+        const auto        &at_vertices = recovered_stresses();
+        ++counters().error_estimates;
+        flag_cells(*mesh,
+                   ErrorEstimator(*discretization,
+                                  *elasticity,
+                                  *stress_recovery)
+                     .indicators(at_vertices, interface.get(), solution),
+                   parameters.refinement.fraction);
         if (interface && parameters.contact.rule == "nodal")
           flag_slave_like_master(
             *mesh,
@@ -814,7 +836,12 @@ namespace Contact
         if (interface)
           interface->restore(level_states[step.increment - 1], solution);
       }
-    discretization->constrain_update(solution, load_factor);
+    // Linear bodies take what is prescribed at once: nothing of it has to go
+    // through the matrix, and one factorization serves all increments.
+    if (elasticity->is_linear())
+      discretization->prescribe(solution, load_factor);
+    else
+      discretization->constrain_update(solution, load_factor);
     hold_what_is_free(interface.get());
 
     solve_with_soft_hold();
@@ -916,8 +943,7 @@ namespace Contact
   // displacement against the largest displacement of the increment before.
   void ContactProblem::solve_with_geometry_loop()
   {
-    if (!interface || interface->tied ||
-        parameters.solution.geometry != "fixed point")
+    if (!geometry_follows() || pairs_each_step())
       {
         solve_with_friction_loop();
         return;
@@ -1090,7 +1116,7 @@ namespace Contact
   ContactProblem::Outcome ContactProblem::evaluate(const bool after_a_step,
                                                    const bool one_at_a_time)
   {
-    if (interface && !interface->tied && pairs_each_step())
+    if (geometry_follows() && pairs_each_step())
       pair_bodies();
 
     Outcome outcome;
@@ -1106,6 +1132,8 @@ namespace Contact
                                 start,
                                 linearization.moving_bound,
                                 /*keep=*/after_a_step && !one_at_a_time);
+        if (after_a_step && outcome.n_changes > 0)
+          ++counters().active_set_changes;
         if (after_a_step && one_at_a_time)
           interface->decide_one(solution, start, linearization.moving_bound);
       }
@@ -1194,6 +1222,10 @@ namespace Contact
   void ContactProblem::pair_bodies(const Vector<double> &configuration)
   {
     timer.enter_subsection("search");
+    if (interface)
+      ++counters().pairings;
+    if (geometry_follows() && !configuration.all_zero())
+      ++counters().geometry_updates;
     const bool is_new = sparsity_pattern.empty();
     const bool changed =
       interface && interface->pair(parameters.solution.geometry == "undeformed"
@@ -1327,7 +1359,19 @@ namespace Contact
       TimerOutput::Scope scope(timer, "assembly");
       system_matrix = 0;
       system_rhs    = 0;
-      elasticity->assemble(solution, load_factor, system_rhs, &system_matrix);
+      if (interface && elasticity->is_linear())
+        {
+          add_tangent_of_linear_bodies();
+          elasticity->assemble(solution, load_factor, system_rhs, nullptr);
+        }
+      else
+        {
+          ++counters().tangents;
+          elasticity->assemble(solution,
+                               load_factor,
+                               system_rhs,
+                               &system_matrix);
+        }
       if (interface)
         interface->assemble(solution,
                             start,
@@ -1354,16 +1398,50 @@ namespace Contact
 
 
 
-  // Newton's method with moving geometry is left as it is: it is there for its
-  // quadratic convergence.
+  // Contact changes, linear bodies do not: their tangent is assembled once on
+  // a mesh and added to what the points make of the matrix.
+  void ContactProblem::add_tangent_of_linear_bodies()
+  {
+    if (bodies_tangent.empty() ||
+        bodies_version != elasticity->tangent_version())
+      {
+        ++counters().tangents;
+        const auto             n = discretization->dof_handler.n_dofs();
+        DynamicSparsityPattern pattern(n, n);
+        elasticity->add_couplings(pattern);
+        bodies_tangent.clear();
+        bodies_pattern.copy_from(pattern);
+        bodies_tangent.reinit(bodies_pattern);
+        elasticity->visit_cells(
+          solution,
+          /*with_tangent=*/true,
+          [this](const std::vector<types::global_dof_index> &dofs,
+                 const FullMatrix<double>                   &tangent,
+                 const Vector<double> &) {
+            discretization->constraints
+              .distribute_local_to_global(tangent, dofs, bodies_tangent);
+          });
+        bodies_version = elasticity->tangent_version();
+      }
+    for (const auto &entry : bodies_tangent)
+      system_matrix.add(entry.row(), entry.column(), entry.value());
+  }
+
+
+
+  // Under decisions that stay linear bodies keep their matrix, if the points do
+  // not follow them. Newton's method with moving geometry is left as it is: it
+  // is there for its quadratic convergence.
   bool ContactProblem::factorization_serves(const double residual,
                                             const double last_residual) const
   {
+    if (!solver.is_factorized() || discretization->update_is_prescribed() ||
+        factorized_version != elasticity->tangent_version() ||
+        (interface && factorized_decisions != interface->signature()))
+      return false;
+    if (elasticity->is_linear() && !geometry_follows())
+      return true;
     return interface && !linearization.moving_geometry &&
-           solver.is_factorized() &&
-           factorized_version == elasticity->tangent_version() &&
-           !discretization->update_is_prescribed() &&
-           factorized_decisions == interface->signature() &&
            residual < 0.1 * last_residual;
   }
 
@@ -1461,8 +1539,13 @@ namespace Contact
 
   const std::vector<SymmetricTensor<2, 3>> &ContactProblem::recovered_stresses()
   {
+    if (!stress_recovery)
+      stress_recovery = std::make_unique<StressRecovery>(*discretization);
     if (stresses.empty())
-      stresses = stress_recovery->vertex_stresses(*elasticity, solution);
+      {
+        ++counters().stress_recoveries;
+        stresses = stress_recovery->vertex_stresses(*elasticity, solution);
+      }
     return stresses;
   }
 
@@ -1536,26 +1619,34 @@ namespace Contact
   // @sect4{ContactProblem::finish}
   void ContactProblem::finish()
   {
+    files->write_first("parameters.prm", [this](std::ostream &out) {
+      prm.print_parameters(out, ParameterHandler::ShortText);
+    });
     for (const auto &[phase, time] :
          timer.get_summary_data(TimerOutput::total_cpu_time))
       summary.time[phase].cpu = time;
     for (const auto &[phase, time] :
          timer.get_summary_data(TimerOutput::total_wall_time))
       summary.time[phase].wall = time;
+    for (const auto &[phase, n] : timer.get_summary_data(TimerOutput::n_calls))
+      summary.time[phase].calls = n;
+    summary.counters = counters().by_name();
     summary.peak_memory_mb =
       Utilities::MPI::sum(peak_memory_mb(), communicator);
+    // This file counts, too.
+    ++summary.counters["files"];
     files->write_first("summary.json", [this](std::ostream &out) {
       write_summary(summary, out);
     });
     if (summary.converged &&
         Utilities::MPI::this_mpi_process(communicator) == 0)
       std::filesystem::remove(files->directory / "restart.bin");
-    files->write_first("parameters.prm", [this](std::ostream &out) {
-      prm.print_parameters(out, ParameterHandler::ShortText);
-    });
 
     if (screen.is_active())
-      print_levels(screen.get_stream(), summary);
+      {
+        print_levels(screen.get_stream(), summary);
+        print_counters(screen.get_stream(), summary);
+      }
   }
 
 
@@ -1578,6 +1669,15 @@ namespace Contact
   {
     return parameters.solution.geometry == "each step" ||
            parameters.solution.geometry == "Newton";
+  }
+
+
+
+  /// Whether the points are paired with bodies that have moved.
+  bool ContactProblem::geometry_follows() const
+  {
+    return interface && !interface->tied &&
+           parameters.solution.geometry != "undeformed";
   }
 
 
@@ -1706,17 +1806,23 @@ namespace
 
 int main(int argc, char **argv)
 {
+  // What computes nothing needs no MPI.
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (first == "--help")
+    {
+      Contact::print_help(std::cout);
+      return 0;
+    }
+  if (first == "--parameters")
+    {
+      Contact::print_parameters(std::cout);
+      return 0;
+    }
+
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   try
     {
-      const std::string first = argc > 1 ? argv[1] : "";
-      if (first == "--help")
-        Contact::print_help(std::cout);
-      else if (first == "--parameters")
-        Contact::print_parameters(std::cout);
-      else
-        return run(Contact::parse_command_line(argc, argv));
-      return 0;
+      return run(Contact::parse_command_line(argc, argv));
     }
   catch (const Contact::InputError &error)
     {

@@ -102,6 +102,26 @@ namespace Contact
 
 
 
+  void Discretization::prescribe(Vector<double> &u, const double load_factor)
+  {
+    constrain_update(u, load_factor);
+    if (updates_vanish)
+      return;
+    Vector<double> move(u.size());
+    constraints.distribute(move);
+    u += move;
+
+    // To the last digit.
+    const std::array<double, 2> factors{
+      {factor("Displacement x", load_factor),
+       factor("Displacement y", load_factor)}};
+    for (const auto &[dof, displacement] : prescribed)
+      u[dof] = factors[displacement.component] * displacement.value;
+    constrain_update(u, load_factor);
+  }
+
+
+
   bool Discretization::is_fixed(const types::global_dof_index dof) const
   {
     return prescribed.count(dof) > 0;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "counters.h"
 #include "errors.h"
 
 namespace Contact
@@ -274,6 +275,7 @@ namespace Contact
                                    FullMatrix<double>   *tangent,
                                    Vector<double>       &forces) const
     {
+      counters().large_displacement_cells += !is_linear();
       const bool projected = !cell.modes.empty();
       if (tangent == nullptr)
         {
@@ -421,6 +423,8 @@ namespace Contact
                               const CellVisitor    &visitor,
                               VolumeRatio          &smallest) const
   {
+    ++counters().cell_forces;
+    counters().cell_tangents += with_tangent;
     const unsigned int n = cell.dofs.size();
     forces.reinit(n);
     if (with_tangent)
