@@ -843,7 +843,8 @@ namespace Contact
       discretization->prescribe(solution, load_factor);
     else
       discretization->constrain_update(solution, load_factor);
-    hold_what_is_free(interface.get());
+    if (interface) // supports alone do not change
+      hold_what_is_free(interface.get());
 
     solve_with_soft_hold();
 

@@ -194,10 +194,16 @@ namespace Contact
           all.insert(provided.back().begin(), provided.back().end());
         }
 
-    IndexSet rows;
-    DoFTools::extract_locally_relevant_dofs(dof_handler, rows);
-    rows.add_indices(all.begin(), all.end());
-    rows.compress();
+    // One rank has all rows, which is said by none.
+    IndexSet   rows;
+    const bool is_distributed =
+      Utilities::MPI::n_mpi_processes(discretization.communicator) > 1;
+    if (is_distributed)
+      {
+        DoFTools::extract_locally_relevant_dofs(dof_handler, rows);
+        rows.add_indices(all.begin(), all.end());
+        rows.compress();
+      }
 
     DynamicSparsityPattern pattern(n, n, rows);
     elasticity.add_couplings(pattern);
@@ -240,7 +246,7 @@ namespace Contact
       touched.insert(of_rank.begin(), of_rank.end());
     interface_dofs.assign(touched.begin(), touched.end());
 
-    if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+    if (is_distributed)
       SparsityTools::distribute_sparsity_pattern(pattern,
                                                  owned,
                                                  communicator,

@@ -124,7 +124,8 @@ namespace Contact
 
   bool Discretization::is_fixed(const types::global_dof_index dof) const
   {
-    return prescribed.count(dof) > 0;
+    // All that is prescribed is constrained, which is faster to see.
+    return constraints.is_constrained(dof) && prescribed.count(dof) > 0;
   }
 
 
@@ -146,6 +147,8 @@ namespace Contact
 
   bool Discretization::is_moved(const types::global_dof_index dof) const
   {
+    if (!constraints.is_constrained(dof))
+      return false;
     const auto value = prescribed.find(dof);
     return value != prescribed.end() && value->second.value != 0;
   }
@@ -238,7 +241,7 @@ namespace Contact
     for (const auto &[name, partner] : boundary.tied_y)
       {
         const auto dof = vertex_dofs[mesh.point(name, entry)][1];
-        if (is_fixed(dof))
+        if (prescribed.count(dof) > 0)
           throw InputError("point '" + name + "' is tied and supported in y",
                            entry,
                            "remove the tie or the support");

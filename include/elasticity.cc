@@ -669,6 +669,7 @@ namespace Contact
 
     std::vector<types::global_dof_index> dofs;
     std::vector<Cell>                    neighbors;
+    cells.reserve(discretization.mesh.triangulation.n_active_cells());
     for (const auto &dof_cell :
          discretization.dof_handler.active_cell_iterators())
       {

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A scene without contact against a plain deal.II program of the same problem.
 
-    yardstick.py [--repetitions N] [--check BAR] PLAIN CONTACT [SOLVER...]
+    yardstick.py [--repetitions N] [--refinements N,...] [--degree N]
+                 [--check BAR] PLAIN CONTACT [SOLVER...]
 
 PLAIN is plain_elasticity. Both run alternately, of each the smallest CPU and
 wall time and memory counts. A Markdown table; with --check the exit status is 1
@@ -73,8 +74,9 @@ def row(solver, refinements, degree, options, directory):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--repetitions", type=int, default=5)
-    parser.add_argument("--refinements", type=int, nargs="+",
-                        default=REFINEMENTS)
+    parser.add_argument("--refinements", default=REFINEMENTS,
+                        type=lambda text: [int(n) for n in
+                                           text.split(",")])
     parser.add_argument("--degree", type=int, default=1)
     parser.add_argument("--check", type=float)
     parser.add_argument("plain", type=lambda p: pathlib.Path(p).resolve())
