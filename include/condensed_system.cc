@@ -28,7 +28,10 @@ namespace Contact
     , elimination(elimination)
     , timer(timer)
     , owned(discretization.dof_handler.locally_owned_dofs())
-    , solver(DefiniteSolver::create(solver_name, rigid_modes()))
+    , solver(DefiniteSolver::create(solver_name,
+                                    solver_name == "AMG"
+                                      ? rigid_modes()
+                                      : DefiniteSolver::Modes()))
   {
     if (interface != nullptr)
       for (unsigned int e = 0; e < interface->master.edges.size(); ++e)

@@ -489,6 +489,12 @@ namespace Contact
                                    Vector<double>       &rhs,
                                    SparseMatrix<double> *matrix) const
   {
+    add_dead_load(load_factor, rhs);
+
+    // Bodies at rest exert nothing.
+    if (matrix == nullptr && hold_stiffness.empty() && u.all_zero())
+      return VolumeRatio();
+
     const auto    &constraints = discretization.constraints;
     Vector<double> cell_rhs;
     const auto     smallest =
@@ -510,13 +516,19 @@ namespace Contact
                                                              *matrix,
                                                              rhs);
                   });
+    return smallest;
+  }
 
+
+
+  void Elasticity::add_dead_load(const double    load_factor,
+                                 Vector<double> &rhs) const
+  {
     const auto  load  = discretization.dead_load(load_factor);
     const auto &owned = discretization.dof_handler.locally_owned_dofs();
     for (unsigned int i = 0; i < load.size(); ++i)
       if (load[i] != 0 && owned.is_element(i))
-        constraints.distribute_local_to_global(i, load[i], rhs);
-    return smallest;
+        discretization.constraints.distribute_local_to_global(i, load[i], rhs);
   }
 
 
