@@ -78,6 +78,7 @@
 #include <deal.II/lac/sparsity_pattern.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -89,6 +90,7 @@
 #include "command_line.h"
 #include "condensed_system.h"
 #include "contact_interface.h"
+#include "counters.h"
 #include "discretization.h"
 #include "elasticity.h"
 #include "error_estimator.h"
@@ -97,6 +99,7 @@
 #include "free_motions.h"
 #include "interruption.h"
 #include "invariants.h"
+#include "ledger.h"
 #include "linear_solver.h"
 #include "load_steps.h"
 #include "newton_guard.h"
@@ -179,6 +182,7 @@ namespace Contact
     void        update_reference_force();
     double      newton_tolerance() const;
     void        assemble_and_factorize();
+    void        add_tangent_of_linear_bodies();
     bool        factorization_serves(const double residual,
                                      const double last_residual) const;
     bool        update_solution(const bool search);
@@ -192,6 +196,7 @@ namespace Contact
 
     bool   has_friction() const;
     bool   pairs_each_step() const;
+    bool   geometry_follows() const;
     bool   is_last_level() const;
     double largest_change(const Vector<double> &from) const;
     const std::vector<SymmetricTensor<2, 3>> &recovered_stresses();
@@ -210,7 +215,7 @@ namespace Contact
     std::unique_ptr<Elasticity>       elasticity;
     std::unique_ptr<ContactInterface> interface; // none without contact
     std::unique_ptr<InvariantCheck>   invariants;
-    std::unique_ptr<StressRecovery>   stress_recovery;
+    std::unique_ptr<StressRecovery>   stress_recovery; // as it is asked for
     std::unique_ptr<ResultFiles>      files;
 
     // The linear system, with the multipliers or without. The unknowns are the
@@ -222,6 +227,12 @@ namespace Contact
     Vector<double>                      system_rhs;
     Vector<double>                      update; // of the displacements
     DirectSolver                        solver;
+    std::string                         system_name = "saddle point, UMFPACK";
+
+    // The tangent of linear bodies without contact, and of which version.
+    SparsityPattern      bodies_pattern;
+    SparseMatrix<double> bodies_tangent;
+    unsigned int         bodies_version = 0;
 
     // The decisions of the points under which the matrix was factorized.
     std::vector<signed char> factorized_decisions;
@@ -266,6 +277,7 @@ namespace Contact
                Utilities::MPI::this_mpi_process(communicator) == 0)
     , timer(std::cout, TimerOutput::never, TimerOutput::cpu_and_wall_times)
   {
+    counters()        = Counters();
     summary.case_name = parameters.name;
     summary.mesh_file =
       std::filesystem::path(parameters.mesh.file).filename().string();
@@ -323,7 +335,6 @@ namespace Contact
       check_adaptive(*mesh);
     discretization =
       std::make_unique<Discretization>(*mesh, parameters, communicator);
-    stress_recovery = std::make_unique<StressRecovery>(*discretization);
 
     linearization.moving_geometry = parameters.solution.geometry == "Newton";
     linearization.moving_bound    = parameters.solution.friction == "Newton";
@@ -368,6 +379,7 @@ namespace Contact
     start.reinit(n_unknowns);
     system_rhs.reinit(n_unknowns);
     update.reinit(summary.n_displacements);
+    bodies_tangent.clear();
     reference_force    = discretization->whole_load();
     reference_is_known = false;
     invariants         = std::make_unique<InvariantCheck>(*discretization,
@@ -390,62 +402,31 @@ namespace Contact
                                Utilities::MPI::n_mpi_processes(communicator));
     elimination =
       std::make_unique<ContactElimination>(*discretization, interface.get());
-    condensed = std::make_unique<CondensedSystem>(*discretization,
+    condensed   = std::make_unique<CondensedSystem>(*discretization,
                                                   *elasticity,
                                                   interface.get(),
                                                   *elimination,
                                                   name,
                                                   timer);
-    summary.effects["system"] = "condensed, " + name;
+    system_name = "condensed, " + name;
   }
 
 
 
   void ContactProblem::print_scene()
   {
-    auto &effects         = summary.effects;
-    effects["kinematics"] = parameters.solids.kinematics;
-    if (discretization->axisymmetric)
-      effects["kinematics"] += ", axisymmetric";
-    effects["element"] =
-      parameters.element.degree == 1
-        ? "linear"
-        : (discretization->bound_centre ? "quadratic, 8 nodes"
-                                        : "quadratic, 9 nodes");
-    if (!condensed)
-      effects["system"] = "saddle point, UMFPACK";
-    effects["contact"] = "none";
-    const auto zones   = parameters.zones();
-    for (unsigned int z = 0; z < zones.size(); ++z)
-      {
-        const ContactZone &zone = *interface->zones[z];
-        const FrictionLaw &law  = zone.law;
-        std::ostringstream friction;
-        if (zone.tied)
-          friction << "none, tied";
-        else if (law.is_frictionless())
-          friction << "none";
-        else if (law.coulomb_coefficient > 0)
-          friction << "Coulomb " << law.coulomb_coefficient << ", "
-                   << parameters.solution.friction;
-        else
-          friction << "Tresca " << law.tresca_limit << " MPa";
-        const std::string of_zone = zone.name.empty() ? "" : " " + zone.name;
-        effects["contact" + of_zone] =
-          zones[z].rule + " rule, " + std::to_string(zone.n_points) +
-          " points" + (zone.master ? "" : " on an obstacle");
-        effects["friction" + of_zone] = friction.str();
-        effects["geometry"]           = parameters.solution.geometry;
-      }
+    const std::vector<Effect> effects =
+      find_effects(parameters, *discretization, interface.get(), system_name);
+    for (const Effect &effect : effects)
+      summary.effects[effect.name] = effect.choice;
 
     screen << "Case " << parameters.name << ": "
            << mesh->triangulation.n_global_active_cells() << " cells of "
            << summary.mesh_file << ", " << summary.n_displacements
            << " displacements, " << summary.n_multipliers << " multipliers"
            << std::endl;
-    for (const auto &[effect, choice] : effects)
-      screen << "  " << std::left << std::setw(12) << effect << std::right
-             << choice << std::endl;
+    if (screen.is_active())
+      print_effects(screen.get_stream(), effects);
   }
 
 
@@ -650,16 +631,17 @@ namespace Contact
   // Also what can be told by now, should the run not come to its end.
   void ContactProblem::write_restart_file(LoadSteps &steps)
   {
+    if (steps.finished())
+      return;
     TimerOutput::Scope scope(timer, "output");
     files->write_first("summary.json", [this](std::ostream &out) {
       write_summary(summary, out);
     });
-    if (!steps.finished())
-      files->write_first("restart.bin", [&](std::ostream &out) {
-        write_restart(out, restart_key(), [&](auto &archive) {
-          serialize(archive, steps);
-        });
+    files->write_first("restart.bin", [&](std::ostream &out) {
+      write_restart(out, restart_key(), [&](auto &archive) {
+        serialize(archive, steps);
       });
+    });
   }
 
 
@@ -756,11 +738,14 @@ namespace Contact
     if (parameters.refinement.strategy == "adaptive")
       {
         TimerOutput::Scope scope(timer, "estimate");
-        flag_cells(
-          *mesh,
-          ErrorEstimator(*discretization, *elasticity, *stress_recovery)
-            .indicators(recovered_stresses(), interface.get(), solution),
-          parameters.refinement.fraction);
+        const auto        &at_vertices = recovered_stresses();
+        ++counters().error_estimates;
+        flag_cells(*mesh,
+                   ErrorEstimator(*discretization,
+                                  *elasticity,
+                                  *stress_recovery)
+                     .indicators(at_vertices, interface.get(), solution),
+                   parameters.refinement.fraction);
         for (const auto &zone : parameters.zones())
           if (zone.rule == "nodal" && !zone.master.empty())
             flag_slave_like_master(
@@ -787,8 +772,8 @@ namespace Contact
     screen << "Level " << level << ": "
            << mesh->triangulation.n_global_active_cells() << " cells, "
            << summary.n_displacements << " displacements, "
-           << summary.n_multipliers << " multipliers, "
-           << summary.effects["system"] << std::endl;
+           << summary.n_multipliers << " multipliers, " << system_name
+           << std::endl;
   }
 
 
@@ -819,8 +804,14 @@ namespace Contact
         if (interface)
           interface->restore(level_states[step.increment - 1], solution);
       }
-    discretization->constrain_update(solution, load_factor);
-    hold_what_is_free(interface.get());
+    // Linear bodies take what is prescribed at once: nothing of it has to go
+    // through the matrix, and one factorization serves all increments.
+    if (elasticity->is_linear())
+      discretization->prescribe(solution, load_factor);
+    else
+      discretization->constrain_update(solution, load_factor);
+    if (interface) // supports alone do not change
+      hold_what_is_free(interface.get());
 
     solve_with_soft_hold();
 
@@ -922,8 +913,7 @@ namespace Contact
   // displacement against the largest displacement of the increment before.
   void ContactProblem::solve_with_geometry_loop()
   {
-    if (!interface || interface->is_tied() ||
-        parameters.solution.geometry != "fixed point")
+    if (!geometry_follows() || pairs_each_step())
       {
         solve_with_friction_loop();
         return;
@@ -1103,7 +1093,7 @@ namespace Contact
   ContactProblem::Outcome ContactProblem::evaluate(const bool after_a_step,
                                                    const bool one_at_a_time)
   {
-    if (interface && !interface->is_tied() && pairs_each_step())
+    if (geometry_follows() && pairs_each_step())
       pair_bodies();
 
     Outcome outcome;
@@ -1119,6 +1109,8 @@ namespace Contact
                                 start,
                                 linearization.moving_bound,
                                 /*keep=*/after_a_step && !one_at_a_time);
+        if (after_a_step && outcome.n_changes > 0)
+          ++counters().active_set_changes;
         if (after_a_step && one_at_a_time)
           interface->decide_one(solution, start, linearization.moving_bound);
       }
@@ -1207,6 +1199,10 @@ namespace Contact
   void ContactProblem::pair_bodies(const Vector<double> &configuration)
   {
     timer.enter_subsection("search");
+    if (interface)
+      ++counters().pairings;
+    if (geometry_follows() && !configuration.all_zero())
+      ++counters().geometry_updates;
     const bool is_new = sparsity_pattern.empty();
     const bool changed =
       interface && interface->pair(parameters.solution.geometry == "undeformed"
@@ -1340,7 +1336,19 @@ namespace Contact
       TimerOutput::Scope scope(timer, "assembly");
       system_matrix = 0;
       system_rhs    = 0;
-      elasticity->assemble(solution, load_factor, system_rhs, &system_matrix);
+      if (interface && elasticity->is_linear())
+        {
+          add_tangent_of_linear_bodies();
+          elasticity->assemble(solution, load_factor, system_rhs, nullptr);
+        }
+      else
+        {
+          ++counters().tangents;
+          elasticity->assemble(solution,
+                               load_factor,
+                               system_rhs,
+                               &system_matrix);
+        }
       if (interface)
         interface->assemble(solution,
                             start,
@@ -1367,16 +1375,50 @@ namespace Contact
 
 
 
-  // Newton's method with moving geometry is left as it is: it is there for its
-  // quadratic convergence.
+  // Contact changes, linear bodies do not: their tangent is assembled once on
+  // a mesh and added to what the points make of the matrix.
+  void ContactProblem::add_tangent_of_linear_bodies()
+  {
+    if (bodies_tangent.empty() ||
+        bodies_version != elasticity->tangent_version())
+      {
+        ++counters().tangents;
+        const auto             n = discretization->dof_handler.n_dofs();
+        DynamicSparsityPattern pattern(n, n);
+        elasticity->add_couplings(pattern);
+        bodies_tangent.clear();
+        bodies_pattern.copy_from(pattern);
+        bodies_tangent.reinit(bodies_pattern);
+        elasticity->visit_cells(
+          solution,
+          /*with_tangent=*/true,
+          [this](const std::vector<types::global_dof_index> &dofs,
+                 const FullMatrix<double>                   &tangent,
+                 const Vector<double> &) {
+            discretization->constraints
+              .distribute_local_to_global(tangent, dofs, bodies_tangent);
+          });
+        bodies_version = elasticity->tangent_version();
+      }
+    for (const auto &entry : bodies_tangent)
+      system_matrix.add(entry.row(), entry.column(), entry.value());
+  }
+
+
+
+  // Under decisions that stay linear bodies keep their matrix, if the points do
+  // not follow them. Newton's method with moving geometry is left as it is: it
+  // is there for its quadratic convergence.
   bool ContactProblem::factorization_serves(const double residual,
                                             const double last_residual) const
   {
+    if (!solver.is_factorized() || discretization->update_is_prescribed() ||
+        factorized_version != elasticity->tangent_version() ||
+        (interface && factorized_decisions != interface->signature()))
+      return false;
+    if (elasticity->is_linear() && !geometry_follows())
+      return true;
     return interface && !linearization.moving_geometry &&
-           solver.is_factorized() &&
-           factorized_version == elasticity->tangent_version() &&
-           !discretization->update_is_prescribed() &&
-           factorized_decisions == interface->signature() &&
            residual < 0.1 * last_residual;
   }
 
@@ -1490,8 +1532,13 @@ namespace Contact
 
   const std::vector<SymmetricTensor<2, 3>> &ContactProblem::recovered_stresses()
   {
+    if (!stress_recovery)
+      stress_recovery = std::make_unique<StressRecovery>(*discretization);
     if (stresses.empty())
-      stresses = stress_recovery->vertex_stresses(*elasticity, solution);
+      {
+        ++counters().stress_recoveries;
+        stresses = stress_recovery->vertex_stresses(*elasticity, solution);
+      }
     return stresses;
   }
 
@@ -1576,26 +1623,34 @@ namespace Contact
   // @sect4{ContactProblem::finish}
   void ContactProblem::finish()
   {
+    files->write_first("parameters.prm", [this](std::ostream &out) {
+      prm.print_parameters(out, ParameterHandler::ShortText);
+    });
     for (const auto &[phase, time] :
          timer.get_summary_data(TimerOutput::total_cpu_time))
       summary.time[phase].cpu = time;
     for (const auto &[phase, time] :
          timer.get_summary_data(TimerOutput::total_wall_time))
       summary.time[phase].wall = time;
+    for (const auto &[phase, n] : timer.get_summary_data(TimerOutput::n_calls))
+      summary.time[phase].calls = n;
+    summary.counters = counters().by_name();
     summary.peak_memory_mb =
       Utilities::MPI::sum(peak_memory_mb(), communicator);
+    // This file counts, too.
+    ++summary.counters["files"];
     files->write_first("summary.json", [this](std::ostream &out) {
       write_summary(summary, out);
     });
     if (summary.converged &&
         Utilities::MPI::this_mpi_process(communicator) == 0)
       std::filesystem::remove(files->directory / "restart.bin");
-    files->write_first("parameters.prm", [this](std::ostream &out) {
-      prm.print_parameters(out, ParameterHandler::ShortText);
-    });
 
     if (screen.is_active())
-      print_levels(screen.get_stream(), summary);
+      {
+        print_levels(screen.get_stream(), summary);
+        print_counters(screen.get_stream(), summary);
+      }
   }
 
 
@@ -1618,6 +1673,15 @@ namespace Contact
   {
     return parameters.solution.geometry == "each step" ||
            parameters.solution.geometry == "Newton";
+  }
+
+
+
+  /// Whether the points are paired with bodies that have moved.
+  bool ContactProblem::geometry_follows() const
+  {
+    return interface && !interface->is_tied() &&
+           parameters.solution.geometry != "undeformed";
   }
 
 
@@ -1699,6 +1763,23 @@ namespace
 
 
 
+  // A process that no launcher has started as one of several talks to nobody:
+  // without Open MPI's daemon and network it starts in half the time. What the
+  // environment says comes first.
+  void spare_network_of_single_process()
+  {
+    for (const char *launched :
+         {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
+      if (std::getenv(launched) != nullptr)
+        return;
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", /*overwrite=*/0);
+    setenv("OMPI_MCA_pml", "ob1", 0);
+    setenv("OMPI_MCA_btl", "self", 0);
+    setenv("OMPI_MCA_osc", "^ucx", 0);
+  }
+
+
+
   // All files are read before the first one is computed: a wrong entry in the
   // last one should not cost the time of the others.
   int run(const Contact::CommandLine &line)
@@ -1746,17 +1827,24 @@ namespace
 
 int main(int argc, char **argv)
 {
+  // What computes nothing needs no MPI.
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (first == "--help")
+    {
+      Contact::print_help(std::cout);
+      return 0;
+    }
+  if (first == "--parameters")
+    {
+      Contact::print_parameters(std::cout);
+      return 0;
+    }
+
+  spare_network_of_single_process();
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   try
     {
-      const std::string first = argc > 1 ? argv[1] : "";
-      if (first == "--help")
-        Contact::print_help(std::cout);
-      else if (first == "--parameters")
-        Contact::print_parameters(std::cout);
-      else
-        return run(Contact::parse_command_line(argc, argv));
-      return 0;
+      return run(Contact::parse_command_line(argc, argv));
     }
   catch (const Contact::InputError &error)
     {

@@ -12,6 +12,8 @@
 #include <Epetra_CrsMatrix.h>
 #include <algorithm>
 
+#include "counters.h"
+
 namespace Contact
 {
   CondensedSystem::CondensedSystem(const Discretization   &discretization,
@@ -26,7 +28,10 @@ namespace Contact
     , elimination(elimination)
     , timer(timer)
     , owned(discretization.dof_handler.locally_owned_dofs())
-    , solver(DefiniteSolver::create(solver_name, rigid_modes()))
+    , solver(DefiniteSolver::create(solver_name,
+                                    solver_name == "AMG"
+                                      ? rigid_modes()
+                                      : DefiniteSolver::Modes()))
   {
     if (interface != nullptr)
       for (const auto &zone : interface->zones)
@@ -194,10 +199,16 @@ namespace Contact
           all.insert(provided.back().begin(), provided.back().end());
         }
 
-    IndexSet rows;
-    DoFTools::extract_locally_relevant_dofs(dof_handler, rows);
-    rows.add_indices(all.begin(), all.end());
-    rows.compress();
+    // One rank has all rows, which is said by none.
+    IndexSet   rows;
+    const bool is_distributed =
+      Utilities::MPI::n_mpi_processes(discretization.communicator) > 1;
+    if (is_distributed)
+      {
+        DoFTools::extract_locally_relevant_dofs(dof_handler, rows);
+        rows.add_indices(all.begin(), all.end());
+        rows.compress();
+      }
 
     DynamicSparsityPattern pattern(n, n, rows);
     elasticity.add_couplings(pattern);
@@ -240,7 +251,7 @@ namespace Contact
       touched.insert(of_rank.begin(), of_rank.end());
     interface_dofs.assign(touched.begin(), touched.end());
 
-    if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+    if (is_distributed)
       SparsityTools::distribute_sparsity_pattern(pattern,
                                                  owned,
                                                  communicator,
@@ -248,9 +259,9 @@ namespace Contact
     solver->release();
     matrix.clear();
     matrix.reinit(owned, owned, pattern, communicator);
-    bulk_is_assembled = false;
-    has_pattern       = true;
-    pattern_is_new    = true;
+    tangents_are_known = false;
+    has_pattern        = true;
+    pattern_is_new     = true;
   }
 
 
@@ -314,26 +325,23 @@ namespace Contact
   bool CondensedSystem::assemble(const Vector<double> &solution,
                                  Vector<double>       &rhs)
   {
-    const bool bulk_serves = bulk_is_assembled && elasticity.is_linear() &&
-                             bulk_version == elasticity.tangent_version();
+    const bool tangents_serve = tangents_are_known && elasticity.is_linear() &&
+                                tangent_version == elasticity.tangent_version();
     const auto signature = elimination.signature();
-    const bool is_new    = !bulk_serves || signature != assembled_lines;
+    const bool is_new    = !tangents_serve || signature != assembled_lines;
     assembled_lines      = signature;
-    if (!bulk_serves)
-      assemble_bulk(solution);
+    if (!tangents_serve)
+      assemble_tangents(solution);
     else if (is_new)
       restore_interface_rows();
 
     // With what the eliminated unknowns are to move by themselves: -K h.
     Vector<double> moved_forces(rhs.size()), h, force;
     const auto    &constraints = elimination.constraints();
-    elasticity.visit_cells(
-      solution,
-      true,
-      interface_cells,
-      [&](const Dofs               &dofs,
-          const FullMatrix<double> &tangent,
-          const Vector<double> &) {
+    for (unsigned int k = 0; k < interface_cells.size(); ++k)
+      {
+        const Dofs &dofs = elasticity.dofs_of_cell(interface_cells[k]);
+        const FullMatrix<double> &tangent = interface_tangents[k];
         if (is_new)
           constraints.distribute_local_to_global(tangent, dofs, matrix);
 
@@ -343,7 +351,7 @@ namespace Contact
           h[i] = -constraints.get_inhomogeneity(dofs[i]);
         tangent.vmult(force, h);
         constraints.distribute_local_to_global(force, dofs, moved_forces);
-      });
+      }
     if (is_new)
       matrix.compress(VectorOperation::add);
 
@@ -356,9 +364,11 @@ namespace Contact
 
 
 
-  // All cells that do not see the active set.
-  void CondensedSystem::assemble_bulk(const Vector<double> &solution)
+  // All cells: of those that see the active set the tangents, of the others
+  // their sum.
+  void CondensedSystem::assemble_tangents(const Vector<double> &solution)
   {
+    ++counters().tangents;
     const auto &base = discretization.constraints;
     matrix           = 0;
     elasticity.visit_cells(solution,
@@ -372,6 +382,15 @@ namespace Contact
                                                              matrix);
                            });
     matrix.compress(VectorOperation::add);
+    interface_tangents.clear();
+    elasticity.visit_cells(solution,
+                           true,
+                           interface_cells,
+                           [&](const Dofs &,
+                               const FullMatrix<double> &tangent,
+                               const Vector<double> &) {
+                             interface_tangents.push_back(tangent);
+                           });
 
     // Bound centres are in no cell.
     if (discretization.bound_centre)
@@ -390,8 +409,8 @@ namespace Contact
     for_interface_rows([&](const int n, double *values) {
       kept_rows.emplace_back(values, values + n);
     });
-    bulk_is_assembled = true;
-    bulk_version      = elasticity.tangent_version();
+    tangents_are_known = true;
+    tangent_version    = elasticity.tangent_version();
   }
 
 

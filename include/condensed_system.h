@@ -21,9 +21,10 @@ namespace Contact
    * definite, with friction as well: where a node slips, the shear is a load (a
    * step of Tresca's problem).
    *
-   * Only cells at the slave nodes see the active set. All others are assembled
-   * once if the bodies are linear, and a change of the active set costs the
-   * cells at the interface (and what the solver makes of it).
+   * Only cells at the slave nodes see the active set: their tangents are kept
+   * beside the matrix of all others. Linear bodies have them all once on a
+   * mesh, and a change of the active set costs the sum over the cells at the
+   * interface (and what the solver makes of it).
    */
   class CondensedSystem
   {
@@ -68,7 +69,7 @@ namespace Contact
 
     /// Returns whether the matrix is another one than before.
     bool assemble(const Vector<double> &solution, Vector<double> &rhs);
-    void assemble_bulk(const Vector<double> &solution);
+    void assemble_tangents(const Vector<double> &solution);
     void restore_interface_rows();
     void for_interface_rows(
       const std::function<void(const int n, double *values)> &visit);
@@ -96,10 +97,11 @@ namespace Contact
     DefiniteSolver::Matrix           matrix;
     std::vector<double>              assembled_lines; // their signature
     std::vector<std::vector<double>> kept_rows; // by owned interface unknown
-    bool                             has_pattern       = false;
-    bool                             bulk_is_assembled = false;
-    unsigned int                     bulk_version      = 0;
-    bool                             pattern_is_new    = true; // to the solver
+    std::vector<FullMatrix<double>>  interface_tangents; // by interface cell
+    bool                             has_pattern        = false;
+    bool                             tangents_are_known = false;
+    unsigned int                     tangent_version    = 0;
+    bool                             pattern_is_new     = true; // to the solver
 
     std::unique_ptr<DefiniteSolver> solver;
   };

@@ -7,6 +7,7 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include "counters.h"
 #include "errors.h"
 
 namespace Contact
@@ -153,6 +154,7 @@ namespace Contact
                                            const double        gap,
                                            const double        slip)
   {
+    ++counters().tangential_rows;
     for (unsigned int i = 0; i < 2; ++i)
       {
         if (discretization.is_fixed(point.dofs[0][i]))

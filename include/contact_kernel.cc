@@ -6,6 +6,7 @@
 // The kernel of ContactInterface: what a point adds to the linear system.
 
 #include "contact_interface.h"
+#include "counters.h"
 
 namespace Contact
 {
@@ -91,10 +92,14 @@ namespace Contact
         {
           const unsigned int j = 2 * a + i;
           rows.p_trial[j]      = -c * point.C[a] * point.normal[i];
-          rows.q_trial[j]      = -c * point.C[a] * point.tangent[i];
           rows.load_p[j]       = -w * point.C[a] * point.normal[i];
-          rows.load_q[j]       = -w * point.C[a] * point.tangent[i];
+          if (has_friction(point))
+            {
+              rows.q_trial[j] = -c * point.C[a] * point.tangent[i];
+              rows.load_q[j]  = -w * point.C[a] * point.tangent[i];
+            }
         }
+    counters().tangential_rows += has_friction(point);
     for (unsigned int k = 0; k < n_m; ++k)
       {
         rows.p_trial[n_u + k] = point.psi[k];
@@ -112,8 +117,9 @@ namespace Contact
         for (unsigned int j = 0; j < n_u; ++j)
           {
             rows.p_trial[j] += c * moves.offset * moves.omega[j];
-            rows.q_trial[j] -= c * (moves.slip_normal * moves.omega[j] +
-                                    moves.slip_stretch * moves.d_xi[j]);
+            if (has_friction(point))
+              rows.q_trial[j] -= c * (moves.slip_normal * moves.omega[j] +
+                                      moves.slip_stretch * moves.d_xi[j]);
           }
       }
   }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "counters.h"
 #include "errors.h"
 
 namespace Contact
@@ -146,6 +147,7 @@ namespace Contact
       {
         for (ContactPoint &point : points)
           pair_with_obstacle(point, *obstacle, discretization, u);
+        counters().projections += points.size();
         return changed;
       }
 

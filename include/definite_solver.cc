@@ -16,6 +16,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "counters.h"
 #include "errors.h"
 
 namespace Contact
@@ -82,9 +83,11 @@ namespace Contact
 
         if (factor == nullptr || new_pattern)
           {
+            ++counters().symbolic_factorizations;
             cholmod_free_factor(&factor, &common);
             factor = cholmod_analyze(&view, &common);
           }
+        ++counters().numeric_factorizations;
         cholmod_factorize(&view, factor, &common);
         if (common.status == CHOLMOD_NOT_POSDEF)
           throw NotConverged(not_definite);
@@ -102,6 +105,7 @@ namespace Contact
 
       unsigned int solve(const Vector &b, const double, Vector &x) override
       {
+        ++counters().linear_solves;
         cholmod_dense view{};
         view.nrow  = b.size();
         view.ncol  = 1;
@@ -131,6 +135,9 @@ namespace Contact
     public:
       void set_matrix(const Matrix &matrix, const bool) override
       {
+        // It does both with every matrix.
+        ++counters().symbolic_factorizations;
+        ++counters().numeric_factorizations;
         solver = std::make_unique<TrilinosWrappers::SolverDirect>(
           control,
           TrilinosWrappers::SolverDirect::AdditionalData(false,
@@ -145,6 +152,7 @@ namespace Contact
 
       unsigned int solve(const Vector &b, const double, Vector &x) override
       {
+        ++counters().linear_solves;
         solver->solve(x, b);
         return 1;
       }
@@ -220,12 +228,15 @@ namespace Contact
     private:
       void iterate(SolverControl &control, const Vector &b, Vector &x) const
       {
+        ++counters().linear_solves;
         x = 0;
         SolverCG<Vector>(control).solve(*matrix, x, b, preconditioner);
       }
 
       void build()
       {
+        ++counters().symbolic_factorizations;
+        ++counters().numeric_factorizations;
         preconditioner.clear();
         TrilinosWrappers::PreconditionAMG::AdditionalData data;
         data.elliptic              = true;

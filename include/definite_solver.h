@@ -34,7 +34,7 @@ namespace Contact
     /**
      * The solver named "CHOLMOD" (one rank), "MUMPS", or "AMG": conjugate
      * gradients with Trilinos' smoothed aggregation, which takes
-     * the @p modes as near null space.
+     * the @p modes as near null space, and alone needs them.
      */
     static std::unique_ptr<DefiniteSolver> create(const std::string &name,
                                                   const Modes       &modes);

@@ -128,9 +128,30 @@ namespace Contact
 
 
 
+  void Discretization::prescribe(Vector<double> &u, const double load_factor)
+  {
+    constrain_update(u, load_factor);
+    if (updates_vanish)
+      return;
+    Vector<double> move(u.size());
+    constraints.distribute(move);
+    u += move;
+
+    // To the last digit.
+    const std::array<double, 2> factors{
+      {factor("Displacement x", load_factor),
+       factor("Displacement y", load_factor)}};
+    for (const auto &[dof, displacement] : prescribed)
+      u[dof] = factors[displacement.component] * displacement.value;
+    constrain_update(u, load_factor);
+  }
+
+
+
   bool Discretization::is_fixed(const types::global_dof_index dof) const
   {
-    return prescribed.count(dof) > 0;
+    // All that is prescribed is constrained, which is faster to see.
+    return constraints.is_constrained(dof) && prescribed.count(dof) > 0;
   }
 
 
@@ -152,6 +173,8 @@ namespace Contact
 
   bool Discretization::is_moved(const types::global_dof_index dof) const
   {
+    if (!constraints.is_constrained(dof))
+      return false;
     const auto value = prescribed.find(dof);
     return value != prescribed.end() && value->second.value != 0;
   }
@@ -279,7 +302,7 @@ namespace Contact
     for (const auto &[name, partner] : boundary.tied_y)
       {
         const auto dof = vertex_dofs[mesh.point(name, entry)][1];
-        if (is_fixed(dof))
+        if (prescribed.count(dof) > 0)
           throw InputError("point '" + name + "' is tied and supported in y",
                            entry,
                            "remove the tie or the support");

@@ -114,6 +114,13 @@ namespace Contact
      */
     void constrain_update(const Vector<double> &u, const double load_factor);
 
+    /**
+     * Bring all supported unknowns of @p u, and those that follow them, to what
+     * is prescribed under @p load_factor at once: the next update moves none.
+     * For bodies whose tangent does not mind the strains this makes.
+     */
+    void prescribe(Vector<double> &u, const double load_factor);
+
     /// The largest displacement that a support prescribes now [mm].
     double largest_prescribed() const
     {

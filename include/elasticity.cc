@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "counters.h"
 #include "errors.h"
 #include "symmetry.h"
 
@@ -341,6 +342,7 @@ namespace Contact
                                              FullMatrix<double>   *tangent,
                                              Vector<double>       &forces) const
     {
+      counters().large_displacement_cells += !is_linear();
       const bool projected = !cell.modes.empty();
       if (tangent == nullptr)
         {
@@ -499,6 +501,8 @@ namespace Contact
                               const CellVisitor    &visitor,
                               VolumeRatio          &smallest) const
   {
+    ++counters().cell_forces;
+    counters().cell_tangents += with_tangent;
     const unsigned int n = cell.dofs.size();
     forces.reinit(n);
     if (with_tangent)
@@ -563,6 +567,12 @@ namespace Contact
                                    Vector<double>       &rhs,
                                    SparseMatrix<double> *matrix) const
   {
+    add_dead_load(load_factor, rhs);
+
+    // Bodies at rest exert nothing.
+    if (matrix == nullptr && hold_stiffness.empty() && u.all_zero())
+      return VolumeRatio();
+
     const auto    &constraints = discretization.constraints;
     Vector<double> cell_rhs;
     const auto     smallest =
@@ -584,13 +594,19 @@ namespace Contact
                                                              *matrix,
                                                              rhs);
                   });
+    return smallest;
+  }
 
+
+
+  void Elasticity::add_dead_load(const double    load_factor,
+                                 Vector<double> &rhs) const
+  {
     const auto  load  = discretization.dead_load(load_factor);
     const auto &owned = discretization.dof_handler.locally_owned_dofs();
     for (unsigned int i = 0; i < load.size(); ++i)
       if (load[i] != 0 && owned.is_element(i))
-        constraints.distribute_local_to_global(i, load[i], rhs);
-    return smallest;
+        discretization.constraints.distribute_local_to_global(i, load[i], rhs);
   }
 
 
@@ -756,6 +772,7 @@ namespace Contact
 
     std::vector<types::global_dof_index> dofs;
     std::vector<Cell>                    neighbors;
+    cells.reserve(discretization.mesh.triangulation.n_active_cells());
     for (const auto &dof_cell :
          discretization.dof_handler.active_cell_iterators())
       {

@@ -260,6 +260,8 @@ namespace Contact
                     const CellVisitor    &visitor,
                     VolumeRatio          &smallest) const;
 
+    void add_dead_load(const double load_factor, Vector<double> &rhs) const;
+
     /// The springs of a cell: the stiffness of each of its corners, as k.
     double spring(const Cell &cell) const;
     void   add_springs(const Cell           &cell,

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <umfpack.h>
 
+#include "counters.h"
 #include "errors.h"
 
 namespace Contact
@@ -55,6 +56,7 @@ namespace Contact
     int       status = UMFPACK_OK;
     if (symbolic == nullptr)
       {
+        ++counters().symbolic_factorizations;
         void *handle = nullptr;
         status       = umfpack_di_symbolic(n,
                                      n,
@@ -69,6 +71,7 @@ namespace Contact
       }
     if (status == UMFPACK_OK)
       {
+        ++counters().numeric_factorizations;
         void *handle = nullptr;
         status       = umfpack_di_numeric(row_starts.data(),
                                     columns.data(),
@@ -90,6 +93,7 @@ namespace Contact
 
   void DirectSolver::solve(Vector<double> &b) const
   {
+    ++counters().linear_solves;
     const Vector<double> rhs(b);
     // Newton's method corrects what round-off leaves better than iterative
     // refinement would.

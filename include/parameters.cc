@@ -465,12 +465,12 @@ namespace Contact
                         Patterns::Selection("full|table|none"));
       prm.add_parameter("VTU",
                         vtu,
-                        "Whether displacements and stresses are written for "
-                        "ParaView [-].");
+                        "Whether displacements and stresses of each increment "
+                        "are written for ParaView [-].");
       prm.add_parameter("Profile",
                         profile,
-                        "Whether the pressure along the slave surface is "
-                        "written [-].");
+                        "Whether pressure, shear, gap and slip along both "
+                        "surfaces are written at the end [-].");
       prm.leave_subsection();
     }
 

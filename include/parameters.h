@@ -313,8 +313,8 @@ namespace Contact
       /// "full", "table" or "none".
       std::string screen = "full";
 
-      bool vtu     = true;
-      bool profile = true;
+      bool vtu     = false;
+      bool profile = false;
 
       void add_parameters(ParameterHandler &prm);
     };

@@ -16,6 +16,7 @@
 #include <fstream>
 #include <unistd.h>
 
+#include "counters.h"
 #include "errors.h"
 #include "stress_recovery.h"
 
@@ -154,6 +155,7 @@ namespace Contact
   void write_file(const std::filesystem::path               &file,
                   const std::function<void(std::ostream &)> &write)
   {
+    ++counters().files;
     std::filesystem::path part = file;
     part += ".part";
     std::ofstream out(part);

@@ -111,7 +111,11 @@ namespace Contact
     {
       Json json = Json::object();
       for (const auto &[phase, time] : times)
-        json[phase] = {{"cpu", time.cpu}, {"wall", time.wall}};
+        {
+          json[phase] = {{"cpu", time.cpu}, {"wall", time.wall}};
+          if (time.calls > 0)
+            json[phase]["calls"] = time.calls;
+        }
       return json;
     }
 
@@ -147,7 +151,8 @@ namespace Contact
                 {"errors", summary.errors},
                 {"time", to_json(summary.time)},
                 {"peak_memory_mb", summary.peak_memory_mb},
-                {"effects", Json::object()}};
+                {"effects", Json::object()},
+                {"counters", summary.counters}};
       for (const ProbeResult &probe : summary.probes)
         json["probes"].push_back(to_json(probe));
       for (const IncrementRecord &increment : summary.increments)

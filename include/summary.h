@@ -74,11 +74,12 @@ namespace Contact
 
 
 
-  /// What a phase of the program took [s].
+  /// What a phase of the program took [s], and how often it was entered.
   struct PhaseTime
   {
-    double cpu  = 0;
-    double wall = 0;
+    double       cpu   = 0;
+    double       wall  = 0;
+    unsigned int calls = 0; // of the whole run only
   };
 
 
@@ -128,6 +129,9 @@ namespace Contact
 
     /// What the case switches on, for instance "friction" -> "Coulomb 0.1".
     std::map<std::string, std::string> effects;
+
+    /// What was done how often, see Counters.
+    std::map<std::string, unsigned long> counters;
 
     /// Converged, no invariant is violated, and all probes are within their
     /// tolerances.

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "counters.h"
 #include "errors.h"
 
 namespace Contact
@@ -326,6 +327,7 @@ namespace Contact
   {
     namespace bgi = boost::geometry::index;
 
+    ++counters().projections;
     Projection best{0, 0, false, false};
     double     best_distance = std::numeric_limits<double>::max();
     for (auto entry = tree.qbegin(bgi::nearest(x, surface.edges.size()));
@@ -336,6 +338,7 @@ namespace Contact
           boost::geometry::comparable_distance(x, entry->first);
         if (to_box > best_distance)
           break;
+        ++counters().candidate_pairs;
         const Projection candidate = project(x, entry->second);
         const double     distance  = distance_square(x, candidate);
         if (distance < best_distance)

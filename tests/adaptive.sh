@@ -27,8 +27,7 @@ point() {
     --set "Element/Centre node=$([ "$1" = 1 ] && echo bound || echo free)" \
     --set "Refinement/Strategy=$2" --set "Refinement/Fraction=$3" \
     --set "Refinement/Levels=$4" --set Probes/References= \
-    --set Probes/Tolerances= --set Output/Screen=table \
-    --set Output/Profile=false >messages 2>&1 || status=$?
+    --set Probes/Tolerances= --set Output/Screen=table >messages 2>&1 || status=$?
   if [ $status -ne 0 ]; then
     echo "degree $1, $2, fraction $3, $4 levels: status $status" >&2
     cat messages >&2

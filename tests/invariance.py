@@ -62,10 +62,6 @@ subsection Probes
   set Probes = CX: displacement x, C; CY: displacement y, C; BX: displacement x, B; BY: displacement y, B
   set Hertz  =
 end
-subsection Output
-  set VTU     = false
-  set Profile = false
-end
 """
 
 CAP = (0.3, -0.8)

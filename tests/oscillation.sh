@@ -40,7 +40,7 @@ row() {
     --set "Contact/Rule=$6" --set "Contact/Slave=$slave" \
     --set "Contact/Master=$master" --set Refinement/Levels=0 \
     --set Probes/References= --set Probes/Tolerances= \
-    --set Output/Screen=table >messages 2>&1 || status=$?
+    --set Output/Profile=true --set Output/Screen=table >messages 2>&1 || status=$?
   if [ $status -ne 0 ]; then
     echo "| $1 | $3 | $element | $6, $7 | status $status |"
     cat messages >&2

@@ -164,7 +164,7 @@ namespace
                  "end\n"
                  "subsection Output\n"
                  "  set Screen = none\n"
-                 "  set VTU = false\n"
+                 "  set VTU = true\n"
                  "end\n");
     const Case result("values.prm");
     std::cout << result.error;

@@ -58,7 +58,7 @@ compare() {
       --set Refinement/Tolerance=1e-11 \
       --set "Solution/Linear solver=$solver" --set Solution/Increments=2 \
       --set Probes/References= --set Probes/Tolerances= \
-      --set Output/Screen=none --set Output/VTU=true \
+      --set Output/Screen=none --set Output/VTU=true --set Output/Profile=true \
       --set "Output/Directory=$name/$n" "$@" ||
       fail "exit status $? with $n processes"
     directory=$name/$n/$stem

@@ -386,7 +386,7 @@ class Scene:
         self.set("Mesh/File", self.name + ".msh")
         self.set("Probes/Probes", "top: displacement y, Top_point; "
                  "face: stress yy, Face_point")
-        self.set("Output/VTU", "false")
+        self.set("Output/Profile", "true")
 
     def parameters(self):
         sections = collections.OrderedDict()

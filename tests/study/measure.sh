@@ -42,4 +42,7 @@ record oscillation table './run oscillation' tests/oscillation.sh "$contact"
 record hard table './run hard' tests/hard/hard.py --table \
   --output output/hard "$contact"
 record scaling table './run scaling' tests/scaling.sh "$contact"
+record effects table './run effects' tests/effects/effects.py "$contact"
+record yardstick table './run yardstick' tests/effects/yardstick.py \
+  build/tests/plain_elasticity "$contact"
 tests/study/report.py "$results" --readme README.md

@@ -1,0 +1,194 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A scene does only what it asks for: counters of small scenes, exactly.
+
+    counters.py CONTACT PARAMETERS MESHES
+
+Each claim can fail: a counter that is zero where an effect is off has to count
+where it is on, which the scenes with the effect show.
+"""
+
+import pathlib
+import sys
+import tempfile
+
+import scenes
+
+FAILURES = []
+
+
+def check(claim, found, wanted):
+    good = found == wanted
+    print("  %-62s %s" % (claim, "yes" if good else
+                          "NO: %s, not %s" % (found, wanted)))
+    if not good:
+        FAILURES.append(claim)
+
+
+def check_not(claim, found, limit):
+    check("%s (%s)" % (claim, found), found > limit, True)
+
+
+class Scenes:
+    def __init__(self, contact, directory):
+        self.contact, self.directory = contact, pathlib.Path(directory)
+        self.mesh = self.directory / "blocks.msh"
+        scenes.write_blocks(self.mesh, 6)
+        self.block = self.directory / "block.msh"
+        scenes.write_block(self.block, 8)
+
+    def run(self, headline, *entries, mesh=None):
+        merged = {}
+        for part in entries:
+            merged.update(part)
+        print(headline)
+        result = scenes.run(self.contact, mesh or self.mesh, merged,
+                            self.directory)
+        if result.status not in (0, 1) or not result.summary["converged"]:
+            print(scenes.log(self.directory))
+            raise SystemExit("the scene does not converge")
+        return result
+
+    def cells(self, result):
+        return result.summary["levels"][-1]["cells"]
+
+
+# What none of the scenes below has, unless it says so.
+OFF = ("large_displacement_cells", "tangential_rows", "geometry_updates",
+       "stress_recoveries", "error_estimates")
+NO_CONTACT = ("pairings", "candidate_pairs", "projections",
+              "active_set_changes")
+
+
+def all_zero(result, names):
+    check("nothing of what is off",
+          {name: result.counters[name] for name in names
+           if result.counters[name] != 0}, {})
+
+
+def once(result, cells, solves):
+    check("one tangent", result.counters["tangents"], 1)
+    check("of each cell once", result.counters["cell_tangents"], cells)
+    check("one analysis", result.counters["symbolic_factorizations"], 1)
+    check("one factorization", result.counters["numeric_factorizations"], 1)
+    check("%d linear solve(s)" % solves, result.counters["linear_solves"],
+          solves)
+
+
+def linear(s):
+    for increments in (1, 3):
+        more = {"Solution/Increments": str(increments)}
+        for system in ("condensed", "saddle point"):
+            what = {"Solution/System": system, **more}
+            r = s.run("no contact, moved supports, %s, increments: %d"
+                      % (system, increments), scenes.BLOCKS, what)
+            once(r, s.cells(r), increments)
+            all_zero(r, OFF + NO_CONTACT)
+            check("files: summary twice, parameters; restart and summary "
+                  "between", r.counters["files"], 3 + 2 * (increments - 1))
+        tied = {"Contact/Tied": "true", **more}
+        for rule in ("nodal", "mortar"):
+            r = s.run("tied, rule %s, increments: %d" % (rule, increments),
+                      scenes.BLOCKS, scenes.CONTACT, tied,
+                      {"Contact/Rule": rule})
+            once(r, s.cells(r), increments)
+            all_zero(r, ("large_displacement_cells", "geometry_updates",
+                         "stress_recoveries", "error_estimates",
+                         "active_set_changes"))
+            check("paired once", r.counters["pairings"], 1)
+    r = s.run("no contact, a load, three increments", {
+        "Solids/Young's modulus": "Block: 210000",
+        "Solids/Poisson's ratio": "Block: 0.3",
+        "Solids/Kinematics": "small strain",
+        "Boundary conditions/Displacement x": "Base: 0",
+        "Boundary conditions/Displacement y": "Base: 0",
+        "Boundary conditions/Spread force y": "Top: -1",
+        "Solution/Increments": "3"}, mesh=s.block)
+    once(r, s.cells(r), 3)
+    all_zero(r, OFF + NO_CONTACT)
+
+
+def frozen_pairing(s):
+    """Small strain, paired once: the matrix follows the decisions alone."""
+    for rule, system in (("mortar", "condensed"), ("nodal", "condensed"),
+                         ("nodal", "saddle point"), ("Gauss", "saddle point")):
+        for friction in ({}, {"Contact/Tresca limit": "20"},
+                         {"Contact/Friction coefficient": "0.2"}):
+            r = s.run("contact paired once, rule %s, %s, %s" %
+                      (rule, system, friction or "no friction"),
+                      scenes.BLOCKS, scenes.CONTACT, friction,
+                      {"Contact/Rule": rule, "Solution/System": system,
+                       "Solution/Increments": "3"})
+            c = r.counters
+            check("one tangent", c["tangents"], 1)
+            check("of each cell once", c["cell_tangents"], s.cells(r))
+            check("one analysis", c["symbolic_factorizations"], 1)
+            check_not("at most one factorization for each change of the active "
+                      "set, and the first", 2 + c["active_set_changes"],
+                      c["numeric_factorizations"])
+            check("paired once", c["pairings"], 1)
+            check("no geometry update", c["geometry_updates"], 0)
+            all_zero(r, ("large_displacement_cells", "stress_recoveries",
+                         "error_estimates"))
+            if friction:
+                check_not("tangential rows", c["tangential_rows"], 0)
+            else:
+                check("no tangential row", c["tangential_rows"], 0)
+
+
+def switched_on(s):
+    """The counters that were zero count."""
+    r = s.run("geometry by the fixed point, small strain", scenes.BLOCKS,
+              scenes.CONTACT, {"Solution/Geometry": "fixed point"})
+    check("an update a turn", r.counters["geometry_updates"],
+          sum(i["geometry_iterations"] for i in r.summary["increments"]))
+    check_not("geometry updates", r.counters["geometry_updates"], 0)
+    check("one tangent", r.counters["tangents"], 1)
+
+    r = s.run("large displacement", scenes.BLOCKS,
+              {"Solids/Kinematics": "large displacement",
+               "Solution/Geometry": "fixed point"})
+    check("all cells", r.counters["large_displacement_cells"],
+          r.counters["cell_forces"])
+    check("a tangent for each Newton step", r.counters["tangents"],
+          sum(i["newton_iterations"] for i in r.summary["increments"]))
+
+    r = s.run("a stress probed, VTU, profile", scenes.BLOCKS, scenes.CONTACT,
+              {"Probes/Probes": "s: stress yy, Head", "Output/VTU": "true",
+               "Output/Profile": "true"})
+    check("stresses recovered once", r.counters["stress_recoveries"], 1)
+    check("files: three, two VTU with their series, profile",
+          r.counters["files"], 3 + 4 + 1)
+
+    r = s.run("one adaptive level", scenes.BLOCKS, scenes.CONTACT,
+              {"Refinement/Levels": "1", "Refinement/Strategy": "adaptive"})
+    check("one estimate", r.counters["error_estimates"], 1)
+    check("one recovery", r.counters["stress_recoveries"], 1)
+    check("a tangent a mesh", r.counters["tangents"], 2)
+
+
+def modeling_a(s, parameters):
+    print("modeling A, which has no friction")
+    result = scenes.measure([str(s.contact), str(parameters / "ssnp154_a.prm"),
+                             "--set", "Output/Screen=none"], s.directory)
+    summary = scenes.json.loads((s.directory / "output" / "ssnp154_a" /
+                                 "summary.json").read_text())
+    check("exit status", result.status, 0)
+    check("no tangential row", summary["counters"]["tangential_rows"], 0)
+    check("a multiplier a node", summary["unknowns"]["multipliers"] > 0, True)
+
+
+def main():
+    contact, parameters = (pathlib.Path(p).resolve() for p in sys.argv[1:3])
+    with tempfile.TemporaryDirectory() as directory:
+        s = Scenes(contact, directory)
+        linear(s)
+        frozen_pairing(s)
+        switched_on(s)
+        modeling_a(s, parameters)
+    print("%d claims fail" % len(FAILURES))
+    sys.exit(1 if FAILURES else 0)
+
+
+if __name__ == "__main__":
+    main()
