@@ -375,9 +375,9 @@ def draw_pressures(cases: list[Path], path: Path) -> None:
     curves.append(f"{exact['max_pressure']:.9g} * sqrt(1 - "
                   f"(x / {exact['half_width']:.9g})**2) "
                   'lw 2 dt 2 lc rgb "#000000" title "Hertz"')
-    lines += ["set samples 2000", "set key below maxrows 3",
+    lines += ["set samples 2000", "set key top right",
               "plot " + ", \\\n  ".join(curves)]
-    gnuplot(lines, path, "1000,640")
+    gnuplot(lines, path)
 
 
 def friction_coefficient(case: Path) -> float:
