@@ -1,0 +1,278 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Converts a plane mesh with named groups into the MSH format that contact reads.
+
+    convert.py [--bodies NAME,NAME] IN OUT.msh
+
+IN is a MED file (Code_Aster, Salome) or of any format that meshio reads. Groups
+keep their names: groups of faces become bodies, groups of lines the parts of
+their boundaries, point elements and groups of one node the named points. Every
+face needs one body; --bodies says which groups of faces are bodies where
+others overlap with them. Elements of first and second order keep their nodes.
+Exit status: 0, or 2 if IN can not be converted.
+
+For Debian's Python with python3-h5py (MED) and python3-meshio (the others).
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+
+# meshio's name -> gmsh's type, dimension, number of nodes that gmsh's type has.
+TYPES = {"vertex": (15, 0, 1), "line": (1, 1, 2), "line3": (8, 1, 3),
+         "triangle": (2, 2, 3), "triangle6": (9, 2, 6), "triangle7": (9, 2, 6),
+         "quad": (3, 2, 4), "quad8": (16, 2, 8), "quad9": (10, 2, 9)}
+KINDS = ("points", "boundaries", "bodies")  # by dimension
+
+# MED's name -> meshio's.
+MED_TYPES = {"PO1": "vertex", "SE2": "line", "SE3": "line3", "TR3": "triangle",
+             "TR6": "triangle6", "TR7": "triangle7", "QU4": "quad",
+             "QU8": "quad8", "QU9": "quad9"}
+MED_ENDS = (".med", ".mmed", ".rmed")
+
+
+class BadMesh(Exception):
+    """What is wrong, where, and the remedy, as the program says it."""
+
+    def __init__(self, what: str, where: str, remedy: str):
+        super().__init__(f"error:  {what}\nwhere:  {where}\nremedy: {remedy}")
+
+
+@dataclass
+class Element:
+    kind: str  # meshio's name of the type
+    nodes: list[int]
+    groups: set[str] = field(default_factory=set)
+
+    @property
+    def dimension(self) -> int:
+        return TYPES[self.kind][1]
+
+
+@dataclass
+class Mesh:
+    points: list[list[float]]
+    elements: list[Element] = field(default_factory=list)
+    node_groups: dict[str, list[int]] = field(default_factory=dict)
+
+    def add(self, kind: str, nodes, groups, path: Path) -> None:
+        """A block of equal elements with the groups of each."""
+        if kind not in TYPES:
+            raise BadMesh(f"the mesh has elements of type {kind}", str(path),
+                          "mesh a plane surface with lines, triangles and "
+                          "quadrangles of first or second order")
+        self.elements += [
+            Element(kind, [int(n) for n in numbers[:TYPES[kind][2]]], set(names))
+            for numbers, names in zip(nodes, groups)]
+
+
+# ------------------------------------------------------------------------ MED
+
+def only(group, what: str, path: Path):
+    """The one member of a group of the file."""
+    if len(group) != 1:
+        raise BadMesh(f"the file has {len(group)} {what}: "
+                      + ", ".join(group), str(path), "write a file with one")
+    return next(iter(group.values()))
+
+
+def read_families(families) -> dict[int, list[str]]:
+    """Number of a family -> its groups, names of 80 characters each."""
+    found = {}
+    for family in families.values():
+        rows = family["GRO/NOM"][()] if "GRO" in family else ()
+        found[int(family.attrs["NUM"])] = [
+            bytes(int(c) & 255 for c in row).split(b"\0")[0].decode(
+                errors="replace").strip() for row in rows]
+    return found
+
+
+def read_med(path: Path) -> Mesh:
+    """A MED file is an HDF5 file, its layout that of MED-fichier 2 to 4. An
+    element or node has one family, a family several groups."""
+    try:
+        import h5py
+    except ImportError:
+        raise BadMesh("h5py is missing", sys.executable,
+                      "apt-get install python3-h5py") from None
+    with h5py.File(path, "r") as file:
+        data = only(file["ENS_MAA"], "meshes", path)
+        name = data.name.split("/")[-1]
+        families = data["FAS"] if "FAS" in data else file["FAS/" + name]
+        space = int(data.attrs["ESP"])
+        if "NOE" not in data:  # since version 3 a mesh has time steps
+            data = only(data, "time steps of the mesh", path)
+
+        mesh = Mesh(data["NOE/COO"][()].reshape(space, -1).T.tolist())
+        names = read_families(families.get("NOEUD", {}))
+        for node, family in enumerate(data["NOE"].get("FAM", ())):
+            for group in names.get(int(family), ()):
+                mesh.node_groups.setdefault(group, []).append(node)
+        names = read_families(families.get("ELEME", {}))
+        for kind, block in data["MAI"].items():
+            n = int(block["NOD"].attrs["NBR"])
+            groups = [names.get(int(f), ()) for f in block.get("FAM", [0] * n)]
+            mesh.add(MED_TYPES.get(kind, kind),
+                     block["NOD"][()].reshape(-1, n).T - 1, groups, path)
+    return mesh
+
+
+# ------------------------------------------------------------- other formats
+
+def block_groups(mesh, number: int) -> list[set[str]]:
+    """The groups of each element of a block of meshio's, from wherever the
+    format keeps them."""
+    groups = [set() for _ in mesh.cells[number].data]
+
+    # gmsh: tags, whose names are told apart by dimension.
+    if "gmsh:physical" in mesh.cell_data:
+        dimension = TYPES[mesh.cells[number].type][1]
+        names = {tag: name for name, (tag, d) in mesh.field_data.items()
+                 if d == dimension}
+        for i, tag in enumerate(mesh.cell_data["gmsh:physical"][number]):
+            groups[i].update({names[tag]} if tag in names else ())
+
+    # Abaqus, Exodus, ...: sets of elements; meshio's own ones have a colon.
+    for name, blocks in mesh.cell_sets.items():
+        if ":" not in name and blocks[number] is not None:
+            for i in blocks[number]:
+                groups[i].add(name)
+    return groups
+
+
+def read_by_meshio(path: Path) -> Mesh:
+    try:
+        import meshio
+    except ImportError:
+        raise BadMesh("meshio is missing", sys.executable,
+                      "apt-get install python3-meshio") from None
+    found = meshio.read(path)
+    mesh = Mesh(found.points.tolist())
+    for number, block in enumerate(found.cells):
+        known = block.type in TYPES
+        mesh.add(block.type, block.data,
+                 block_groups(found, number) if known else (), path)
+    for name, nodes in found.point_sets.items():
+        mesh.node_groups[name] = [int(node) for node in nodes]
+    return mesh
+
+
+# ---------------------------------------------------------------- both of them
+
+def read(path: Path) -> Mesh:
+    if not path.is_file():
+        raise BadMesh("the file does not exist", str(path), "check the name")
+    is_med = path.suffix.lower() in MED_ENDS
+    try:
+        return (read_med if is_med else read_by_meshio)(path)
+    except BadMesh:
+        raise
+    # Readers are many, and each has errors of its own.
+    except (Exception, SystemExit) as reason:
+        raise BadMesh(f"the mesh can not be read: {reason!r}", str(path),
+                      "write it again, as MED or in another format of "
+                      "meshio's") from None
+
+
+def name_points(mesh: Mesh) -> None:
+    """A point element for each group of one node."""
+    taken = {n for e in mesh.elements if e.dimension == 0 for n in e.groups}
+    for name, nodes in sorted(mesh.node_groups.items()):
+        if len(nodes) == 1 and name not in taken:
+            mesh.elements.append(Element("vertex", nodes, {name}))
+        elif len(nodes) > 1:
+            print(f"left out: the group '{name}' of {len(nodes)} nodes; a named "
+                  "point is one node, a boundary a group of lines")
+
+
+def check(mesh: Mesh, path: Path, bodies: list[str]) -> None:
+    """Every face has one body, and all are in one plane. Drops the groups of
+    faces that are not in @p bodies, if this names any."""
+    faces = [e for e in mesh.elements if e.dimension == 2]
+    if not faces:
+        raise BadMesh("the mesh has no faces", str(path),
+                      "mesh surfaces with triangles or quadrangles")
+    known = sorted({name for face in faces for name in face.groups})
+    there = "groups of faces: " + (", ".join(known) or "none")
+    for name in bodies:
+        if name not in known:
+            raise BadMesh(f"no face is in the group '{name}'", str(path), there)
+    for face in faces:
+        if bodies:
+            face.groups &= set(bodies)
+        if len(face.groups) != 1:
+            names = ", ".join(sorted(face.groups)) or "none"
+            raise BadMesh("a face needs one body, but its groups are: " + names,
+                          f"{path}, face with the corner "
+                          f"{mesh.points[face.nodes[0]]}",
+                          f"put each face in one group, or choose the bodies "
+                          f"with --bodies NAME,NAME; {there}")
+
+    if len(mesh.points[0]) == 3:
+        used = [mesh.points[node] for face in faces for node in face.nodes]
+        z = [point[2] for point in used]
+        # As exact as coordinates with nine digits are.
+        if max(z) - min(z) > 1e-9 * max(abs(c) for p in used for c in p):
+            raise BadMesh(f"the mesh is not plane: z from {min(z):g} to "
+                          f"{max(z):g}", str(path),
+                          "turn it into a plane of constant z")
+
+
+def write(mesh: Mesh, path: Path) -> None:
+    """MSH 2.2, where an element stands once for each of its groups."""
+    names = sorted({(e.dimension, name) for e in mesh.elements
+                    for name in e.groups})
+    tags = {name: tag for tag, name in enumerate(names, 1)}
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat",
+             "$PhysicalNames", str(len(names))]
+    lines += [f'{dimension} {tag} "{name}"'
+              for (dimension, name), tag in tags.items()]
+    lines += ["$EndPhysicalNames", "$Nodes", str(len(mesh.points))]
+    for number, point in enumerate(mesh.points, 1):
+        x, y, z = [*point, 0.0, 0.0][:3]
+        lines.append(f"{number} {x!r} {y!r} {z!r}")
+    rows = [(TYPES[e.kind][0], tags[e.dimension, name], e.nodes)
+            for e in mesh.elements for name in sorted(e.groups)]
+    lines += ["$EndNodes", "$Elements", str(len(rows))]
+    for number, (kind, tag, nodes) in enumerate(rows, 1):
+        lines.append(f"{number} {kind} 2 {tag} {tag} "
+                     + " ".join(str(node + 1) for node in nodes))
+    path.write_text("\n".join(lines + ["$EndElements", ""]))
+
+
+def describe(mesh: Mesh) -> None:
+    """What the program will find."""
+    for dimension in (2, 1, 0):
+        counts: dict[str, int] = {}
+        for e in mesh.elements:
+            for name in e.groups if e.dimension == dimension else ():
+                counts[name] = counts.get(name, 0) + 1
+        print(f"{KINDS[dimension]}: " + (", ".join(
+            f"{name} ({n})" for name, n in sorted(counts.items())) or "none"))
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("input", metavar="IN", type=Path)
+    parser.add_argument("output", metavar="OUT.msh", type=Path)
+    parser.add_argument("--bodies", metavar="NAME,NAME", default="",
+                        help="the groups of faces that are bodies; all without")
+    arguments = parser.parse_args()
+    bodies = [name for name in arguments.bodies.split(",") if name]
+    mesh = read(arguments.input)
+    name_points(mesh)
+    check(mesh, arguments.input, bodies)
+    write(mesh, arguments.output)
+    describe(mesh)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except (BadMesh, OSError) as error:
+        print(error, file=sys.stderr)
+        sys.exit(2)

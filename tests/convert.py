@@ -1,0 +1,271 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Meshes from elsewhere.
+
+Proves that meshes/convert.py keeps what a MED file says: the cylinder on the
+block, written as MED by the library of that format (MED-fichier) with linear
+elements, with 6 and 8 nodes, and with 7 and 9, gives the results of the own
+mesh file. A point is a group of one node as well as a point element, elements
+are in two groups, and a group of faces overlaps with the bodies. Besides, that
+an Abaqus file keeps its names, and what is said of a mesh that is no use.
+
+Usage: convert.py CONTACT PARAMETERS MESHES
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+
+try:
+    import h5py  # noqa: F401, the converter's
+    import meshio
+    from med.medenum import (MED_ACC_CREAT, MED_CARTESIAN, MED_CELL,
+                             MED_FULL_INTERLACE, MED_NODAL, MED_NODE, MED_NO_DT,
+                             MED_NO_IT, MED_NONE, MED_POINT1, MED_QUAD4,
+                             MED_QUAD8, MED_QUAD9, MED_SEG2, MED_SEG3,
+                             MED_SORT_DTIT, MED_TETRA4, MED_TRIA3, MED_TRIA6,
+                             MED_TRIA7, MED_UNSTRUCTURED_MESH)
+    from med.medfamily import MEDfamilyCr
+    from med.medfile import MEDfileClose, MEDfileOpen
+    from med.medmesh import (MEDCHAR, MEDFLOAT, MEDINT, MEDmeshCr,
+                             MEDmeshElementConnectivityWr,
+                             MEDmeshEntityFamilyNumberWr,
+                             MEDmeshNodeCoordinateWr)
+except ImportError as missing:
+    print(f"skipped: {missing}; apt-get install python3-meshio python3-h5py "
+          "python3-med")
+    sys.exit(0)
+
+CONVERTER = pathlib.Path(__file__).resolve().parents[1] / "meshes/convert.py"
+
+# The same computations up to the order of the cells: far above round-off, far
+# below what another mesh would change.
+TOLERANCE = 1e-9
+
+# MED's types by meshio's, for each kind of mesh.
+LINEAR = {"vertex": MED_POINT1, "line": MED_SEG2, "triangle": MED_TRIA3,
+          "quad": MED_QUAD4}
+QUADRATIC = {"vertex": MED_POINT1, "line": MED_SEG3, "triangle": MED_TRIA6,
+             "quad": MED_QUAD8}
+CENTRED = {"vertex": MED_POINT1, "line": MED_SEG3, "triangle": MED_TRIA7,
+           "quad": MED_QUAD9}
+
+ABAQUS = """*NODE
+1, 0, 0
+2, 1, 0
+3, 1, 1
+4, 0, 1
+5, 1, 2
+6, 0, 2
+*ELEMENT, TYPE=CPS4, ELSET=Lower
+1, 1, 2, 3, 4
+*ELEMENT, TYPE=CPS4, ELSET=Upper
+2, 4, 3, 5, 6
+*ELEMENT, TYPE=T2D2, ELSET=Top
+3, 5, 6
+*NSET, NSET=Corner
+6
+"""
+
+failures = 0
+
+
+def check(what, ok, detail=""):
+    global failures
+    print(("ok: " if ok else "FAILED: ") + what + (f" ({detail})" if detail
+                                                   and not ok else ""))
+    failures += not ok
+
+
+class Families:
+    """MED's: every set of groups that occurs has a number."""
+
+    def __init__(self, sign):
+        self.sign = sign
+        self.numbers = {frozenset(): 0}
+
+    def number(self, groups):
+        return self.numbers.setdefault(frozenset(groups),
+                                       self.sign * len(self.numbers))
+
+    def write(self, file):
+        for groups, number in self.numbers.items():
+            names = "".join(f"{name:<80}" for name in sorted(groups))
+            MEDfamilyCr(file, "mesh", f"FAM_{number}", number, len(groups),
+                        MEDCHAR(names))
+
+
+def write_med(path, points, elements, node_groups, types):
+    """A MED file. @p elements: meshio's type -> [(nodes, groups)]; @p
+    node_groups: node -> groups."""
+    path.unlink(missing_ok=True)
+    file = MEDfileOpen(str(path), MED_ACC_CREAT)
+    dimension = len(points[0])
+    MEDmeshCr(file, "mesh", dimension, dimension, MED_UNSTRUCTURED_MESH, "", "",
+              MED_SORT_DTIT, MED_CARTESIAN, f"{'':<16}" * dimension,
+              f"{'mm':<16}" * dimension)
+    when = ("mesh", MED_NO_DT, MED_NO_IT)
+    MEDmeshNodeCoordinateWr(file, *when, 0.0, MED_FULL_INTERLACE, len(points),
+                            MEDFLOAT([x for point in points for x in point]))
+    nodes, cells = Families(1), Families(-1)
+    MEDmeshEntityFamilyNumberWr(
+        file, *when, MED_NODE, MED_NONE, len(points),
+        MEDINT([nodes.number(node_groups.get(i, ()))
+                for i in range(len(points))]))
+    for kind, entries in elements.items():
+        MEDmeshElementConnectivityWr(
+            file, *when, 0.0, MED_CELL, types[kind], MED_NODAL,
+            MED_FULL_INTERLACE, len(entries),
+            MEDINT([n + 1 for numbers, _ in entries for n in numbers]))
+        # Where nothing is in a group there need not be families.
+        if any(groups for _, groups in entries):
+            MEDmeshEntityFamilyNumberWr(
+                file, *when, MED_CELL, types[kind], len(entries),
+                MEDINT([cells.number(groups) for _, groups in entries]))
+    del nodes.numbers[frozenset()]  # FAM_0 serves both
+    cells.write(file)
+    nodes.write(file)
+    MEDfileClose(file)
+
+
+def read_own(path):
+    """Points, elements with their groups, and named nodes of an own mesh."""
+    mesh = meshio.read(path)
+    names = {(d, tag): name for name, (tag, d) in mesh.field_data.items()}
+    dimension = {"vertex": 0, "line": 1, "triangle": 2, "quad": 2}
+    elements, named = {}, {}
+    for block, tags in zip(mesh.cells, mesh.cell_data["gmsh:physical"]):
+        for nodes, tag in zip(block.data, tags):
+            name = names.get((dimension[block.type], int(tag)))
+            groups = [name] if name else []
+            nodes = [int(n) for n in nodes]
+            if block.type == "vertex":
+                named[name] = nodes[0]
+            elif dimension[block.type] == 2:
+                groups.append("Everything")
+            elif name == "Bottom_C":
+                groups.append("Also")
+            elements.setdefault(block.type, []).append((nodes, groups))
+    elements["vertex"] = [([named.pop("C")], ["C"])]
+    points = [[float(x), float(y)] for x, y, _ in mesh.points]
+    groups = {node: [name, "Several"] for name, node in named.items()}
+    return points, elements, groups
+
+
+def second_order(points, elements, with_centre):
+    """Nodes midway on the sides, and in the centre of cells."""
+    points, between = list(points), {}
+
+    def node(*corners):
+        key = tuple(sorted(corners))
+        if key not in between:
+            between[key] = len(points)
+            points.append([sum(points[c][d] for c in corners) / len(corners)
+                           for d in range(2)])
+        return between[key]
+
+    raised = {}
+    for kind, entries in elements.items():
+        for corners, groups in entries:
+            n = len(corners)
+            sides = {1: [], 2: [(0, 1)]}.get(
+                n, [(i, (i + 1) % n) for i in range(n)])
+            nodes = corners + [node(corners[a], corners[b]) for a, b in sides]
+            if with_centre and n > 2:
+                nodes.append(node(*corners))
+            raised.setdefault(kind, []).append((nodes, groups))
+    return points, raised
+
+
+def convert(*arguments):
+    return subprocess.run([sys.executable, CONVERTER, *arguments], text=True,
+                          capture_output=True)
+
+
+def results(contact, case, mesh):
+    """Probes and contact of a case on a mesh."""
+    run = subprocess.run(
+        [contact, case, "--quiet", "--set", f"Mesh/File={mesh}", "--set",
+         f"Output/Directory={mesh.stem}", "--set", "Output/VTU=false"],
+        text=True, capture_output=True)
+    if run.returncode not in (0, 1):
+        return {"error": run.stderr}
+    summary = json.loads(
+        (pathlib.Path(mesh.stem) / case.stem / "summary.json").read_text())
+    return ({p["name"]: p["value"] for p in summary["probes"]}
+            | summary["contact"])
+
+
+def compare(contact, case, mesh, reference, what):
+    values = results(contact, case, mesh)
+    off = {name: values.get(name) for name, value in reference.items()
+           if not abs(values.get(name, 1e300) - value)
+           <= TOLERANCE * abs(value)}
+    check(what, not off, f"{off or values} instead of {reference}")
+
+
+def refuse(what, text, *arguments):
+    run = convert(*arguments)
+    check(what, run.returncode == 2 and text in run.stderr
+          and "remedy: " in run.stderr, run.stderr)
+
+
+def main():
+    contact, parameters, meshes = map(pathlib.Path, sys.argv[1:4])
+    case = parameters / "ssnp154_g.prm"
+    own = meshes / "ssnp154.msh"
+    points, elements, node_groups = read_own(own)
+    reference = results(contact, case, own)
+    check("the own mesh", "DY(B)" in reference, reference)
+
+    med, msh = pathlib.Path("mesh.med"), pathlib.Path("mesh.msh")
+    kinds = {"linear elements": (points, elements, LINEAR),
+             "6 and 8 nodes": (*second_order(points, elements, False),
+                               QUADRATIC),
+             "7 and 9 nodes": (*second_order(points, elements, True), CENTRED)}
+    for kind, (p, e, types) in kinds.items():
+        write_med(med, p, e, node_groups, types)
+        msh.unlink(missing_ok=True)
+        run = convert("--bodies", "Block,Cylinder", med, msh)
+        check(f"MED, {kind}: converted", run.returncode == 0, run.stderr)
+        check(f"MED, {kind}: the group of several nodes is reported",
+              "'Several' of 2 nodes" in run.stdout, run.stdout)
+        compare(contact, case, msh.absolute(), reference,
+                f"MED, {kind}: results of the own mesh")
+    refuse("overlapping groups", "--bodies", med, msh)
+    refuse("an unknown body", "'Blok'", "--bodies", "Blok,Cylinder", med, msh)
+
+    # As Code_Aster names them.
+    aster = pathlib.Path("mesh.mmed")
+    med.rename(aster)
+    check(".mmed", convert("--bodies", "Block,Cylinder", aster, msh).returncode
+          == 0)
+
+    pathlib.Path("two.inp").write_text(ABAQUS)
+    run = convert("two.inp", "two.msh")
+    found = run.stdout.strip().splitlines()[-3:]
+    check("Abaqus: names", found == ["bodies: Lower (1), Upper (1)",
+                                     "boundaries: Top (1)",
+                                     "points: Corner (1)"],
+          run.stdout + run.stderr)
+
+    bare = {"quad": [(nodes, []) for nodes, _ in elements["quad"]]}
+    write_med(med, points, bare, {}, LINEAR)
+    refuse("no groups", "groups of faces: none", med, msh)
+    solid = {"tetra": [([0, 1, 2, 3], ["Solid"])]}
+    write_med(med, [[0., 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], solid, {},
+              {"tetra": MED_TETRA4})
+    refuse("a mesh of solids", "TE4", med, msh)
+    tilted = {"triangle": [([0, 1, 2], ["Plate"])]}
+    write_med(med, [[0., 0, 0], [1, 0, 0], [0, 1, 1]], tilted, {},
+              {"triangle": MED_TRIA3})
+    refuse("a mesh out of a plane", "not plane", med, msh)
+    pathlib.Path("text.med").write_text("no mesh")
+    refuse("no mesh at all", "can not be read", "text.med", msh)
+    refuse("no file", "does not exist", "absent.med", msh)
+    sys.exit(failures > 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The views of a case in ParaView: von Mises stress on the deformed bodies, the
+mesh at the contact with the pressure on the slave, the pressure over the arc
+beside the exact one where theory knows it, shear and slip.
+
+As a macro (Macros, Import new macro ...): open bodies.pvd of a case, select it
+in the pipeline, press the button. From a shell
+
+    pvpython paraview_macro.py DIRECTORY [PICTURE.png] [STATE.pvsm]
+
+reads output/<case>, and saves a picture or a state that paraview opens.
+"""
+
+import csv
+import os
+import sys
+
+from paraview import simple as pv
+
+LARGEST_ZONE = 1.5  # of the arc that is shown, by the arc in contact
+
+
+def case_directory():
+    """The argument, or where the selected source has its files."""
+    if len(sys.argv) > 1:
+        return os.path.abspath(sys.argv[1])
+    source = pv.GetActiveSource()
+    files = getattr(source, "FileName", "") if source else ""
+    if not files:
+        raise RuntimeError("open bodies.pvd of a case and select it, or name "
+                           "the directory of the case")
+    return os.path.dirname(files if isinstance(files, str) else files[0])
+
+
+def contact_zone(directory):
+    """Where the slave is in contact, moved: bounds of x, of y and of the arc
+    length; and the largest pressure."""
+    x, y, arc, pressure = [], [], [], []
+    with open(os.path.join(directory, "profile.csv"), newline="") as file:
+        for row in csv.DictReader(file):
+            if (row["surface"] == "slave"
+                    and int(row["status_0_open_1_slip_2_stick"]) > 0):
+                x.append(float(row["X_mm"]) + float(row["displacement_x_mm"]))
+                y.append(float(row["Y_mm"]) + float(row["displacement_y_mm"]))
+                arc.append(float(row["arc_length_mm"]))
+                pressure.append(float(row["pressure_MPa"]))
+    if not x:
+        raise RuntimeError("no point of " + directory + " is in contact")
+    return (min(x), max(x)), (min(y), max(y)), (min(arc), max(arc)), \
+        max(pressure)
+
+
+def moved(directory, name):
+    """A series of the case, moved by its displacement, at its last time."""
+    reader = pv.PVDReader(registrationName=name, FileName=os.path.join(
+        directory, name + ".pvd"))
+    reader.UpdatePipeline(reader.TimestepValues[-1])
+    warp = pv.WarpByVector(registrationName=name + " moved", Input=reader)
+    warp.Vectors = ["POINTS", "displacement"]
+    return warp
+
+
+def render_view(title, window=None):
+    """A plane view, of everything or of a window about (x, y)."""
+    view = pv.CreateView("RenderView")
+    view.UseColorPaletteForBackground = 0
+    view.Background = [1, 1, 1]
+    view.InteractionMode = "2D"
+    view.OrientationAxesVisibility = 0
+    text = pv.Text(registrationName=title, Text=title)
+    pv.Show(text, view).Color = [0, 0, 0]
+    if window:
+        (x, y), half = window
+        view.CameraPosition = [x, y, 1]
+        view.CameraFocalPoint = [x, y, 0]
+        view.CameraParallelScale = half
+    return view
+
+
+def show(source, view, field, representation="Surface"):
+    display = pv.Show(source, view)
+    display.SetRepresentationType(representation)
+    pv.ColorBy(display, ("POINTS", field))
+    display.SetScalarBarVisibility(view, True)
+    bar = pv.GetScalarBar(pv.GetColorTransferFunction(field), view)
+    bar.TitleColor = bar.LabelColor = [0, 0, 0]
+    return display
+
+
+def curves(table, view, columns, zone):
+    """Columns (name, label) of the profile over the arc length."""
+    display = pv.Show(table, view)
+    display.UseIndexForXAxis = 0
+    display.XArrayName = "arc_length_mm"
+    display.SeriesVisibility = [name for name, _ in columns]
+    display.SeriesLabel = [word for column in columns for word in column]
+    # The status has an axis of its own, on the right.
+    display.SeriesPlotCorner = [word for name, _ in columns for word in
+                                (name, "1" if name.startswith("status") else
+                                 "0")]
+    view.BottomAxisTitle = "arc length on the slave [mm]"
+    view.BottomAxisUseCustomRange = 1
+    view.BottomAxisRangeMinimum = zone[0]
+    view.BottomAxisRangeMaximum = zone[0] + LARGEST_ZONE * (zone[1] - zone[0])
+
+
+def columns_with_values(directory, columns):
+    """Those that are not empty: the exact ones are where theory has none."""
+    with open(os.path.join(directory, "profile.csv"), newline="") as file:
+        rows = list(csv.DictReader(file))
+    # Not by any(): a programmable filter puts one of its own in its place.
+    return [c for c in columns if {row[c[0]] for row in rows} != {""}]
+
+
+def main():
+    directory = case_directory()
+    pv._DisableFirstRenderCameraReset()
+    bodies, surface = moved(directory, "bodies"), moved(directory, "contact")
+    x, y, arc, largest = contact_zone(directory)
+    centre = (sum(x) / 2, sum(y) / 2)
+    # Of a view that is twice as wide as high.
+    half = LARGEST_ZONE / 4 * max(x[1] - x[0], 2 * (y[1] - y[0]))
+
+    whole = render_view("von Mises stress [MPa]")
+    show(bodies, whole, "von_mises")
+    pv.ResetCamera(whole)
+
+    close = render_view("pressure on the slave [MPa]", (centre, half))
+    mesh = pv.Show(bodies, close)
+    mesh.SetRepresentationType("Surface With Edges")
+    mesh.ColorArrayName = ["POINTS", ""]
+    line = show(surface, close, "pressure")
+    line.LineWidth = 6
+
+    table = pv.CSVReader(registrationName="profile", FileName=[
+        os.path.join(directory, "profile.csv")])
+    slave = pv.ProgrammableFilter(registrationName="slave", Input=table)
+    slave.OutputDataSetType = "vtkTable"
+    slave.Script = """
+import numpy
+chosen = numpy.array([inputs[0].RowData["surface"].GetValue(i) == "slave"
+                      for i in range(inputs[0].GetNumberOfRows())])
+for name in inputs[0].RowData.keys():
+    if name != "surface":
+        output.RowData.append(inputs[0].RowData[name][chosen], name)
+"""
+    pressure = pv.CreateView("XYChartView")
+    pressure.LeftAxisTitle = "pressure [MPa]"
+    curves(slave, pressure, columns_with_values(directory, [
+        ("pressure_MPa", "contact"), ("exact_pressure_MPa", "theory")]), arc)
+    shear = pv.CreateView("XYChartView")
+    shear.LeftAxisTitle = "shear [MPa]"
+    shear.RightAxisTitle = "0 open, 1 slip, 2 stick"
+    curves(slave, shear, columns_with_values(directory, [
+        ("shear_MPa", "shear"), ("exact_shear_MPa", "theory"),
+        ("status_0_open_1_slip_2_stick", "status")]), arc)
+
+    # Cells of a layout are numbered as in a binary heap.
+    layout = pv.CreateLayout(name=os.path.basename(directory))
+    layout.SplitHorizontal(0, 0.3)
+    layout.SplitVertical(2, 0.5)
+    layout.SplitHorizontal(6, 0.5)
+    for cell, view in ((1, whole), (5, close), (13, pressure), (14, shear)):
+        layout.AssignView(cell, view)
+    pv.GetAnimationScene().GoToLast()
+    # Under a force on a node stresses have no limit; under a contact they stay
+    # below its pressure.
+    for field in ("von_mises", "pressure"):
+        pv.GetColorTransferFunction(field).RescaleTransferFunction(0, largest)
+    pv.RenderAllViews()
+
+    for file in sys.argv[2:]:
+        if file.endswith(".pvsm"):
+            pv.SaveState(file)
+        else:
+            layout.SetSize(1400, 900)
+            pv.SaveScreenshot(file, layout)
+
+
+main()

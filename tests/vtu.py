@@ -1,0 +1,294 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The result files, seen by VTK.
+
+Proves of linear and quadratic elements, on one process and on two, that VTK's
+own readers open the series of the bodies and of the contact surface without a
+complaint and find
+
+- the arrays that the program promises, with their components, all finite; the
+  von Mises stress as the components of the stress have it;
+- cells of the degree of the elements, as many as the program has computed with,
+  none of them inverted, and of quadratic ones the area of the round boundary;
+- the points inside of the box of the mesh, those of the slave on its arc;
+- the printed probes at their point, the largest pressure on the surface, and
+  load factors as times.
+
+Usage: vtu.py CONTACT PARAMETERS MESHES
+"""
+
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import xml.etree.ElementTree as xml
+
+try:
+    from vtkmodules.vtkCommonCore import reference
+    from vtkmodules.vtkCommonDataModel import (
+        VTK_LAGRANGE_QUADRILATERAL, VTK_LAGRANGE_TRIANGLE, VTK_LINE, VTK_QUAD,
+        VTK_TRIANGLE)
+    from vtkmodules.vtkIOXML import (vtkXMLPUnstructuredGridReader,
+                                     vtkXMLUnstructuredGridReader)
+except ImportError as missing:
+    print(f"skipped: {missing}; apt-get install python3-vtk9")
+    sys.exit(0)
+
+BODY_ARRAYS = {"displacement": 3, "stress_xx": 1, "stress_yy": 1,
+               "stress_zz": 1, "stress_xy": 1, "von_mises": 1,
+               "body": 1, "converged": 1}
+CONTACT_ARRAYS = {"displacement": 3, "pressure": 1, "shear": 1, "gap": 1,
+                  "slip": 1, "status": 1}
+TYPES = {1: {VTK_QUAD, VTK_TRIANGLE},
+         2: {VTK_LAGRANGE_QUADRILATERAL, VTK_LAGRANGE_TRIANGLE}}
+
+# Single precision has 6e-8; a formula of several numbers loses some of it.
+SINGLE = 2e-6
+
+# The cylinder (SSNP154): the quarter below the centre is round; the one above,
+# which no body touches, has 12 chords.
+RADIUS = 50.0
+UPPER_CHORDS = 12
+BLOCK = 100.0 * 200.0
+
+failures = 0
+
+
+def check(what, ok, detail=""):
+    global failures
+    if not ok:
+        print(f"  FAILED: {what} ({detail})")
+    failures += not ok
+
+
+def near(a, b, scale=0.0):
+    return abs(a - b) <= SINGLE * max(abs(b), scale)
+
+
+def mesh_nodes(path):
+    """Coordinates of the nodes of an MSH 4.1 file: the lines of three."""
+    inside = False
+    for line in path.read_text().splitlines():
+        if line.startswith("$"):
+            inside = line == "$Nodes"
+        elif inside and len(line.split()) == 3:
+            yield tuple(map(float, line.split()))
+
+
+def read(path):
+    """The grid of a file, which VTK's reader accepts in silence."""
+    reader = (vtkXMLPUnstructuredGridReader() if path.suffix == ".pvtu"
+              else vtkXMLUnstructuredGridReader())
+    complaints = []
+    for event in ("ErrorEvent", "WarningEvent"):
+        reader.AddObserver(event, lambda *_: complaints.append(event))
+    reader.SetFileName(str(path))
+    reader.Update()
+    check(f"{path.name} is read", not complaints and
+          reader.CanReadFile(str(path)), complaints)
+    return reader.GetOutput()
+
+
+def series(directory, name, increments):
+    """The grids of NAME.pvd, whose times are those of the summary."""
+    sets = xml.parse(directory / f"{name}.pvd").findall(".//DataSet")
+    times = [float(s.get("timestep")) for s in sets]
+    check(f"times of {name}.pvd", times == increments, f"{times}")
+    grids = [read(directory / s.get("file")) for s in sets]
+    for grid, time in zip(grids, times):
+        field = grid.GetFieldData().GetArray("TIME")
+        if field:  # a .pvtu file has none
+            check("TIME", near(field.GetValue(0), time), field.GetValue(0))
+    return grids
+
+
+def check_arrays(data, expected):
+    found = {data.GetArrayName(i): data.GetArray(i).GetNumberOfComponents()
+             for i in range(data.GetNumberOfArrays())}
+    check("arrays", found == expected, f"{found} instead of {expected}")
+    for i in range(data.GetNumberOfArrays()):
+        array = data.GetArray(i)
+        check(f"{array.GetName()} is finite",
+              all(math.isfinite(x) for k in range(array.GetNumberOfTuples())
+                  for x in array.GetTuple(k)))
+
+
+# Gauss-Legendre, 3 points: exact for the area of cells of degree 2, whose edges
+# are parabolas. Of triangles the midpoints of the sides.
+GAUSS = [(0.5 - math.sqrt(0.15), 5 / 18), (0.5, 8 / 18),
+         (0.5 + math.sqrt(0.15), 5 / 18)]
+SQUARE = [(x, y, u * v) for x, u in GAUSS for y, v in GAUSS]
+TRIANGLE = [(0.5, 0.0, 1 / 6), (0.5, 0.5, 1 / 6), (0.0, 0.5, 1 / 6)]
+
+
+def slope(cell, place, d):
+    """The derivative of VTK's map onto a cell by its coordinate d. Differences
+    about a place are exact for degree 2."""
+    h, ends, subcell = 0.25, [], reference(0)
+    weights = [0.0] * cell.GetNumberOfPoints()
+    for sign in (1, -1):
+        local, x = [*place, 0.0], [0.0] * 3
+        local[d] += sign * h
+        cell.EvaluateLocation(subcell, local, x, weights)
+        ends.append(x)
+    return [(p - m) / (2 * h) for p, m in zip(*ends)]
+
+
+def determinants(cell):
+    """Weights and determinants of VTK's map onto a cell."""
+    for xi, eta, weight in TRIANGLE if cell.GetNumberOfEdges() == 3 else SQUARE:
+        a, b = slope(cell, (xi, eta), 0), slope(cell, (xi, eta), 1)
+        yield weight, a[0] * b[1] - a[1] * b[0]
+
+
+def body_of(grid, i):
+    """Of a cell: that of its points, which no other cell has."""
+    point = grid.GetCell(i).GetPointId(0)
+    return int(grid.GetPointData().GetArray("body").GetValue(point))
+
+
+def check_cells(grid, degree, n_cells):
+    """Their number, types and orientation. Returns the areas of the bodies."""
+    n = grid.GetNumberOfCells()
+    check("number of cells", n == n_cells, f"{n} instead of {n_cells}")
+    found = {grid.GetCellType(i) for i in range(n)}
+    check("types of cells", found and found <= TYPES[degree], f"{found}")
+    areas, n_inverted = {0: 0.0, 1: 0.0}, 0
+    for i in range(n):
+        values = list(determinants(grid.GetCell(i)))
+        n_inverted += any(d <= 0 for _, d in values)
+        areas[body_of(grid, i)] += sum(w * d for w, d in values)
+    check("no cell is inverted", n_inverted == 0, n_inverted)
+    return areas
+
+
+def check_stress(grid):
+    data = grid.GetPointData()
+    xx, yy, zz, xy, mises = (data.GetArray(name) for name in (
+        "stress_xx", "stress_yy", "stress_zz", "stress_xy", "von_mises"))
+    largest = mises.GetRange()[1]
+    check("there is a stress", largest > 0 and mises.GetRange()[0] >= 0,
+          mises.GetRange())
+    # Between the corners all of them are interpolated.
+    corners = {grid.GetCell(i).GetPointId(k)
+               for i in range(grid.GetNumberOfCells())
+               for k in range(grid.GetCell(i).GetNumberOfEdges())}
+    worst = 0.0
+    for i in corners:
+        x, y, z = xx.GetValue(i), yy.GetValue(i), zz.GetValue(i)
+        square = ((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) / 2 \
+            + 3 * xy.GetValue(i) ** 2
+        worst = max(worst, abs(math.sqrt(square) - mises.GetValue(i)))
+    check("von Mises", worst <= SINGLE * largest, worst)
+
+
+def check_box(grid, nodes):
+    bounds = grid.GetBounds()
+    size = max(abs(x) for node in nodes for x in node)
+    for d in range(3):
+        values = [node[d] for node in nodes]
+        check("box of the mesh", near(bounds[2 * d], min(values), size) and
+              near(bounds[2 * d + 1], max(values), size), bounds)
+
+
+def check_probes(grid, probes):
+    """The probes in B, the corner of the block at the origin."""
+    data = grid.GetPointData()
+    at_b = {grid.GetCell(i).GetPointId(k)
+            for i in range(grid.GetNumberOfCells()) if body_of(grid, i) == 0
+            for k in range(grid.GetCell(i).GetNumberOfPoints())}
+    at_b = [i for i in at_b if grid.GetPoint(i) == (0, 0, 0)]
+    check("B is there", at_b)
+    for i in at_b:
+        u = data.GetArray("displacement").GetComponent(i, 1)
+        stress = data.GetArray("stress_yy").GetValue(i)
+        check("DY(B)", near(u, probes["DY(B)"]), u)
+        check("SIYY(B)", near(stress, probes["SIYY(B)"]), stress)
+
+
+def check_bodies(grid, degree, summary, nodes):
+    """Returns the areas of the bodies."""
+    check_arrays(grid.GetPointData(), BODY_ARRAYS)
+    for name, expected in (("converged", (1, 1)), ("body", (0, 1))):
+        found = grid.GetPointData().GetArray(name).GetRange()
+        check(name, found == expected, found)
+    areas = check_cells(grid, degree, summary["levels"][-1]["cells"])
+    check_stress(grid)
+    check_box(grid, nodes)
+    return areas
+
+
+def check_contact(grid, summary):
+    check_arrays(grid.GetPointData(), CONTACT_ARRAYS)
+    types = {grid.GetCellType(i) for i in range(grid.GetNumberOfCells())}
+    check("lines", types == {VTK_LINE}, types)
+    radii = [math.hypot(x, y - RADIUS) for x, y, _ in
+             map(grid.GetPoint, range(grid.GetNumberOfPoints()))]
+    check("the slave is round", all(near(r, RADIUS) for r in radii))
+    data = grid.GetPointData()
+    status = data.GetArray("status")
+    found = {status.GetValue(i) for i in range(status.GetNumberOfTuples())}
+    # -1: no point of contact is there
+    check("status", {0, 1, 2} <= found <= {-1, 0, 1, 2}, found)
+    check("largest pressure", near(data.GetArray("pressure").GetRange()[1],
+                                   summary["contact"]["max_pressure"]))
+
+
+def run(contact, case, n_ranks, settings):
+    """The directory of the results, the summary, and the mesh's nodes."""
+    entries = {"Output/VTU": "true", "Output/Screen": "none",
+               "Output/Directory": f"output/{n_ranks}",
+               "Probes/References": "", "Probes/Tolerances": "", **settings}
+    call = [contact, case, "--quiet"]
+    for entry, value in entries.items():
+        call += ["--set", f"{entry}={value}"]
+    if n_ranks > 1:
+        call = ["mpirun", "-np", str(n_ranks), *call]
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1",
+                       OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                       OMPI_MCA_rmaps_base_oversubscribe="1")
+    status = subprocess.run(call, env=environment).returncode
+    check("exit status", status == 0, status)
+    directory = pathlib.Path(f"output/{n_ranks}") / case.stem
+    return directory, json.loads((directory / "summary.json").read_text())
+
+
+def check_case(contact, case, mesh, degree, n_ranks=1, **settings):
+    print(f"{case.stem}, degree {degree}, {n_ranks} process(es)")
+    directory, summary = run(contact, case, n_ranks, {
+        name.replace("__", "/").replace("_", " "): value
+        for name, value in settings.items()})
+    last = [i for i in summary["increments"]
+            if i["level"] == summary["increments"][-1]["level"]]
+    times = [i["load_factor"] for i in last]
+    nodes = list(mesh_nodes(mesh))
+    bodies = series(directory, "bodies", times)
+    for grid in bodies:
+        areas = check_bodies(grid, degree, summary, nodes)
+    check_probes(bodies[-1], {p["name"]: p["value"] for p in summary["probes"]})
+    check_contact(series(directory, "contact", times)[-1], summary)
+    return areas
+
+
+def main():
+    contact, parameters, meshes = (pathlib.Path(a) for a in sys.argv[1:4])
+    own, quads = meshes / "ssnp154.msh", meshes / "ssnp154_quads.msh"
+    check_case(contact, parameters / "ssnp154_g.prm", own, 1)
+    areas = check_case(contact, parameters / "ssnp154_d.prm", own, 2)
+    chords = UPPER_CHORDS / 2 * RADIUS ** 2 * math.sin(
+        math.pi / 2 / UPPER_CHORDS)
+    check("area of the block", near(areas[0], BLOCK), areas[0])
+    check("area of the cylinder",
+          near(areas[1], math.pi / 4 * RADIUS ** 2 + chords), areas[1])
+
+    # Hanging nodes, and pieces put together by a record.
+    check_case(contact, parameters / "nested_friction.prm", quads, 2, 2,
+               Refinement__Levels="3", Refinement__Strategy="adaptive")
+    print(f"{failures} failures" if failures else "all as it should be")
+    sys.exit(failures > 0)
+
+
+if __name__ == "__main__":
+    main()
