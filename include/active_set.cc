@@ -57,7 +57,7 @@ namespace Contact
     std::set<std::vector<signed char>> seen{signature()};
     bool                               one_by_one = false;
     unsigned int                       n_rounds   = 0;
-    const unsigned int                 max_rounds = 20 + 10 * points.size();
+    const unsigned int                 max_rounds = 20 + 2 * points.size();
     while (decide(corrected, one_by_one))
       {
         if (++n_rounds > max_rounds)
