@@ -181,7 +181,7 @@ namespace Contact
     void        assemble_and_factorize();
     bool        factorization_serves(const double residual,
                                      const double last_residual) const;
-    void        update_solution();
+    bool        update_solution(const bool search);
     void        update_solution_condensed(const unsigned int step,
                                           const double       residual);
     void        output_increment(const unsigned int k);
@@ -1041,6 +1041,7 @@ namespace Contact
     double                last_residual = std::numeric_limits<double>::max();
     unsigned int          n_single      = 0;
     bool                  one_at_a_time = false;
+    bool                  search        = true;
     for (unsigned int step = 0;; ++step)
       {
         stop_if_interrupted(communicator);
@@ -1080,7 +1081,13 @@ namespace Contact
           {
             if (!factorization_serves(now.residual, last_residual))
               assemble_and_factorize();
-            update_solution();
+            if (!update_solution(search))
+              {
+                search = false;
+                screen << "      the search of the active set does not "
+                          "settle: the points decide from step to step"
+                       << std::endl;
+              }
           }
 
         last_residual = now.residual;
@@ -1376,21 +1383,26 @@ namespace Contact
 
 
   // @sect4{ContactProblem::update_solution}
-  void ContactProblem::update_solution()
+  //
+  // Returns whether the search for the active set, if any, has come to an end.
+  bool ContactProblem::update_solution(const bool search)
   {
     {
       TimerOutput::Scope scope(timer, "solution");
       solver.solve(system_rhs);
       discretization->constraints.distribute(system_rhs);
     }
-    if (interface)
+    bool settled = true;
+    if (interface && search)
       {
         TimerOutput::Scope scope(timer, "active set");
-        ActiveSetSearch(*discretization, *interface, solver, linearization)
-          .correct(solution, start, system_rhs);
+        settled =
+          ActiveSetSearch(*discretization, *interface, solver, linearization)
+            .correct(solution, start, system_rhs);
       }
     solution += system_rhs;
     discretization->constrain_update(solution, load_factor);
+    return settled;
   }
 
 

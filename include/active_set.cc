@@ -31,7 +31,7 @@ namespace Contact
 
   ActiveSetSearch::ActiveSetSearch(
     const Discretization                  &discretization,
-    const ContactInterface                &interface,
+    ContactInterface                      &interface,
     const DirectSolver                    &solver,
     const ContactInterface::Linearization &linearization)
     : discretization(discretization)
@@ -43,9 +43,9 @@ namespace Contact
 
 
 
-  unsigned int ActiveSetSearch::correct(const Vector<double> &solution,
-                                        const Vector<double> &u_start,
-                                        Vector<double>       &update)
+  bool ActiveSetSearch::correct(const Vector<double> &solution,
+                                const Vector<double> &u_start,
+                                Vector<double>       &update)
   {
     collect(solution, u_start);
 
@@ -58,15 +58,16 @@ namespace Contact
     bool                               one_by_one = false;
     unsigned int                       n_rounds   = 0;
     const unsigned int                 max_rounds = 20 + 10 * points.size();
-    while (n_rounds < max_rounds && decide(corrected, one_by_one))
+    while (decide(corrected, one_by_one))
       {
+        if (++n_rounds > max_rounds)
+          return false;
         one_by_one = one_by_one || !seen.insert(signature()).second;
         add_responses();
         corrected = solve_changes(update);
-        ++n_rounds;
       }
     update = corrected;
-    return n_rounds;
+    return true;
   }
 
 
@@ -81,10 +82,12 @@ namespace Contact
         const ContactPoint &point = interface.points[q];
         const ContactState  now   = interface.state(point, solution, u_start);
         interface.rows(point, solution, u_start, linearization, points[q].rows);
-        points[q].p            = now.p_trial;
-        points[q].q            = now.q_trial;
-        points[q].old_decision = point.decision;
-        points[q].decision     = point.decision;
+        points[q].p           = now.p_trial;
+        points[q].q           = now.q_trial;
+        points[q].decision    = point.decision;
+        points[q].old_p       = traction(q, false);
+        points[q].old_q       = traction(q, true);
+        points[q].has_changed = false;
       }
   }
 
@@ -103,8 +106,13 @@ namespace Contact
                            point.p + dot(unknowns, point.rows.p_trial, update),
                            point.q + dot(unknowns, point.rows.q_trial, update),
                            linearization.moving_bound);
-        changed        = changed || !(decision == point.decision);
-        point.decision = decision;
+        if (decision == point.decision)
+          continue;
+        changed           = true;
+        point.has_changed = true;
+        point.decision    = decision;
+        if (!linearization.moving_bound && decision.status == Status::open)
+          interface.drop_bound(q);
       }
     return changed;
   }
@@ -141,8 +149,7 @@ namespace Contact
     for (unsigned int q = 0; q < points.size(); ++q)
       for (const bool tangential : {false, true})
         {
-          if (points[q].decision == points[q].old_decision ||
-              is_known(q, tangential) ||
+          if (!points[q].has_changed || is_known(q, tangential) ||
               (tangential &&
                interface.zone(interface.points[q]).law.is_frictionless()))
             continue;
@@ -171,26 +178,28 @@ namespace Contact
 
 
 
-  /// The traction of the new decision minus that of the old one.
+  ActiveSetSearch::AffineTraction
+  ActiveSetSearch::traction(const unsigned int q, const bool tangential) const
+  {
+    // A point that opens or closes is linearised from the side of contact.
+    const double   p = std::max(points[q].p, 0.);
+    const Traction t = interface.traction(interface.points[q],
+                                          points[q].decision,
+                                          p,
+                                          points[q].q,
+                                          linearization.moving_bound);
+    if (tangential)
+      return {t.q - t.dq_dp * p - t.dq_dq * points[q].q, t.dq_dp, t.dq_dq};
+    return {t.p - t.dp_dp * p, t.dp_dp, 0.};
+  }
+
+
+
   ActiveSetSearch::AffineTraction
   ActiveSetSearch::excess(const unsigned int q, const bool tangential) const
   {
-    // A point that opens or closes is linearised from the side of contact.
-    const double p = std::max(points[q].p, 0.);
-
-    const auto affine = [&](const Decision &decision) -> AffineTraction {
-      const Traction t = interface.traction(interface.points[q],
-                                            decision,
-                                            p,
-                                            points[q].q,
-                                            linearization.moving_bound);
-      if (tangential)
-        return {t.q - t.dq_dp * p - t.dq_dq * points[q].q, t.dq_dp, t.dq_dq};
-      return {t.p - t.dp_dp * p, t.dp_dp, 0.};
-    };
-
-    const AffineTraction now = affine(points[q].decision);
-    const AffineTraction old = affine(points[q].old_decision);
+    const AffineTraction  now = traction(q, tangential);
+    const AffineTraction &old = tangential ? points[q].old_q : points[q].old_p;
     return {now.constant - old.constant,
             now.by_p - old.by_p,
             now.by_q - old.by_q};

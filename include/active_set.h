@@ -38,28 +38,40 @@ namespace Contact
   {
   public:
     ActiveSetSearch(const Discretization                  &discretization,
-                    const ContactInterface                &interface,
+                    ContactInterface                      &interface,
                     const DirectSolver                    &solver,
                     const ContactInterface::Linearization &linearization);
 
     /**
      * Given the Newton @p update under the present decisions at @p solution,
      * constraints distributed, make it the update of the linearised problem.
-     * The decisions in the points stay: ContactInterface::decide_all()
-     * makes the new ones after the step. Returns the number of rounds. Throws
-     * NotConverged if decisions let a body go.
+     * A point that opens loses its frozen bound, see
+     * ContactInterface::drop_bound(); the decisions in the points stay:
+     * ContactInterface::decide_all() makes the new ones after the step. Returns
+     * whether no point wants to change its mind; otherwise, as can be where
+     * bounds of friction are frozen,
+     * @p update is left as it is. Throws NotConverged if decisions let a body
+     * go.
      */
-    unsigned int correct(const Vector<double> &solution,
-                         const Vector<double> &u_start,
-                         Vector<double>       &update);
+    bool correct(const Vector<double> &solution,
+                 const Vector<double> &u_start,
+                 Vector<double>       &update);
 
   private:
+    /// A traction as a function of trial values: constant and derivatives.
+    struct AffineTraction
+    {
+      double constant, by_p, by_q;
+    };
+
     /// A point in the linearised problem.
     struct LinearPoint
     {
       ContactInterface::Rows rows;
       double                 p, q; // trial values before the update
-      Decision               old_decision, decision;
+      Decision               decision;
+      AffineTraction         old_p, old_q; // under the old decision
+      bool                   has_changed = false;
     };
 
     /// The response of all unknowns to a unit of pressure or shear of a point.
@@ -68,12 +80,6 @@ namespace Contact
       unsigned int   point;
       bool           tangential;
       Vector<double> W;
-    };
-
-    /// A traction as a function of trial values: constant and derivatives.
-    struct AffineTraction
-    {
-      double constant, by_p, by_q;
     };
 
     void collect(const Vector<double> &solution, const Vector<double> &u_start);
@@ -86,11 +92,14 @@ namespace Contact
     const Vector<double> &trial_row(const unsigned int q,
                                     const bool         tangential) const;
 
+    /// The traction of a point under its decision.
+    AffineTraction traction(const unsigned int q, const bool tangential) const;
+    /// The same minus that under the old decision.
     AffineTraction excess(const unsigned int q, const bool tangential) const;
     Vector<double> solve_changes(const Vector<double> &update) const;
 
     const Discretization                 &discretization;
-    const ContactInterface               &interface;
+    ContactInterface                     &interface;
     const DirectSolver                   &solver;
     const ContactInterface::Linearization linearization;
 

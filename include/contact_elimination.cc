@@ -315,15 +315,18 @@ namespace Contact
     const auto tractions = this->tractions(residual);
     for (unsigned int k = 0; k < tractions.size(); ++k)
       {
+        const ContactPoint &point = interface->points[k];
+        double &p = solution[interface->normal_index(point.multipliers[0])];
+        p         = 0;
+        if (point.decision.status == Status::open)
+          continue;
         // Where a support takes a part of the force, the component that is
         // free tells the whole.
-        const ContactPoint &point = interface->points[k];
-        double              free  = 0;
+        double free = 0;
         for (unsigned int i = 0; i < 2; ++i)
           if (!discretization.is_fixed(point.dofs[0][i]))
             free += point.normal[i] * point.normal[i];
-        solution[interface->normal_index(point.multipliers[0])] =
-          tractions[k] * point.normal / free;
+        p = tractions[k] * point.normal / free;
       }
   }
 

@@ -311,9 +311,14 @@ namespace Contact
         const ContactState now = state(point, solution, u_start);
         const Decision     decision =
           decide(point, now.p_trial, now.q_trial, moving_bound);
-        n_changes += !(decision == point.decision);
-        if (keep)
-          point.decision = decision;
+        if (decision == point.decision)
+          continue;
+        ++n_changes;
+        if (!keep)
+          continue;
+        point.decision = decision;
+        if (!moving_bound && decision.status == Status::open)
+          drop_bound(&point - points.data());
       }
     return n_changes;
   }
@@ -333,13 +338,18 @@ namespace Contact
         if (decision == point.decision)
           continue;
         point.decision = decision;
-        // A bound that was frozen while the point was under pressure may leave
-        // it no solution: open it penetrates, closed and held it is pulled.
-        if (decision.status == Status::open)
-          point.tresca_bound = zone(point).law.bound(0);
+        if (!moving_bound && decision.status == Status::open)
+          drop_bound(&point - points.data());
         return &point;
       }
     return nullptr;
+  }
+
+
+
+  void ContactInterface::drop_bound(const unsigned int point)
+  {
+    points[point].tresca_bound = zone(points[point]).law.bound(0);
   }
 
 

@@ -158,6 +158,14 @@ namespace Contact
                                    const Vector<double> &u_start,
                                    const bool            moving_bound);
 
+    /**
+     * A bound that was frozen while a point was under pressure may leave it no
+     * solution as it opens: open it penetrates, closed and held by so much
+     * friction it is pulled. It gets the bound of no pressure, until the bounds
+     * are updated.
+     */
+    void drop_bound(const unsigned int point);
+
     /// Open the points that a new pairing has moved so far from the master that
     /// they would: to begin with them closed would pull the bodies together.
     void open_parted(const Vector<double> &solution);

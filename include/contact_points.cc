@@ -32,6 +32,20 @@ namespace Contact
 
 
 
+    /// Whether a support leaves the slave free to move along @p normal.
+    bool is_free_along(const ContactPoint   &point,
+                       const Tensor<1, 2>   &normal,
+                       const Discretization &discretization)
+    {
+      for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
+        for (unsigned int i = 0; i < 2; ++i)
+          if (normal[i] != 0 && !discretization.is_fixed(point.dofs[a][i]))
+            return true;
+      return false;
+    }
+
+
+
     Point<2> slave_position(const ContactPoint &point, const Vector<double> &u)
     {
       Point<2> x;
@@ -204,15 +218,17 @@ namespace Contact
 
 
 
-  // Along the tangent the place of a circle is centre + radius n, and its
-  // second derivative by the coordinate that is the angle -radius n.
+  // What a support holds against the obstacle needs no pressure, and there
+  // would be no unknown for it to act on. Along the tangent the place of a
+  // circle is centre + radius n, and its second derivative by the coordinate
+  // that is the angle -radius n.
   void pair_with_obstacle(ContactPoint         &point,
                           const Obstacle       &obstacle,
                           const Discretization &discretization,
                           const Vector<double> &u)
   {
     const auto foot      = obstacle.closest_point(slave_position(point, u));
-    point.facing         = true;
+    point.facing         = is_free_along(point, foot.normal, discretization);
     point.master_edge    = numbers::invalid_unsigned_int;
     point.foot           = foot.x;
     point.normal         = foot.normal;

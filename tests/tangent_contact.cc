@@ -7,7 +7,7 @@
 // rules, both degrees, all friction laws, sticking and slipping in both
 // directions and open, with finite penetration and slip on turned and curved
 // edges. With moving geometry the points are paired anew in every state that
-// the difference quotient visits, else never.
+// the difference quotient visits, else never. The same on rigid obstacles.
 
 #include "tests.h"
 
@@ -76,10 +76,14 @@ namespace
   std::set<types::global_dof_index> unknowns_of(const ContactModel &model)
   {
     std::set<types::global_dof_index> unknowns;
-    for (const Surface *surface :
-         {&model.interface.zones[0]->slave, &*model.interface.zones[0]->master})
-      for (const auto &node : surface->nodes)
+    const auto                        add = [&](const Surface &surface) {
+      for (const auto &node : surface.nodes)
         unknowns.insert(node.dofs.begin(), node.dofs.end());
+    };
+    const ContactZone &zone = *model.interface.zones[0];
+    add(zone.slave);
+    if (zone.master)
+      add(*zone.master);
     for (unsigned int i = model.n_dofs(); i < model.solution.size(); ++i)
       unknowns.insert(i);
     return unknowns;
@@ -267,6 +271,35 @@ namespace
     check_decision(model, "stick", {Status::stick, 0});
     check_decision(model, "slip forward", {Status::slip, 1});
   }
+
+
+
+  /// On rigid obstacles, which turn the normal of a point as it moves along
+  /// them. All is turned by the same angle as in randomize().
+  void check_obstacle(const unsigned int         degree,
+                      const std::string         &rule,
+                      const std::string         &shape,
+                      const std::vector<double> &numbers)
+  {
+    headline("degree " + std::to_string(degree) + ", " + rule + " rule, " +
+             shape + (numbers.back() < 0 ? ", inside" : ""));
+    MeshText mesh;
+    mesh.block("upper", 2, 1, rectangle({0.4, 0}, {2.2, 1}));
+    Parameters::All parameters =
+      make_parameters(mesh, {"upper"}, degree, "small strain");
+    parameters.contact.slave                = "upper bottom";
+    parameters.contact.obstacle[shape]      = numbers;
+    parameters.contact.rule                 = rule;
+    parameters.contact.n_gauss_points       = 2;
+    parameters.contact.friction_coefficient = 0.4;
+    ContactModel model(parameters);
+    randomize(model, -0.08);
+
+    check_decision(model, "open", {Status::open, 0});
+    check_decision(model, "stick", {Status::stick, 0});
+    check_decision(model, "slip forward", {Status::slip, 1});
+    check_decision(model, "slip backward", {Status::slip, -1});
+  }
 } // namespace
 
 
@@ -282,4 +315,18 @@ int main()
         check_law(degree, rule, law);
   for (const unsigned int degree : {1, 2})
     check_corner(degree);
+  const Tensor<2, 2> R      = rotation(0.6);
+  const Tensor<1, 2> normal = R * Point<2>(0, 1);
+  const Tensor<1, 2> below  = R * Point<2>(1.3, -4);
+  const Tensor<1, 2> above  = R * Point<2>(1.3, 4);
+  for (const unsigned int degree : {1, 2})
+    for (const std::string rule : {"nodal", "Gauss"})
+      {
+        check_obstacle(degree,
+                       rule,
+                       "half plane",
+                       {0, 0, normal[0], normal[1]});
+        check_obstacle(degree, rule, "circle", {below[0], below[1], 4});
+        check_obstacle(degree, rule, "circle", {above[0], above[1], -4});
+      }
 }
