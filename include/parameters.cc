@@ -173,7 +173,8 @@ namespace Contact
       prm.add_parameter(
         "Spread force y",
         spread_force_y,
-        "As Spread force x, in direction y [N per mm of thickness; axisymmetric: N].");
+        "As Spread force x, in direction y [N per mm of thickness; "
+        "axisymmetric: N].");
       const Patterns::Map formulas(Patterns::Anything(),
                                    Patterns::Anything(),
                                    0,
