@@ -159,7 +159,10 @@ namespace Contact
                         "'point: value' [N per mm of thickness; axisymmetric: "
                         "N on the ring], separated by ','; a point group and "
                         "its dead force at full load.");
-      prm.add_parameter("Force y", force_y, "As Force x, in direction y.");
+      prm.add_parameter(
+        "Force y",
+        force_y,
+        "As Force x, in direction y [N per mm of thickness; axisymmetric: N].");
       prm.add_parameter("Spread force x",
                         spread_force_x,
                         "'boundary: value' [N per mm of thickness; "
@@ -167,9 +170,11 @@ namespace Contact
                         "boundary group and its dead force at full load, "
                         "spread evenly over its undeformed area. Of a nodal "
                         "force the finer mesh sees the singularity.");
-      prm.add_parameter("Spread force y",
-                        spread_force_y,
-                        "As Spread force x, in direction y.");
+      prm.add_parameter(
+        "Spread force y",
+        spread_force_y,
+        "As Spread force x, in direction y [N per mm of thickness; "
+        "axisymmetric: N].");
       const Patterns::Map formulas(Patterns::Anything(),
                                    Patterns::Anything(),
                                    0,

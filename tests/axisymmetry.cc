@@ -332,9 +332,26 @@ namespace
 
 
 
-  // A tube in a tube under the pressure 100 in the bore, in plane strain along
-  // the axis: the pressure between them by Lame's solution, see
+  // The displacement at the radius r of a tube from a to b under the pressures
+  // p_i inside and p_o outside, in plane strain along the axis (Lame), see
   // parameters/verification/nested_cylinders.prm.
+  double lame(const double E,
+              const double nu,
+              const double a,
+              const double b,
+              const double p_i,
+              const double p_o,
+              const double r)
+  {
+    return (1 + nu) / (E * (b * b - a * a)) *
+           ((1 - 2 * nu) * (p_i * a * a - p_o * b * b) * r +
+            (p_i - p_o) * a * a * b * b / r);
+  }
+
+
+
+  // A tube in a tube under the pressure 100 in the bore: how far the pressures
+  // between them are from the one with which both move alike.
   double tubes_deviation(const unsigned int degree, const unsigned int n)
   {
     MeshText mesh;
@@ -362,7 +379,11 @@ namespace
     model.start = model.solution;
     model.pair();
     model.interface->initialize_status(model.solution);
-    const double q         = 19.214780600461914;
+    const auto overlap = [](const double q) {
+      return lame(1000, 0.3, 20, 50, 100, q, 50) -
+             lame(2000, 0.25, 50, 100, q, 0, 50);
+    };
+    const double q         = overlap(0) / (overlap(0) - overlap(1));
     double       deviation = model.newton(1) > 0 ? 0 : 1;
     for (unsigned int k = 0; k < model.interface->n_multipliers(); ++k)
       deviation =
@@ -382,7 +403,7 @@ namespace
         const double      coarse = tubes_deviation(degree, 8);
         const double      fine   = tubes_deviation(degree, 16);
         const std::string name   = "degree " + std::to_string(degree);
-        check_small(name + ", pressure", fine, degree == 1 ? 0.005 : 2e-5);
+        check_small(name + ", pressure", fine, degree == 1 ? 1e-3 : 1e-6);
         check(name + ", order", std::log2(coarse / fine) > 2 * degree - 0.3);
       }
   }
