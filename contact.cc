@@ -349,7 +349,15 @@ namespace Contact
     check_supports(*discretization, interface.get());
     for (const auto &[name, probe] : parameters.probes.probes)
       for (unsigned int i = 1; i < probe.size(); ++i)
-        mesh->point(probe[i], "Probes/Probes");
+        {
+          const auto vertex = mesh->point(probe[i], "Probes/Probes");
+          if (is_contact_traction(probe[0]))
+            contact_traction(probe[0],
+                             vertex,
+                             interface.get(),
+                             *discretization,
+                             solution);
+        }
 
     // From here on the results of an earlier run are replaced; until this one
     // ends, its summary says that it has not converged.
@@ -1586,10 +1594,19 @@ namespace Contact
   // @sect4{ContactProblem::report_probes}
   double ContactProblem::probe(const std::vector<std::string> &definition)
   {
-    const bool is_stress = !is_displacement(definition[0]);
-    const auto value     = [&](const std::string &point) {
-      return probe_value(definition[0],
-                         mesh->point(point, "Probes/Probes"),
+    const std::string &quantity = definition[0];
+    const bool         is_stress =
+      !is_displacement(quantity) && !is_contact_traction(quantity);
+    const auto value = [&](const std::string &point) {
+      const unsigned int vertex = mesh->point(point, "Probes/Probes");
+      if (is_contact_traction(quantity))
+        return contact_traction(quantity,
+                                vertex,
+                                interface.get(),
+                                *discretization,
+                                solution);
+      return probe_value(quantity,
+                         vertex,
                          *discretization,
                          is_stress ? recovered_stresses() : stresses,
                          solution);

@@ -41,7 +41,9 @@ namespace Contact
                                                          "stress yy",
                                                          "stress zz",
                                                          "stress xy",
-                                                         "von Mises"};
+                                                         "von Mises",
+                                                         "pressure",
+                                                         "shear"};
 
 
 
@@ -414,7 +416,9 @@ namespace Contact
                         "quantity, point, point', the value at the first minus "
                         "the value at the second. One of: " +
                           Patterns::Tools::to_string(quantities) +
-                          " [displacements: mm, stresses: MPa].");
+                          " [displacements: mm, stresses: MPa]; pressure "
+                          "and shear are those of contact, at points of a "
+                          "slave.");
       prm.add_parameter("References",
                         references,
                         "'name: value', separated by ','; what a probe is "

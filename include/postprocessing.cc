@@ -322,6 +322,41 @@ namespace Contact
 
 
 
+  bool is_contact_traction(const std::string &quantity)
+  {
+    return quantity == "pressure" || quantity == "shear";
+  }
+
+
+
+  double contact_traction(const std::string      &quantity,
+                          const unsigned int      vertex,
+                          const ContactInterface *interface,
+                          const Discretization   &discretization,
+                          const Vector<double>   &solution)
+  {
+    const NodeDoFs &dofs = discretization.vertex_dofs[vertex];
+    if (interface != nullptr)
+      for (const auto &zone : interface->zones)
+        for (unsigned int n = 0; n < zone->slave.nodes.size(); ++n)
+          if (const unsigned int k = zone->multipliers.of_node[n];
+              zone->slave.nodes[n].dofs == dofs &&
+              k != numbers::invalid_unsigned_int)
+            {
+              if (quantity == "pressure")
+                return solution[interface->normal_index(k)];
+              return zone->law.is_frictionless()
+                       ? 0.
+                       : solution[interface->tangential_index(k)];
+            }
+    throw InputError("there is no " + quantity +
+                       " of contact at a point that is asked for",
+                     "Probes/Probes",
+                     "name a point group on a slave, or a stress");
+  }
+
+
+
   double probe_value(const std::string                        &quantity,
                      const unsigned int                        vertex,
                      const Discretization                     &discretization,

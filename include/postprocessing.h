@@ -107,6 +107,18 @@ namespace Contact
   /// Whether a quantity needs no stresses.
   bool is_displacement(const std::string &quantity);
 
+  /// Whether a quantity is a traction of contact.
+  bool is_contact_traction(const std::string &quantity);
+
+  /// The traction [MPa] at a vertex of the triangulation, the multiplier of the
+  /// first zone that has one there; zero without friction for the shear. Throws
+  /// InputError if no slave carries a multiplier there.
+  double contact_traction(const std::string      &quantity,
+                          const unsigned int      vertex,
+                          const ContactInterface *interface,
+                          const Discretization   &discretization,
+                          const Vector<double>   &solution);
+
   /**
    * The value of a quantity at a vertex of the triangulation: "displacement x"
    * or "y" [mm], "stress xx", "yy", "zz", "xy" or "von Mises" [MPa]. Throws

@@ -14,10 +14,11 @@
 // ---------------------------------------------------------------- parameters
 
 R     = 30;  // of the sphere
-s     = 3;   // size of the fine block at the contact
+a     = Sqrt(R * 0.1); // radius of contact at an approach of 0.1
+s     = 2 * a;         // size of the fine block at the contact
 depth = 15;  // where the outer block ends on the plane through the centre
-nx    = 15;  // edges of the fine block along the surface
-ny    = 10;  // and into the depth
+nx    = 20;  // edges of the fine block along the surface, two in a/5
+ny    = 14;  // and into the depth
 m     = 14;  // from there to the plane through the centre
 q     = 1.2; // how these grow
 
@@ -32,7 +33,16 @@ Point(5) = {0, s, 0};
 Point(6) = {R, R, 0};
 Point(7) = {depth, R, 0};
 
-Circle(1) = {2, 1, 3};
+// Nodes at r = 0.2 a, 0.4 a, 0.6 a, 0.8 a.
+For k In {1 : 4}
+  beta = Asin(0.2 * k * a / R);
+  Point(10 + k) = {R * Sin(beta), R - R * Cos(beta), 0};
+EndFor
+Circle(11) = {2, 1, 11};
+Circle(12) = {11, 1, 12};
+Circle(13) = {12, 1, 13};
+Circle(14) = {13, 1, 14};
+Circle(15) = {14, 1, 3};
 Line(2)   = {3, 4};
 Line(3)   = {5, 4};
 Line(4)   = {2, 5};
@@ -42,19 +52,22 @@ Line(7)   = {4, 7};
 Line(8)   = {1, 7};
 Line(9)   = {5, 1};
 
-Transfinite Curve {1, 3, 8} = nx + 1;
+Transfinite Curve {11 : 14} = 3;
+Transfinite Curve {15} = nx - 8 + 1;
+Transfinite Curve {3, 8} = nx + 1;
 Transfinite Curve {2, 4, 6} = ny + 1;
 Transfinite Curve {5, 7, 9} = m + 1 Using Progression q;
 
-Curve Loop(1) = {1, 2, -3, -4};  // at the contact
+Curve Loop(1) = {11 : 15, 2, -3, -4}; // at the contact
 Curve Loop(2) = {5, 6, -7, -2};  // along the surface
 Curve Loop(3) = {3, 7, -8, -9};  // along the axis
 
-For i In {1:3}
+For i In {1 : 3}
   Plane Surface(i) = {i};
-  Transfinite Surface {i};
   Recombine Surface {i};
 EndFor
+Transfinite Surface {1} = {2, 3, 4, 5};
+Transfinite Surface {2, 3};
 
 // ----------------------------------------------------------- physical groups
 
@@ -64,10 +77,14 @@ Physical Point("Contact", 1) = {2};
 Physical Point("Centre", 2) = {1};
 
 Physical Curve("Axis", 3) = {4, 9};
-Physical Curve("Surface", 4) = {1, 5};
+Physical Curve("Surface", 4) = {11 : 15, 5};
 Physical Curve("Top", 5) = {6, 8}; // the plane through the centre
 
-Physical Surface("Sphere", 6) = {1:3};
+Physical Surface("Sphere", 6) = {1 : 3};
+
+For k In {1 : 4}
+  Physical Point(Sprintf("r0.%g", 2 * k), 6 + k) = {10 + k};
+EndFor
 
 // ------------------------------------------------------------------- options
 

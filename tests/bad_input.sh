@@ -126,7 +126,14 @@ expect "CHOLMOD can not solve it" "$good" --set "$saddle" \
   --set "Solution/Linear solver=CHOLMOD"
 expect "UMFPACK is for saddle point" "$good" --set "$condensed" \
   --set "Solution/Linear solver=UMFPACK"
-expect "Tied surfaces" "$good" --set Contact/Tied=true --set "$saddle"
+expect "There is a master and an obstacle" "$good" \
+  --set "Contact/Obstacle=half plane: 0, 0, 0, 1"
+expect "is no obstacle with these numbers" "$good" --set Contact/Master= \
+  --set "Contact/Obstacle=circle: 0, 0"
+expect "A zone has no surfaces" "$good" --set "Contact second/Rule=nodal"
+expect "no pressure of contact" "$good" \
+  --set "Probes/Probes=p: pressure, Force" --set Probes/References= \
+  --set Probes/Tolerances=
 expect "mortar segments" "$good" --set Contact/Rule=mortar --set "$saddle" \
   --set Solution/Geometry=Newton
 expect "projections move" "$good" --set Contact/Rule=mortar \
