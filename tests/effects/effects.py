@@ -46,6 +46,12 @@ EFFECTS = (
     ("large displacement", {**LARGE}, "bodies alone"),
     ("geometry loop", {**CONTACT, **LOOP}, "contact, mortar rule"),
     ("large displacement, contact", {**CONTACT, **LARGE}, "geometry loop"),
+    # About the left edge of the lower block.
+    ("axisymmetry", {"Solids/Symmetry": "axisymmetric", "Mesh/Shift": "1, 0"},
+     "bodies alone"),
+    ("rigid obstacle instead of a master",
+     {"Contact/Slave": "Slave", "Contact/Rule": "mortar",
+      "Contact/Obstacle": "half plane: 0, 0, 0, 1"}, "contact, mortar rule"),
     ("four increments", {"Solution/Increments": "4"}, "bodies alone"),
     ("four increments, contact", {**CONTACT, "Solution/Increments": "4"},
      "contact, mortar rule"),
