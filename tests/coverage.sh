@@ -2,7 +2,7 @@
 # Which lines of the program the tests run through, by gcov, in a build
 # directory of its own: lines by file and in all, and those that no test has
 # seen. Takes the whole suite once more, in a program twice as slow. Exit status
-# 1 below 90 % of the lines, or if a test fails.
+# 1 below 90 % of the lines.
 #   coverage.sh DIRECTORY [OPTION OF CTEST...]
 # Needs Debian's gcovr.
 # SPDX-License-Identifier: LGPL-2.1-or-later
@@ -22,14 +22,12 @@ cmake -S "$root" -B "$directory" -G Ninja -DCMAKE_BUILD_TYPE=Release \
 cmake --build "$directory" --target contact unit_tests >>"$directory/build.log"
 
 find "$directory" -name '*.gcda' -delete
-status=0
-(cd "$directory" && ctest "$@" >tests.log 2>&1) || status=1
+# Whether they pass is for ./run test to say: here one may run out of time.
+(cd "$directory" && ctest "$@" >tests.log 2>&1) || true
 tail -n 20 "$directory/tests.log"
 
-# Debug's assertions are no lines of this build; what only a broken program
-# reaches is marked with GCOV_EXCL_LINE where it is worth it.
+# Debug's assertions are no lines of this build.
 gcovr --root "$root" --object-directory "$directory" "$directory" \
   --filter "$root/include/" --filter "$root/contact.cc" \
-  --exclude-throw-branches --sort-uncovered --print-summary \
-  --json "$directory/coverage.json" --fail-under-line 90 || status=1
-exit $status
+  --exclude-directories '.*CompilerIdCXX' --exclude-throw-branches \
+  --sort-uncovered --print-summary --fail-under-line 90
