@@ -1851,6 +1851,11 @@ int main(int argc, char **argv)
       Contact::print_help(std::cout);
       return 0;
     }
+  if (first == "--version")
+    {
+      Contact::print_version(std::cout);
+      return 0;
+    }
   if (first == "--parameters")
     {
       Contact::print_parameters(std::cout);

@@ -5,6 +5,8 @@
 
 #include "command_line.h"
 
+#include <deal.II/base/config.h>
+
 #include <ostream>
 
 #include "errors.h"
@@ -13,7 +15,8 @@ namespace Contact
 {
   void print_help(std::ostream &out)
   {
-    out << "Frictional contact of two deformable bodies (plane strain).\n"
+    out << "Frictional contact of two deformable bodies (plane strain,\n"
+           "axisymmetry).\n"
            "\n"
            "usage: contact FILE.prm [MORE.prm ...] [options]\n"
            "\n"
@@ -24,11 +27,19 @@ namespace Contact
            "                                interrupted run\n"
            "  --parameters                  list all entries and their "
            "meaning\n"
+           "  --version                     print the version\n"
            "  --help                        print this\n"
            "\n"
            "Results are written to output/<name of the file>/.\n"
            "Exit status: 0 all values within their tolerances, 1 one outside,\n"
            "2 the input is wrong, 3 a case did not converge, 5 interrupted.\n";
+  }
+
+
+
+  void print_version(std::ostream &out)
+  {
+    out << "contact " CONTACT_VERSION ", deal.II " DEAL_II_PACKAGE_VERSION "\n";
   }
 
 

@@ -26,6 +26,9 @@ namespace Contact
   /// How the program is called.
   void print_help(std::ostream &out);
 
+  /// Print the versions of the program and of deal.II.
+  void print_version(std::ostream &out);
+
   /// Throws InputError for an unknown option, or without a file.
   CommandLine parse_command_line(const int argc, char **argv);
 } // namespace Contact

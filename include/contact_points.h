@@ -85,21 +85,21 @@ namespace Contact
     unsigned int zone = 0;
 
     // The slave side, the same during the whole run.
-    unsigned int slave_edge; // in the slave surface
-    double       slave_xi;
-    double       weight;    // undeformed length it stands for [mm];
-                            // of rings, the area [mm^2]
-    double complementarity; // the c of p - c g [MPa/mm]
+    unsigned int slave_edge = 0; // in the slave surface
+    double       slave_xi   = 0;
+    double       weight     = 0; // undeformed length it stands for [mm];
+                                 // of rings, the area [mm^2]
+    double complementarity = 0;  // the c of p - c g [MPa/mm]
 
     // The multipliers that act here: p = sum_k psi_k lambda_k.
-    unsigned int                              n_multipliers;
-    std::array<unsigned int, max_multipliers> multipliers;
-    std::array<double, max_multipliers>       psi;
+    unsigned int                              n_multipliers = 0;
+    std::array<unsigned int, max_multipliers> multipliers{};
+    std::array<double, max_multipliers>       psi{};
 
     // The pairing with the master.
-    bool         facing = false; // false: off the end, nothing to touch
-    unsigned int master_edge;
-    double       master_xi;
+    bool         facing      = false; // false: off the end, nothing to touch
+    unsigned int master_edge = 0;
+    double       master_xi   = 0;
 
     // The nodes of both sides, slave first.
     unsigned int      n_slave_nodes = 0;
@@ -120,7 +120,7 @@ namespace Contact
     void keep_nodes(const unsigned int n);
 
     Tensor<1, 2> normal, tangent;
-    double       metric; // |d x_m / d xi| [mm]
+    double       metric = 1; // |d x_m / d xi| [mm]
 
     // On an obstacle, which has no nodes: the place x_m, and d^2 x_m / d xi^2.
     Point<2>     foot;

@@ -96,7 +96,7 @@ namespace Contact
       const auto at = [&](const int i) {
         return 0 <= i && i < n ? &samples[i] : nullptr;
       };
-      const auto end = [&](const int i, const int outwards) {
+      const auto end_at = [&](const int i, const int outwards) {
         const Sample *next = at(i + outwards);
         if (next == nullptr)
           return outwards > 0 ? length : 0.;
@@ -104,7 +104,7 @@ namespace Contact
                  ? end_of_contact(at(i - outwards), samples[i], *next)
                  : end_of_stick(samples[i], *next, at(i + 2 * outwards));
       };
-      return end(last, +1) - end(first, -1);
+      return end_at(last, +1) - end_at(first, -1);
     }
   } // namespace
 

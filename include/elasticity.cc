@@ -132,7 +132,7 @@ namespace Contact
       const Vector<double> &u) const
     {
       const unsigned int  n = cell.n_nodes();
-      const Tensor<1, 2> *N = &cell.gradients[q * n];
+      const Tensor<1, 2> *N = cell.gradients.data() + q * n;
       Tensor<2, 2>        H;
       for (unsigned int a = 0; a < n; ++a)
         for (unsigned int i = 0; i < 2; ++i)
@@ -240,7 +240,7 @@ namespace Contact
           const Tensor<2, 2>  H   = displacement_gradient(cell, q, u);
           const Tensor<2, 2>  F   = Kinematics::gradient_of_motion(H);
           const auto          E   = Kinematics::strain(H);
-          const Tensor<1, 2> *N   = &cell.gradients[q * n];
+          const Tensor<1, 2> *N   = cell.gradients.data() + q * n;
           const double        JxW = cell.JxW[q];
 
           // Across the plane; of these, plane strain uses nothing.
