@@ -314,11 +314,8 @@ namespace Contact
         if (decision == point.decision)
           continue;
         ++n_changes;
-        if (!keep)
-          continue;
-        point.decision = decision;
-        if (!moving_bound && decision.status == Status::open)
-          drop_bound(&point - points.data());
+        if (keep)
+          point.decision = decision;
       }
     return n_changes;
   }
