@@ -1119,6 +1119,10 @@ namespace Contact
                                 /*keep=*/after_a_step && !one_at_a_time);
         if (after_a_step && outcome.n_changes > 0)
           ++counters().active_set_changes;
+        // As the search does. Without it the points go on from step to step,
+        // and that would begin each turn of the friction loop anew.
+        if (!condensed && after_a_step && !linearization.moving_bound)
+          interface->drop_bounds_of_open_points();
         if (after_a_step && one_at_a_time)
           interface->decide_one(solution, start, linearization.moving_bound);
       }

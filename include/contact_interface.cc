@@ -351,6 +351,15 @@ namespace Contact
 
 
 
+  void ContactInterface::drop_bounds_of_open_points()
+  {
+    for (unsigned int q = 0; q < points.size(); ++q)
+      if (points[q].decision.status == Status::open)
+        drop_bound(q);
+  }
+
+
+
   void ContactInterface::open_parted(const Vector<double> &solution)
   {
     for (ContactPoint &point : points)

@@ -165,6 +165,7 @@ namespace Contact
      * are updated.
      */
     void drop_bound(const unsigned int point);
+    void drop_bounds_of_open_points();
 
     /// Open the points that a new pairing has moved so far from the master that
     /// they would: to begin with them closed would pull the bodies together.
