@@ -75,7 +75,6 @@
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
-#include <deal.II/lac/sparsity_pattern.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -86,7 +85,6 @@
 #include <optional>
 #include <sstream>
 
-#include "active_set.h"
 #include "command_line.h"
 #include "condensed_system.h"
 #include "contact_interface.h"
@@ -100,7 +98,6 @@
 #include "interruption.h"
 #include "invariants.h"
 #include "ledger.h"
-#include "linear_solver.h"
 #include "load_steps.h"
 #include "newton_guard.h"
 #include "parameters.h"
@@ -109,6 +106,7 @@
 #include "relaxation.h"
 #include "restart_file.h"
 #include "result_files.h"
+#include "saddle_point_system.h"
 #include "stress_recovery.h"
 #include "summary.h"
 
@@ -181,11 +179,9 @@ namespace Contact
     double      residual_norm() const;
     void        update_reference_force();
     double      newton_tolerance() const;
-    void        assemble_and_factorize();
-    void        add_tangent_of_linear_bodies();
-    bool        factorization_serves(const double residual,
-                                     const double last_residual) const;
-    bool        update_solution(const bool search);
+    bool        update_solution(const double residual,
+                                const double last_residual,
+                                const bool   search);
     void        update_solution_condensed(const unsigned int step,
                                           const double       residual);
     void        output_increment(const unsigned int k);
@@ -200,7 +196,7 @@ namespace Contact
     bool   is_last_level() const;
     double largest_change(const Vector<double> &from) const;
     const std::vector<SymmetricTensor<2, 3>> &recovered_stresses();
-    std::string chattering_points(const std::vector<Decision> &decisions) const;
+    std::string changes_since(const std::vector<Decision> &decisions) const;
 
     const MPI_Comm          communicator = MPI_COMM_WORLD;
     const Parameters::All   parameters;
@@ -218,24 +214,15 @@ namespace Contact
     std::unique_ptr<StressRecovery>   stress_recovery; // as it is asked for
     std::unique_ptr<ResultFiles>      files;
 
-    // The linear system, with the multipliers or without. The unknowns are the
-    // displacements, then the multipliers; every rank has all of them.
+    // The linear system, with the multipliers or without: one of the two. The
+    // unknowns are the displacements, then the multipliers; every rank has all
+    // of them.
+    std::unique_ptr<SaddlePointSystem>  saddle_point;
     std::unique_ptr<ContactElimination> elimination;
-    std::unique_ptr<CondensedSystem>    condensed; // none: saddle point
-    SparsityPattern                     sparsity_pattern;
-    SparseMatrix<double>                system_matrix;
+    std::unique_ptr<CondensedSystem>    condensed;
     Vector<double>                      system_rhs;
     Vector<double>                      update; // of the displacements
-    DirectSolver                        solver;
-    std::string                         system_name = "saddle point, UMFPACK";
-
-    // The tangent of linear bodies without contact, and of which version.
-    SparsityPattern      bodies_pattern;
-    SparseMatrix<double> bodies_tangent;
-    unsigned int         bodies_version = 0;
-
-    // The decisions of the points under which the matrix was factorized.
-    std::vector<signed char> factorized_decisions;
+    std::string                         system_name;
 
     // The state now, and at the start of the increment.
     Vector<double>            solution;
@@ -244,7 +231,6 @@ namespace Contact
 
     // What nothing holds by itself in this increment.
     std::vector<FreeMotion> softly_held;
-    unsigned int            factorized_version = 0;
 
     // Nested iteration: the level, and on the level before the solutions and
     // the states of the surface after each increment.
@@ -387,7 +373,6 @@ namespace Contact
     start.reinit(n_unknowns);
     system_rhs.reinit(n_unknowns);
     update.reinit(summary.n_displacements);
-    bodies_tangent.clear();
     reference_force    = discretization->whole_load();
     reference_is_known = false;
     invariants         = std::make_unique<InvariantCheck>(*discretization,
@@ -400,10 +385,19 @@ namespace Contact
 
   void ContactProblem::make_linear_system()
   {
-    if (!parameters.is_condensed())
-      return;
     TimerOutput::Scope scope(timer, "setup");
-    std::string        name = parameters.solution.linear_solver;
+    if (!parameters.is_condensed())
+      {
+        saddle_point = std::make_unique<SaddlePointSystem>(*discretization,
+                                                           *elasticity,
+                                                           interface.get(),
+                                                           linearization,
+                                                           geometry_follows(),
+                                                           timer);
+        system_name  = "saddle point, UMFPACK";
+        return;
+      }
+    std::string name = parameters.solution.linear_solver;
     if (name == "automatic")
       name =
         DefiniteSolver::choose(summary.n_displacements,
@@ -509,8 +503,8 @@ namespace Contact
 
 
 
-  // The state is that of the increment's start, also what the points know.
-  // Where they face the master the matrix may not: it is paired anew.
+  // The state is that of the increment's start, also what the points know and
+  // which edges they face. The pattern of the matrix is not: it is made anew.
   void ContactProblem::give_up_increment(const std::string &reason)
   {
     summary.increments.back().message = reason;
@@ -519,7 +513,8 @@ namespace Contact
     if (interface)
       interface->points = points_at_start;
     stresses.clear();
-    sparsity_pattern.reinit(0, 0, 0);
+    if (saddle_point)
+      saddle_point->forget_pattern();
     pair_bodies();
   }
 
@@ -677,22 +672,8 @@ namespace Contact
     invariants->advance();
 
     IncrementRecord &record = summary.increments.back();
-    record.invariants       = {{"force_imbalance", found.force_imbalance},
-                               {"moment_imbalance", found.moment_imbalance},
-                               {"equilibrium", found.equilibrium},
-                               {"complementarity", found.complementarity},
-                               {"friction_cone", found.cone},
-                               {"slip", found.slip},
-                               {"penetration", found.penetration},
-                               {"relative_penetration", found.relative_penetration},
-                               {"energy_imbalance", found.energy_imbalance}};
-    record.works            = {{"strain_energy", found.strain_energy},
-                               {"external", found.external_work},
-                               {"contact", found.contact_work},
-                               {"friction", found.friction_work},
-                               {"stabilization", found.stabilization_work},
-                               {"path", found.path_work},
-                               {"dissipation", found.dissipation}};
+    record.invariants       = found.measures();
+    record.works            = found.works();
     record.violations       = found.violations;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       for (const std::string &violation : found.violations)
@@ -720,17 +701,13 @@ namespace Contact
           record.newton_iterations += increment.newton_iterations;
           record.linear_iterations += increment.linear_iterations;
         }
-    for (const auto &[phase, time] :
-         timer.get_summary_data(TimerOutput::total_cpu_time))
-      record.time[phase].cpu = time;
-    for (const auto &[phase, time] :
-         timer.get_summary_data(TimerOutput::total_wall_time))
-      record.time[phase].wall = time;
+    record.time = phase_times(timer);
     for (const LevelRecord &before : summary.levels)
       for (const auto &[phase, time] : before.time)
         {
           record.time[phase].cpu -= time.cpu;
           record.time[phase].wall -= time.wall;
+          record.time[phase].calls -= time.calls;
         }
     record.peak_memory_mb = Utilities::MPI::sum(peak_memory_mb(), communicator);
     summary.levels.push_back(record);
@@ -1057,7 +1034,7 @@ namespace Contact
           throw NotConverged("Newton's method ends with the residual " +
                              std::to_string(now.residual) + " after " +
                              std::to_string(step) + " steps" +
-                             chattering_points(last_decisions));
+                             changes_since(last_decisions));
 
         const bool was_one_at_a_time = one_at_a_time;
         one_at_a_time                = guard.one_at_a_time(now.n_changes);
@@ -1066,7 +1043,7 @@ namespace Contact
             ++summary.increments.back().cycles;
             screen << "      the active set cycles, now one point at a time "
                       "changes:"
-                   << chattering_points(last_decisions) << std::endl;
+                   << changes_since(last_decisions) << std::endl;
             n_single = interface->points.size();
           }
 
@@ -1077,9 +1054,7 @@ namespace Contact
           update_solution_condensed(step, now.residual);
         else
           {
-            if (!factorization_serves(now.residual, last_residual))
-              assemble_and_factorize();
-            if (!update_solution(search))
+            if (!update_solution(now.residual, last_residual, search))
               {
                 search = false;
                 screen << "      the search of the active set does not "
@@ -1198,9 +1173,7 @@ namespace Contact
 
   // @sect4{ContactProblem::pair_bodies}
   //
-  // When a point faces another edge than before, the matrix couples other
-  // unknowns than before: a new pattern, and a new analysis in the solver. The
-  // theory of small displacements knows the undeformed bodies only.
+  // The theory of small displacements knows the undeformed bodies only.
   void ContactProblem::pair_bodies()
   {
     pair_bodies(solution);
@@ -1215,31 +1188,15 @@ namespace Contact
       ++counters().pairings;
     if (geometry_follows() && !configuration.all_zero())
       ++counters().geometry_updates;
-    const bool is_new = sparsity_pattern.empty();
     const bool changed =
       interface && interface->pair(parameters.solution.geometry == "undeformed"
                                      ? Vector<double>(solution.size())
                                      : configuration);
     timer.leave_subsection();
     if (condensed)
-      {
-        condensed->update_pattern();
-        return;
-      }
-    if (!is_new && !changed)
-      return;
-    TimerOutput::Scope scope(timer, "setup");
-
-    DynamicSparsityPattern pattern(solution.size(), solution.size());
-    elasticity->add_couplings(pattern);
-    if (interface)
-      interface->add_couplings(pattern);
-    for (unsigned int i = 0; i < pattern.n_rows(); ++i)
-      pattern.add(i, i);
-
-    sparsity_pattern.copy_from(pattern);
-    system_matrix.reinit(sparsity_pattern);
-    solver.initialize(sparsity_pattern);
+      condensed->update_pattern();
+    else
+      saddle_point->update_pattern(changed);
   }
 
 
@@ -1338,122 +1295,21 @@ namespace Contact
 
 
 
-  // @sect4{ContactProblem::assemble_and_factorize}
-  //
-  // The right-hand side is assembled anew with the matrix, because prescribed
-  // displacements enter it through the matrix.
-  void ContactProblem::assemble_and_factorize()
-  {
-    {
-      TimerOutput::Scope scope(timer, "assembly");
-      system_matrix = 0;
-      system_rhs    = 0;
-      if (interface && elasticity->is_linear())
-        {
-          add_tangent_of_linear_bodies();
-          elasticity->assemble(solution, load_factor, system_rhs, nullptr);
-        }
-      else
-        {
-          ++counters().tangents;
-          elasticity->assemble(solution,
-                               load_factor,
-                               system_rhs,
-                               &system_matrix);
-        }
-      if (interface)
-        interface->assemble(solution,
-                            start,
-                            linearization,
-                            system_rhs,
-                            &system_matrix);
-
-      // Unknowns that are not free keep a row of their own, and get their
-      // update from the constraints afterwards.
-      for (unsigned int i = 0; i < discretization->dof_handler.n_dofs(); ++i)
-        if (discretization->constraints.is_constrained(i))
-          {
-            system_matrix.diag_element(i) = 1;
-            system_rhs[i]                 = 0;
-          }
-    }
-
-    TimerOutput::Scope scope(timer, "factorization");
-    solver.factorize(system_matrix);
-    factorized_version = elasticity->tangent_version();
-    if (interface)
-      factorized_decisions = interface->signature();
-  }
-
-
-
-  // Contact changes, linear bodies do not: their tangent is assembled once on
-  // a mesh and added to what the points make of the matrix.
-  void ContactProblem::add_tangent_of_linear_bodies()
-  {
-    if (bodies_tangent.empty() ||
-        bodies_version != elasticity->tangent_version())
-      {
-        ++counters().tangents;
-        const auto             n = discretization->dof_handler.n_dofs();
-        DynamicSparsityPattern pattern(n, n);
-        elasticity->add_couplings(pattern);
-        bodies_tangent.clear();
-        bodies_pattern.copy_from(pattern);
-        bodies_tangent.reinit(bodies_pattern);
-        elasticity->visit_cells(
-          solution,
-          /*with_tangent=*/true,
-          [this](const std::vector<types::global_dof_index> &dofs,
-                 const FullMatrix<double>                   &tangent,
-                 const Vector<double> &) {
-            discretization->constraints
-              .distribute_local_to_global(tangent, dofs, bodies_tangent);
-          });
-        bodies_version = elasticity->tangent_version();
-      }
-    for (const auto &entry : bodies_tangent)
-      system_matrix.add(entry.row(), entry.column(), entry.value());
-  }
-
-
-
-  // Under decisions that stay linear bodies keep their matrix, if the points do
-  // not follow them. Newton's method with moving geometry is left as it is: it
-  // is there for its quadratic convergence.
-  bool ContactProblem::factorization_serves(const double residual,
-                                            const double last_residual) const
-  {
-    if (!solver.is_factorized() || discretization->update_is_prescribed() ||
-        factorized_version != elasticity->tangent_version() ||
-        (interface && factorized_decisions != interface->signature()))
-      return false;
-    if (elasticity->is_linear() && !geometry_follows())
-      return true;
-    return interface && !linearization.moving_geometry &&
-           residual < 0.1 * last_residual;
-  }
-
-
-
   // @sect4{ContactProblem::update_solution}
   //
-  // Returns whether the search for the active set, if any, has come to an end.
-  bool ContactProblem::update_solution(const bool search)
+  // The step under the present decisions, then the search for those that the
+  // linearised problem has. Returns whether that has come to an end.
+  bool ContactProblem::update_solution(const double residual,
+                                       const double last_residual,
+                                       const bool   search)
   {
-    {
-      TimerOutput::Scope scope(timer, "solution");
-      solver.solve(system_rhs);
-      discretization->constraints.distribute(system_rhs);
-    }
-    bool settled = true;
-    if (interface && search)
-      {
-        TimerOutput::Scope scope(timer, "active set");
-        settled =
-          ActiveSetSearch(*discretization, *interface, solver, linearization)
-            .correct(solution, start, system_rhs);
-      }
+    const bool settled = saddle_point->solve(solution,
+                                             start,
+                                             load_factor,
+                                             residual,
+                                             last_residual,
+                                             search,
+                                             system_rhs);
     solution += system_rhs;
     discretization->constrain_update(solution, load_factor);
     return settled;
@@ -1506,29 +1362,13 @@ namespace Contact
 
     std::vector<ZoneProfile> profiles;
     if (interface)
-      for (const auto &zone : interface->zones)
-        {
-          // Theory is for the first one.
-          const auto theory =
-            profiles.empty() ? exact : std::optional<ExactSolution>();
-          profiles.push_back({zone->name, &zone->slave, {}, {}});
-          profiles.back().slave_rows = slave_profile(*interface,
-                                                     *zone,
-                                                     *discretization,
-                                                     recovered_stresses(),
-                                                     solution,
-                                                     start,
-                                                     theory);
-          if (with_profile)
-            profiles.back().master_rows =
-              master_profile(*interface,
-                             *zone,
-                             *discretization,
-                             recovered_stresses(),
-                             solution,
-                             profiles.back().slave_rows,
-                             theory);
-        }
+      profiles = zone_profiles(*interface,
+                               *discretization,
+                               recovered_stresses(),
+                               solution,
+                               start,
+                               exact,
+                               /*with_masters=*/with_profile);
 
     if (parameters.output.vtu)
       {
@@ -1568,13 +1408,7 @@ namespace Contact
                                           solution,
                                           start,
                                           linearization.moving_bound));
-        summary.contact[zone->name] = {
-          {"normal_force", results.back().normal_force},
-          {"tangential_force", results.back().tangential_force},
-          {"max_pressure", results.back().max_pressure},
-          {"max_shear", results.back().max_shear},
-          {"width", results.back().width},
-          {"stick_width", results.back().stick_width}};
+        summary.contact[zone->name] = results.back().by_name();
       }
 
     TimerOutput::Scope scope(timer, "verification");
@@ -1647,14 +1481,7 @@ namespace Contact
     files->write_first("parameters.prm", [this](std::ostream &out) {
       prm.print_parameters(out, ParameterHandler::ShortText);
     });
-    for (const auto &[phase, time] :
-         timer.get_summary_data(TimerOutput::total_cpu_time))
-      summary.time[phase].cpu = time;
-    for (const auto &[phase, time] :
-         timer.get_summary_data(TimerOutput::total_wall_time))
-      summary.time[phase].wall = time;
-    for (const auto &[phase, n] : timer.get_summary_data(TimerOutput::n_calls))
-      summary.time[phase].calls = n;
+    summary.time     = phase_times(timer);
     summary.counters = counters().by_name();
     summary.peak_memory_mb =
       Utilities::MPI::sum(peak_memory_mb(), communicator);
@@ -1718,31 +1545,11 @@ namespace Contact
 
 
 
-  /// Where points changed their mind since @p decisions, and to what.
-  std::string ContactProblem::chattering_points(
-    const std::vector<Decision> &decisions) const
+  std::string
+  ContactProblem::changes_since(const std::vector<Decision> &decisions) const
   {
-    if (!interface)
-      return "";
-    const std::array<std::string, 3> names{{"open", "sticks", "slips"}};
-    const unsigned int               max_lines = 10;
-    unsigned int                     n         = 0;
-    std::ostringstream               text;
-    for (unsigned int q = 0; q < decisions.size(); ++q)
-      {
-        const ContactPoint &point = interface->points[q];
-        if (point.decision == decisions[q] || ++n > max_lines)
-          continue;
-        const ContactState now = interface->state(point, solution, start);
-        text << "\n        point " << q << " at X = (" << point.X[0]
-             << ") mm: " << names[static_cast<int>(decisions[q].status)]
-             << ", now " << names[static_cast<int>(point.decision.status)]
-             << "; gap " << now.gap << " mm, pressure " << now.lambda_n
-             << " MPa, shear " << now.lambda_t << " MPa";
-      }
-    if (n > max_lines)
-      text << "\n        and " << n - max_lines << " more";
-    return text.str();
+    return interface ? describe_changes(*interface, decisions, solution, start)
+                     : "";
   }
 } // namespace Contact
 

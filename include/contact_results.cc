@@ -6,7 +6,9 @@
 #include "contact_results.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <sstream>
 
 namespace Contact
 {
@@ -110,6 +112,18 @@ namespace Contact
 
 
 
+  std::map<std::string, double> ContactResults::by_name() const
+  {
+    return {{"normal_force", normal_force},
+            {"tangential_force", tangential_force},
+            {"max_pressure", max_pressure},
+            {"max_shear", max_shear},
+            {"width", width},
+            {"stick_width", stick_width}};
+  }
+
+
+
   ContactResults contact_results(const ContactInterface &interface,
                                  const ContactZone      &zone,
                                  const Vector<double>   &solution,
@@ -161,5 +175,33 @@ namespace Contact
     results.width       = width(samples, s_of_node.back(), &Sample::touches);
     results.stick_width = width(samples, s_of_node.back(), &Sample::sticks);
     return results;
+  }
+
+
+
+  std::string describe_changes(const ContactInterface      &interface,
+                               const std::vector<Decision> &decisions,
+                               const Vector<double>        &solution,
+                               const Vector<double>        &u_start)
+  {
+    const std::array<std::string, 3> names{{"open", "sticks", "slips"}};
+    const unsigned int               max_lines = 10;
+    unsigned int                     n         = 0;
+    std::ostringstream               text;
+    for (unsigned int q = 0; q < decisions.size(); ++q)
+      {
+        const ContactPoint &point = interface.points[q];
+        if (point.decision == decisions[q] || ++n > max_lines)
+          continue;
+        const ContactState now = interface.state(point, solution, u_start);
+        text << "\n        point " << q << " at X = (" << point.X[0]
+             << ") mm: " << names[static_cast<int>(decisions[q].status)]
+             << ", now " << names[static_cast<int>(point.decision.status)]
+             << "; gap " << now.gap << " mm, pressure " << now.lambda_n
+             << " MPa, shear " << now.lambda_t << " MPa";
+      }
+    if (n > max_lines)
+      text << "\n        and " << n - max_lines << " more";
+    return text.str();
   }
 } // namespace Contact

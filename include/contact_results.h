@@ -6,6 +6,10 @@
 #ifndef contact_contact_results_h
 #define contact_contact_results_h
 
+#include <map>
+#include <string>
+#include <vector>
+
 #include "contact_interface.h"
 
 namespace Contact
@@ -35,6 +39,8 @@ namespace Contact
      */
     double width       = 0;
     double stick_width = 0;
+
+    std::map<std::string, double> by_name() const;
   };
 
   /// @p u_start is the solution at the start of the increment; with
@@ -44,6 +50,13 @@ namespace Contact
                                  const Vector<double>   &solution,
                                  const Vector<double>   &u_start,
                                  const bool              moving_bound = false);
+
+  /// Which points have changed their minds since @p decisions, where, from what
+  /// to what: a line each, at most ten.
+  std::string describe_changes(const ContactInterface      &interface,
+                               const std::vector<Decision> &decisions,
+                               const Vector<double>        &solution,
+                               const Vector<double>        &u_start);
 } // namespace Contact
 
 #endif

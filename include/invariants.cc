@@ -90,6 +90,34 @@ namespace Contact
 
 
 
+  std::map<std::string, double> Invariants::measures() const
+  {
+    return {{"force_imbalance", force_imbalance},
+            {"moment_imbalance", moment_imbalance},
+            {"equilibrium", equilibrium},
+            {"complementarity", complementarity},
+            {"friction_cone", cone},
+            {"slip", slip},
+            {"penetration", penetration},
+            {"relative_penetration", relative_penetration},
+            {"energy_imbalance", energy_imbalance}};
+  }
+
+
+
+  std::map<std::string, double> Invariants::works() const
+  {
+    return {{"strain_energy", strain_energy},
+            {"external", external_work},
+            {"contact", contact_work},
+            {"friction", friction_work},
+            {"stabilization", stabilization_work},
+            {"path", path_work},
+            {"dissipation", dissipation}};
+  }
+
+
+
   InvariantCheck::InvariantCheck(const Discretization       &discretization,
                                  const Elasticity           &elasticity,
                                  const ContactInterface     *interface,

@@ -6,6 +6,10 @@
 #ifndef contact_invariants_h
 #define contact_invariants_h
 
+#include <map>
+#include <string>
+#include <vector>
+
 #include "contact_interface.h"
 
 namespace Contact
@@ -78,6 +82,10 @@ namespace Contact
     /// One sentence for each invariant that is violated: which, by how much,
     /// where, what to do.
     std::vector<std::string> violations;
+
+    /// By name, for the summary.
+    std::map<std::string, double> measures() const;
+    std::map<std::string, double> works() const;
   };
 
 

@@ -315,6 +315,43 @@ namespace Contact
 
 
 
+  std::vector<ZoneProfile>
+  zone_profiles(const ContactInterface                   &interface,
+                const Discretization                     &discretization,
+                const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+                const Vector<double>                     &solution,
+                const Vector<double>                     &u_start,
+                const std::optional<ExactSolution>       &exact,
+                const bool                                with_masters)
+  {
+    std::vector<ZoneProfile> profiles;
+    for (const auto &zone : interface.zones)
+      {
+        const auto theory =
+          profiles.empty() ? exact : std::optional<ExactSolution>();
+        profiles.push_back({zone->name, &zone->slave, {}, {}});
+        profiles.back().slave_rows = slave_profile(interface,
+                                                   *zone,
+                                                   discretization,
+                                                   vertex_stresses,
+                                                   solution,
+                                                   u_start,
+                                                   theory);
+        if (with_masters)
+          profiles.back().master_rows =
+            master_profile(interface,
+                           *zone,
+                           discretization,
+                           vertex_stresses,
+                           solution,
+                           profiles.back().slave_rows,
+                           theory);
+      }
+    return profiles;
+  }
+
+
+
   bool is_displacement(const std::string &quantity)
   {
     return quantity.rfind("displacement", 0) == 0;

@@ -104,6 +104,17 @@ namespace Contact
                  const std::vector<ProfileRow>            &slave,
                  const std::optional<ExactSolution>       &exact);
 
+  /// The profiles of all zones, of their masters only with @p with_masters. An
+  /// exact solution is that of the first zone.
+  std::vector<ZoneProfile>
+  zone_profiles(const ContactInterface                   &interface,
+                const Discretization                     &discretization,
+                const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+                const Vector<double>                     &solution,
+                const Vector<double>                     &u_start,
+                const std::optional<ExactSolution>       &exact,
+                const bool                                with_masters);
+
   /// Whether a quantity needs no stresses.
   bool is_displacement(const std::string &quantity);
 

@@ -51,6 +51,23 @@ namespace Contact
 
 
 
+  std::map<std::string, PhaseTime> phase_times(const dealii::TimerOutput &timer)
+  {
+    using dealii::TimerOutput;
+    std::map<std::string, PhaseTime> times;
+    for (const auto &[phase, time] :
+         timer.get_summary_data(TimerOutput::total_cpu_time))
+      times[phase].cpu = time;
+    for (const auto &[phase, time] :
+         timer.get_summary_data(TimerOutput::total_wall_time))
+      times[phase].wall = time;
+    for (const auto &[phase, n] : timer.get_summary_data(TimerOutput::n_calls))
+      times[phase].calls = n;
+    return times;
+  }
+
+
+
   double peak_memory_mb()
   {
     dealii::Utilities::System::MemoryStats memory;

@@ -6,6 +6,8 @@
 #ifndef contact_summary_h
 #define contact_summary_h
 
+#include <deal.II/base/timer.h>
+
 #include <iosfwd>
 #include <map>
 #include <optional>
@@ -79,8 +81,12 @@ namespace Contact
   {
     double       cpu   = 0;
     double       wall  = 0;
-    unsigned int calls = 0; // of the whole run only
+    unsigned int calls = 0;
   };
+
+  /// Of all phases of a timer.
+  std::map<std::string, PhaseTime>
+  phase_times(const dealii::TimerOutput &timer);
 
 
 
