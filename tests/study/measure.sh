@@ -35,6 +35,8 @@ record() {
 wanted=$*
 contact=$PWD/build/contact
 record modelings text ./run "$contact" parameters/ssnp154_[a-g].prm --quiet
+record verification text './run parameters/verification/*.prm --quiet' \
+  "$contact" parameters/verification/*.prm --quiet
 record reference_mesh table 'tests/reference_table.py build' \
   tests/reference_table.py build
 record benchmark text './run benchmark' tests/benchmark.sh "$contact"

@@ -7,7 +7,8 @@
     report.py DIR --check-readme FILE    exit status 1 if they differ
 
 The marks are <!-- study:NAME:begin --> and <!-- study:NAME:end -->, NAME being
-one of those in TABLES of tables.py.
+one of those in TABLES of tables.py. <!-- study:NAME:begin /PATTERN/ --> takes
+only the rows that match the regular expression.
 """
 
 from __future__ import annotations
@@ -126,20 +127,38 @@ def read(directory: Path) -> list[dict]:
     return analysis.read_csv(path)
 
 
+def select_rows(text: str, pattern: str) -> str:
+    """Of Markdown tables the rows that match, with their heads; and the first
+    line, which names the command, if it is no table."""
+    lines = text.splitlines()
+    kept = [] if lines[0].startswith("|") else [lines[0]]
+    head: list[str] = []
+    for i, line in enumerate(lines):
+        if line.startswith("|") and lines[i + 1:i + 2] and \
+                lines[i + 1].startswith("|--"):
+            head = ["", line, lines[i + 1]]
+        elif line.startswith("| ") and re.search(pattern, line):
+            kept += head + [line]
+            head = []
+    return "\n".join(kept).strip()
+
+
 def replace_tables(text: str, tables: dict[str, str], file: Path) -> str:
     """The text with the tables between their marks."""
-    marks = re.findall(r"<!-- study:(\w+):begin -->", text)
-    for name in marks:
+    marks = re.findall(r"<!-- study:(\w+):begin(?: /(.*)/)? -->", text)
+    for name, pattern in marks:
         if name not in tables:
             sys.exit(f"report.py: {file}: there is no table '{name}': one of "
                      f"{', '.join(tables)}")
-        pattern = (rf"(<!-- study:{name}:begin -->).*?"
-                   rf"(<!-- study:{name}:end -->)")
-        if not re.search(pattern, text, re.S):
+        table = select_rows(tables[name], pattern) if pattern else tables[name]
+        begin, end, rest = (rf"(<!-- study:{name}:begin[^\n]* -->)",
+                            rf"(<!-- study:{name}:end -->)", ".*?")
+        if not re.search(begin + rest + end, text, re.S):
             sys.exit(f"report.py: {file}: <!-- study:{name}:begin --> has no "
                      "end: add the line that closes it")
-        text = re.sub(pattern, lambda m: f"{m[1]}\n{tables[m[0].split(':')[1]]}"
-                      f"\n{m[2]}", text, flags=re.S)
+        text = re.sub(begin + rest + end,
+                      lambda m, table=table: f"{m[1]}\n{table}\n{m[2]}",
+                      text, flags=re.S)
     if not marks:
         sys.exit(f"report.py: {file} has no mark <!-- study:NAME:begin -->: add "
                  f"one where a table shall be, NAME of {', '.join(tables)}")

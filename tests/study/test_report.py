@@ -81,6 +81,12 @@ class Readme(unittest.TestCase):
         with self.assertRaises(SystemExit):
             report.replace_tables("nothing", {}, Path("x"))
 
+    def test_select(self):
+        text = "a command\n\n| x | y |\n|---|---|\n| 1 | b |\n| 2 | c |\n\nend"
+        self.assertEqual(report.select_rows(text, r"\| c"),
+                         "a command\n\n| x | y |\n|---|---|\n| 2 | c |")
+        self.assertEqual(report.select_rows(text, "d"), "a command")
+
     def test_csv_round_trip(self):
         with tempfile.TemporaryDirectory() as directory:
             path = Path(directory) / "study.csv"
