@@ -7,12 +7,15 @@ block, written as MED by the library of that format (MED-fichier) with linear
 elements, with 6 and 8 nodes, and with 7 and 9, gives the results of the own
 mesh file. A point is a group of one node as well as a point element, elements
 are in two groups, and a group of faces overlaps with the bodies. Besides, that
-an Abaqus file keeps its names, and what is said of a mesh that is no use.
+an Abaqus file keeps its names, and what is said of a mesh that is no use. Where the
+reference mesh is at hand, which is Code_Aster's, that it gives the published
+values on its way through MED as well.
 
 Usage: convert.py CONTACT PARAMETERS MESHES
 """
 
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -38,6 +41,7 @@ except ImportError as missing:
     sys.exit(0)
 
 CONVERTER = pathlib.Path(__file__).resolve().parents[1] / "meshes/convert.py"
+CASES = pathlib.Path(__file__).resolve().parent / "reference/published"
 
 # The same computations up to the order of the cells: far above round-off, far
 # below what another mesh would change.
@@ -149,7 +153,9 @@ def read_own(path):
             elements.setdefault(block.type, []).append((nodes, groups))
     elements["vertex"] = [([named.pop("C")], ["C"])]
     points = [[float(x), float(y)] for x, y, _ in mesh.points]
-    groups = {node: [name, "Several"] for name, node in named.items()}
+    groups = {}
+    for name, node in named.items():
+        groups.setdefault(node, ["Several"]).append(name)
     return points, elements, groups
 
 
@@ -205,6 +211,25 @@ def compare(contact, case, mesh, reference, what):
     check(what, not off, f"{off or values} instead of {reference}")
 
 
+def reference_mesh(contact, med, msh):
+    """The published values on the reference mesh, written as MED."""
+    source = pathlib.Path(os.environ.get("REFERENCE_DIRECTORY", "none"),
+                          "ssnp154-linear.msh")
+    if not source.is_file():
+        print(f"not compared: no {source}")
+        return
+    points, elements, node_groups = read_own(source)
+    write_med(med, points, elements, node_groups, LINEAR)
+    run = convert("--bodies", "Block,Cylinder", med, msh)
+    check("the reference mesh as MED", run.returncode == 0, run.stderr)
+    cases = sorted(CASES.glob("[a-g].prm"))
+    run = subprocess.run([contact, *cases, "--quiet", "--set",
+                          f"Mesh/File={msh.absolute()}"], text=True,
+                         capture_output=True)
+    check(f"its published values, {len(cases)} modelings", run.returncode == 0,
+          run.stdout + run.stderr)
+
+
 def refuse(what, text, *arguments):
     run = convert(*arguments)
     check(what, run.returncode == 2 and text in run.stderr
@@ -233,6 +258,7 @@ def main():
               "'Several' of 2 nodes" in run.stdout, run.stdout)
         compare(contact, case, msh.absolute(), reference,
                 f"MED, {kind}: results of the own mesh")
+    reference_mesh(contact, med, msh)
     refuse("overlapping groups", "--bodies", med, msh)
     refuse("an unknown body", "'Blok'", "--bodies", "Blok,Cylinder", med, msh)
 

@@ -61,8 +61,9 @@ ELSEWHERE = {
     "meshes/convert.py [--bodies NAME,NAME] IN OUT.msh": "program/convert",
     "meshes/convert.py --bodies Block,Cylinder ssnp154a.mmed aster.msh":
         "program/convert, with a file of its own",
-    "./run parameters/ssnp154_e.prm --set Mesh/File=$PWD/aster.msh":
+    "./run tests/reference/published/[a-g].prm --set Mesh/File=$PWD/aster.msh":
         "program/convert, with a file of its own",
+    "ctest -R convert": "program/convert",
     "tests/reference_table.py build": "modelings/reference_mesh, its input",
 }
 
