@@ -72,6 +72,12 @@
 // Advanced Finite Element Contact Benchmarks, NAFEMS 2006, and SSNP154 of
 // Code_Aster's validation manual.
 
+// @sect3{Include files}
+//
+// Of deal.II next to nothing: what it is needed for, from meshes to multigrid,
+// is behind the classes of this program, whose order README has under "A map
+// of the code".
+
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
@@ -116,8 +122,10 @@ namespace Contact
 
   // @sect3{The ContactProblem class}
   //
-  // One case, from its parameters to its summary. The order of the functions
-  // is the order in which they are called.
+  // One case, from its parameters to its summary. The functions are declared,
+  // and defined below, in the order in which one wants to read them: what a
+  // case is made of; the loops; Newton's method, in which a contact problem is
+  // like any other but for its decisions; and what comes before and after.
   class ContactProblem
   {
   public:
@@ -128,36 +136,24 @@ namespace Contact
     RunSummary run();
 
   private:
+    // Setting up.
     void setup_system();
     void make_interface();
     void make_linear_system();
     void print_scene();
+
+    // The loops, from the outside to the inside.
     void solve_level();
-    void check_invariants();
-    void approach(LoadSteps &steps);
-    void read_restart_file(LoadSteps &steps);
-    void write_restart_file(LoadSteps &steps);
-
-    std::string restart_key() const;
-
-    /// All that an increment leaves to the next one.
-    template<class Archive>
-    void serialize(Archive &archive, LoadSteps &steps);
-
-    void record_level();
-    void refine();
     void solve_increment(const LoadSteps::Step &step);
     void give_up_increment(const std::string &reason);
+    void approach(LoadSteps &steps);
     bool hold_what_is_free(const ContactInterface *contact);
     void solve_with_soft_hold();
     void solve_with_geometry_loop();
     void solve_with_friction_loop();
+
+    // Newton's method.
     void solve_newton();
-    void print_step(const unsigned int step,
-                    const double       residual,
-                    const unsigned int n_changes);
-    void pair_bodies();
-    void pair_bodies(const Vector<double> &configuration);
 
     /// Where a Newton step has led to.
     struct Outcome
@@ -173,6 +169,8 @@ namespace Contact
                          const Vector<double>        &last,
                          const std::vector<Decision> &decisions);
 
+    void        pair_bodies();
+    void        pair_bodies(const Vector<double> &configuration);
     VolumeRatio assemble_forces_of_bodies();
     void        recover_multipliers();
     double      assemble_forces_of_contact();
@@ -184,18 +182,38 @@ namespace Contact
                                 const bool   search);
     void        update_solution_condensed(const unsigned int step,
                                           const double       residual);
-    void        output_increment(const unsigned int k);
-    void        compare_with_theory();
-    double      probe(const std::vector<std::string> &definition);
-    void        report_probes();
-    void        finish();
+    void        print_step(const unsigned int step,
+                           const double       residual,
+                           const unsigned int n_changes);
 
-    bool   has_friction() const;
-    bool   pairs_each_step() const;
-    bool   geometry_follows() const;
-    bool   is_last_level() const;
-    double largest_change(const Vector<double> &from) const;
+    // From one mesh to the next.
+    void refine();
+
+    // What has to hold, and what comes out.
+    void check_invariants();
+    void record_level();
+    void output_increment(const unsigned int k);
     const std::vector<SymmetricTensor<2, 3>> &recovered_stresses();
+    void                                      compare_with_theory();
+    double probe(const std::vector<std::string> &definition);
+    void   report_probes();
+    void   finish();
+
+    // Going on where a run has ended.
+    void        write_restart_file(LoadSteps &steps);
+    void        read_restart_file(LoadSteps &steps);
+    std::string restart_key() const;
+
+    /// All that an increment leaves to the next one.
+    template<class Archive>
+    void serialize(Archive &archive, LoadSteps &steps);
+
+    // What is asked in several places.
+    bool        is_last_level() const;
+    bool        has_friction() const;
+    bool        pairs_each_step() const;
+    bool        geometry_follows() const;
+    double      largest_change(const Vector<double> &from) const;
     std::string changes_since(const std::vector<Decision> &decisions) const;
 
     const MPI_Comm          communicator = MPI_COMM_WORLD;
@@ -252,6 +270,10 @@ namespace Contact
   };
 
 
+
+  // @sect3{Setting up}
+  //
+  // What a case is made of.
 
   ContactProblem::ContactProblem(const Parameters::All  &parameters,
                                  const ParameterHandler &prm,
@@ -358,6 +380,8 @@ namespace Contact
 
 
 
+  // @sect4{ContactProblem::make_interface}
+  //
   // What is made anew on every mesh.
   void ContactProblem::make_interface()
   {
@@ -433,6 +457,11 @@ namespace Contact
 
 
 
+  // @sect3{The loops}
+  //
+  // From the outside to the inside: levels of refinement, load increments, the
+  // soft hold, the geometry, friction.
+
   // @sect4{ContactProblem::solve_level}
   //
   // All load increments on one mesh. The results of all but the last mesh are
@@ -503,266 +532,6 @@ namespace Contact
 
 
 
-  // The state is that of the increment's start, also what the points know and
-  // which edges they face. The pattern of the matrix is not: it is made anew.
-  void ContactProblem::give_up_increment(const std::string &reason)
-  {
-    summary.increments.back().message = reason;
-    screen << "  " << reason << std::endl;
-    solution = start;
-    if (interface)
-      interface->points = points_at_start;
-    stresses.clear();
-    if (saddle_point)
-      saddle_point->forget_pattern();
-    pair_bodies();
-  }
-
-
-
-  // @sect4{ContactProblem::hold_what_is_free}
-  //
-  // A body that neither supports nor its points in @p contact hold could move
-  // without resistance: it is held softly. Returns whether that is news.
-  bool ContactProblem::hold_what_is_free(const ContactInterface *contact)
-  {
-    const auto free = free_motions(*discretization, contact);
-    bool       news = false;
-    for (const FreeMotion &motion : free)
-      if (std::none_of(softly_held.begin(),
-                       softly_held.end(),
-                       [&](const FreeMotion &held) {
-                         return held.body == motion.body;
-                       }))
-        {
-          softly_held.push_back(motion);
-          news = true;
-          screen << "  nothing holds the body '" << mesh->body_name(motion.body)
-                 << "' against: " << motion.name << "; it is held softly"
-                 << std::endl;
-        }
-    return news;
-  }
-
-
-
-  // @sect4{ContactProblem::approach}
-  //
-  // Slip counts from the start of an increment. Where bodies come to touch,
-  // what they move before they do would count as well, and friction would
-  // remember it: they first touch in a step as small as may be.
-  void ContactProblem::approach(LoadSteps &steps)
-  {
-    if (!steps.next().starts_increment || !has_friction() ||
-        interface->count().active > 0 ||
-        free_motions(*discretization, nullptr).empty())
-      return;
-    while (steps.cut())
-      {
-      }
-    screen << "The bodies do not touch yet: they do first in a step of its own"
-           << std::endl;
-  }
-
-
-
-  // @sect4{ContactProblem::serialize}
-  //
-  // Levels below the last one are computed again, which costs less than to keep
-  // their meshes.
-  template<class Archive>
-  void ContactProblem::serialize(Archive &archive, LoadSteps &steps)
-  {
-    std::vector<double>      values(solution.begin(), solution.end()), bounds;
-    std::vector<signed char> decisions;
-    if (interface)
-      {
-        decisions              = interface->signature();
-        const Vector<double> b = interface->bounds();
-        bounds.assign(b.begin(), b.end());
-      }
-    archive &steps &values &decisions &bounds &reference_force
-      &reference_is_known &*invariants &summary.increments &*files;
-    if (!Archive::is_loading::value)
-      return;
-
-    solution = Vector<double>(values.begin(), values.end());
-    pair_bodies();
-    if (interface)
-      {
-        std::vector<Decision> all;
-        for (const auto code : decisions)
-          all.push_back(Decision::from_code(code));
-        interface->set_decisions(all);
-        interface->set_bounds(Vector<double>(bounds.begin(), bounds.end()));
-      }
-  }
-
-
-
-  // What has to be the same for a run to be the continuation of another one.
-  std::string ContactProblem::restart_key() const
-  {
-    std::ostringstream key;
-    key << "contact restart 1, ranks "
-        << Utilities::MPI::n_mpi_processes(communicator) << ", unknowns "
-        << solution.size() << '\n';
-    prm.print_parameters(key, ParameterHandler::ShortText);
-    return key.str();
-  }
-
-
-
-  void ContactProblem::read_restart_file(LoadSteps &steps)
-  {
-    const auto file = files->directory / "restart.bin";
-    if (!std::filesystem::exists(file))
-      {
-        screen << "Nothing to go on from: no " << file << std::endl;
-        return;
-      }
-    read_restart(file, restart_key(), [&](auto &archive) {
-      serialize(archive, steps);
-    });
-    files->write_series();
-    screen << "Restart behind the load factor "
-           << summary.increments.back().load_factor << std::endl;
-  }
-
-
-
-  // Also what can be told by now, should the run not come to its end.
-  void ContactProblem::write_restart_file(LoadSteps &steps)
-  {
-    if (steps.finished())
-      return;
-    TimerOutput::Scope scope(timer, "output");
-    files->write_first("summary.json", [this](std::ostream &out) {
-      write_summary(summary, out);
-    });
-    files->write_first("restart.bin", [&](std::ostream &out) {
-      write_restart(out, restart_key(), [&](auto &archive) {
-        serialize(archive, steps);
-      });
-    });
-  }
-
-
-
-  // @sect4{ContactProblem::check_invariants}
-  //
-  // What has to hold for every solution, by a computation of its own. A result
-  // that violates it is wrong, whatever Newton's method says.
-  void ContactProblem::check_invariants()
-  {
-    TimerOutput::Scope scope(timer, "invariants");
-    Vector<double>     hold;
-    if (!elasticity->softly_held().empty())
-      {
-        hold = elasticity->forces(solution, load_factor);
-        elasticity->release();
-        hold.sadd(-1, 1, elasticity->forces(solution, load_factor));
-      }
-    const Invariants found =
-      invariants->check(solution,
-                        load_factor,
-                        newton_tolerance(),
-                        reference_force,
-                        hold.size() > 0 ? &hold : nullptr);
-    invariants->advance();
-
-    IncrementRecord &record = summary.increments.back();
-    record.invariants       = found.measures();
-    record.works            = found.works();
-    record.violations       = found.violations;
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      for (const std::string &violation : found.violations)
-        std::cerr << parameters.name << ", load factor " << load_factor
-                  << ": violated: " << violation << std::endl;
-  }
-
-
-
-  // What this level took: the time since the level before.
-  void ContactProblem::record_level()
-  {
-    LevelRecord record;
-    {
-      TimerOutput::Scope scope(timer, "output");
-      for (const auto &[name, definition] : parameters.probes.probes)
-        record.probes[name] = probe(definition);
-    }
-    record.n_cells         = mesh->triangulation.n_global_active_cells();
-    record.n_displacements = summary.n_displacements;
-    record.n_multipliers   = summary.n_multipliers;
-    for (const IncrementRecord &increment : summary.increments)
-      if (increment.level == level)
-        {
-          record.newton_iterations += increment.newton_iterations;
-          record.linear_iterations += increment.linear_iterations;
-        }
-    record.time = phase_times(timer);
-    for (const LevelRecord &before : summary.levels)
-      for (const auto &[phase, time] : before.time)
-        {
-          record.time[phase].cpu -= time.cpu;
-          record.time[phase].wall -= time.wall;
-          record.time[phase].calls -= time.calls;
-        }
-    record.peak_memory_mb = Utilities::MPI::sum(peak_memory_mb(), communicator);
-    summary.levels.push_back(record);
-    if (is_last_level())
-      report_probes();
-  }
-
-
-
-  // @sect4{ContactProblem::refine}
-  void ContactProblem::refine()
-  {
-    if (parameters.refinement.strategy == "adaptive")
-      {
-        TimerOutput::Scope scope(timer, "estimate");
-        const auto        &at_vertices = recovered_stresses();
-        ++counters().error_estimates;
-        flag_cells(*mesh,
-                   ErrorEstimator(*discretization,
-                                  *elasticity,
-                                  *stress_recovery)
-                     .indicators(at_vertices, interface.get(), solution),
-                   parameters.refinement.fraction);
-        for (const auto &zone : parameters.zones())
-          if (zone.rule == "nodal" && !zone.master.empty())
-            flag_slave_like_master(
-              *mesh,
-              mesh->boundary(zone.slave, zone.section() + "/Slave"),
-              mesh->boundary(zone.master, zone.section() + "/Master"));
-      }
-    else
-      flag_all_cells(*mesh);
-
-    // The old ones go first: two meshes at a time would take their memory.
-    timer.enter_subsection("setup");
-    condensed.reset();
-    elimination.reset();
-    invariants.reset();
-    interface.reset();
-    elasticity.reset();
-    refine_and_carry_over(*mesh, *discretization, level_solutions);
-    make_interface();
-    timer.leave_subsection();
-
-    ++level;
-    make_linear_system();
-    screen << "Level " << level << ": "
-           << mesh->triangulation.n_global_active_cells() << " cells, "
-           << summary.n_displacements << " displacements, "
-           << summary.n_multipliers << " multipliers, " << system_name
-           << std::endl;
-  }
-
-
-
   // @sect4{ContactProblem::solve_increment}
   void ContactProblem::solve_increment(const LoadSteps::Step &step)
   {
@@ -813,6 +582,71 @@ namespace Contact
     screen << "  converged: " << record.newton_iterations << " Newton steps, "
            << record.friction_iterations << " friction turns, "
            << record.geometry_iterations << " geometry turns" << std::endl;
+  }
+
+
+
+  // @sect4{ContactProblem::give_up_increment}
+  //
+  // The state is that of the increment's start, also what the points know and
+  // which edges they face. The pattern of the matrix is not: it is made anew.
+  void ContactProblem::give_up_increment(const std::string &reason)
+  {
+    summary.increments.back().message = reason;
+    screen << "  " << reason << std::endl;
+    solution = start;
+    if (interface)
+      interface->points = points_at_start;
+    stresses.clear();
+    if (saddle_point)
+      saddle_point->forget_pattern();
+    pair_bodies();
+  }
+
+
+
+  // @sect4{ContactProblem::approach}
+  //
+  // Slip counts from the start of an increment. Where bodies come to touch,
+  // what they move before they do would count as well, and friction would
+  // remember it: they first touch in a step as small as may be.
+  void ContactProblem::approach(LoadSteps &steps)
+  {
+    if (!steps.next().starts_increment || !has_friction() ||
+        interface->count().active > 0 ||
+        free_motions(*discretization, nullptr).empty())
+      return;
+    while (steps.cut())
+      {
+      }
+    screen << "The bodies do not touch yet: they do first in a step of its own"
+           << std::endl;
+  }
+
+
+
+  // @sect4{ContactProblem::hold_what_is_free}
+  //
+  // A body that neither supports nor its points in @p contact hold could move
+  // without resistance: it is held softly. Returns whether that is news.
+  bool ContactProblem::hold_what_is_free(const ContactInterface *contact)
+  {
+    const auto free = free_motions(*discretization, contact);
+    bool       news = false;
+    for (const FreeMotion &motion : free)
+      if (std::none_of(softly_held.begin(),
+                       softly_held.end(),
+                       [&](const FreeMotion &held) {
+                         return held.body == motion.body;
+                       }))
+        {
+          softly_held.push_back(motion);
+          news = true;
+          screen << "  nothing holds the body '" << mesh->body_name(motion.body)
+                 << "' against: " << motion.name << "; it is held softly"
+                 << std::endl;
+        }
+    return news;
   }
 
 
@@ -997,6 +831,8 @@ namespace Contact
 
 
 
+  // @sect3{Newton's method}
+
   // @sect4{ContactProblem::solve_newton}
   //
   // Newton's method on displacements, multipliers and decisions together. It
@@ -1070,6 +906,8 @@ namespace Contact
 
 
 
+  // @sect4{ContactProblem::evaluate}
+  //
   // After a step the points decide anew. Before the first one they only would:
   // what has changed outside, load, pairing or bounds, is not in their
   // tractions yet, and the search of the active set comes first.
@@ -1153,24 +991,6 @@ namespace Contact
 
 
 
-  void ContactProblem::print_step(const unsigned int step,
-                                  const double       residual,
-                                  const unsigned int n_changes)
-  {
-    screen << "    Newton " << std::setw(2) << step << "  residual "
-           << std::scientific << std::setprecision(3) << residual
-           << std::defaultfloat << std::setprecision(6);
-    if (interface)
-      {
-        const StatusCount count = interface->count();
-        screen << "  active " << count.active << "  stick " << count.stick
-               << "  changes " << n_changes;
-      }
-    screen << std::endl;
-  }
-
-
-
   // @sect4{ContactProblem::pair_bodies}
   //
   // The theory of small displacements knows the undeformed bodies only.
@@ -1245,6 +1065,19 @@ namespace Contact
 
 
 
+  double ContactProblem::residual_norm() const
+  {
+    double square =
+      interface ? std::pow(interface->constraint_norm(system_rhs), 2) : 0.;
+    for (unsigned int i = 0; i < discretization->dof_handler.n_dofs(); ++i)
+      square += system_rhs[i] * system_rhs[i];
+    return std::sqrt(square);
+  }
+
+
+
+  // @sect4{ContactProblem::update_reference_force}
+  //
   // What is small against the forces is small: against the loads at their full
   // values, or, where supports are moved, against the force F that does the
   // work of deforming the bodies on the largest way d, 1/2 F d = strain energy.
@@ -1274,23 +1107,14 @@ namespace Contact
 
 
 
+  // @sect4{ContactProblem::newton_tolerance}
+  //
   // The levels below the last one need no more than the accuracy of their mesh.
   double ContactProblem::newton_tolerance() const
   {
     return is_last_level() ? parameters.solution.newton_tolerance
                            : std::max(parameters.solution.newton_tolerance,
                                       parameters.refinement.tolerance);
-  }
-
-
-
-  double ContactProblem::residual_norm() const
-  {
-    double square =
-      interface ? std::pow(interface->constraint_norm(system_rhs), 2) : 0.;
-    for (unsigned int i = 0; i < discretization->dof_handler.n_dofs(); ++i)
-      square += system_rhs[i] * system_rhs[i];
-    return std::sqrt(square);
   }
 
 
@@ -1349,6 +1173,144 @@ namespace Contact
 
 
 
+  void ContactProblem::print_step(const unsigned int step,
+                                  const double       residual,
+                                  const unsigned int n_changes)
+  {
+    screen << "    Newton " << std::setw(2) << step << "  residual "
+           << std::scientific << std::setprecision(3) << residual
+           << std::defaultfloat << std::setprecision(6);
+    if (interface)
+      {
+        const StatusCount count = interface->count();
+        screen << "  active " << count.active << "  stick " << count.stick
+               << "  changes " << n_changes;
+      }
+    screen << std::endl;
+  }
+
+
+
+  // @sect3{From one mesh to the next}
+
+  // @sect4{ContactProblem::refine}
+  void ContactProblem::refine()
+  {
+    if (parameters.refinement.strategy == "adaptive")
+      {
+        TimerOutput::Scope scope(timer, "estimate");
+        const auto        &at_vertices = recovered_stresses();
+        ++counters().error_estimates;
+        flag_cells(*mesh,
+                   ErrorEstimator(*discretization,
+                                  *elasticity,
+                                  *stress_recovery)
+                     .indicators(at_vertices, interface.get(), solution),
+                   parameters.refinement.fraction);
+        for (const auto &zone : parameters.zones())
+          if (zone.rule == "nodal" && !zone.master.empty())
+            flag_slave_like_master(
+              *mesh,
+              mesh->boundary(zone.slave, zone.section() + "/Slave"),
+              mesh->boundary(zone.master, zone.section() + "/Master"));
+      }
+    else
+      flag_all_cells(*mesh);
+
+    // The old ones go first: two meshes at a time would take their memory.
+    timer.enter_subsection("setup");
+    condensed.reset();
+    elimination.reset();
+    invariants.reset();
+    interface.reset();
+    elasticity.reset();
+    refine_and_carry_over(*mesh, *discretization, level_solutions);
+    make_interface();
+    timer.leave_subsection();
+
+    ++level;
+    make_linear_system();
+    screen << "Level " << level << ": "
+           << mesh->triangulation.n_global_active_cells() << " cells, "
+           << summary.n_displacements << " displacements, "
+           << summary.n_multipliers << " multipliers, " << system_name
+           << std::endl;
+  }
+
+
+
+  // @sect3{What has to hold, and what comes out}
+
+  // @sect4{ContactProblem::check_invariants}
+  //
+  // What has to hold for every solution, by a computation of its own. A result
+  // that violates it is wrong, whatever Newton's method says.
+  void ContactProblem::check_invariants()
+  {
+    TimerOutput::Scope scope(timer, "invariants");
+    Vector<double>     hold;
+    if (!elasticity->softly_held().empty())
+      {
+        hold = elasticity->forces(solution, load_factor);
+        elasticity->release();
+        hold.sadd(-1, 1, elasticity->forces(solution, load_factor));
+      }
+    const Invariants found =
+      invariants->check(solution,
+                        load_factor,
+                        newton_tolerance(),
+                        reference_force,
+                        hold.size() > 0 ? &hold : nullptr);
+    invariants->advance();
+
+    IncrementRecord &record = summary.increments.back();
+    record.invariants       = found.measures();
+    record.works            = found.works();
+    record.violations       = found.violations;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      for (const std::string &violation : found.violations)
+        std::cerr << parameters.name << ", load factor " << load_factor
+                  << ": violated: " << violation << std::endl;
+  }
+
+
+
+  // @sect4{ContactProblem::record_level}
+  //
+  // What this level took: the time since the level before.
+  void ContactProblem::record_level()
+  {
+    LevelRecord record;
+    {
+      TimerOutput::Scope scope(timer, "output");
+      for (const auto &[name, definition] : parameters.probes.probes)
+        record.probes[name] = probe(definition);
+    }
+    record.n_cells         = mesh->triangulation.n_global_active_cells();
+    record.n_displacements = summary.n_displacements;
+    record.n_multipliers   = summary.n_multipliers;
+    for (const IncrementRecord &increment : summary.increments)
+      if (increment.level == level)
+        {
+          record.newton_iterations += increment.newton_iterations;
+          record.linear_iterations += increment.linear_iterations;
+        }
+    record.time = phase_times(timer);
+    for (const LevelRecord &before : summary.levels)
+      for (const auto &[phase, time] : before.time)
+        {
+          record.time[phase].cpu -= time.cpu;
+          record.time[phase].wall -= time.wall;
+          record.time[phase].calls -= time.calls;
+        }
+    record.peak_memory_mb = Utilities::MPI::sum(peak_memory_mb(), communicator);
+    summary.levels.push_back(record);
+    if (is_last_level())
+      report_probes();
+  }
+
+
+
   // @sect4{ContactProblem::output_increment}
   void ContactProblem::output_increment(const unsigned int k)
   {
@@ -1396,6 +1358,8 @@ namespace Contact
 
 
 
+  // @sect4{ContactProblem::compare_with_theory}
+  //
   // What the contact is like in a few numbers, and what it should be like where
   // theory has an answer.
   void ContactProblem::compare_with_theory()
@@ -1502,6 +1466,97 @@ namespace Contact
   }
 
 
+
+  // @sect3{Going on where a run has ended}
+
+  // @sect4{ContactProblem::write_restart_file}
+  //
+  // Also what can be told by now, should the run not come to its end.
+  void ContactProblem::write_restart_file(LoadSteps &steps)
+  {
+    if (steps.finished())
+      return;
+    TimerOutput::Scope scope(timer, "output");
+    files->write_first("summary.json", [this](std::ostream &out) {
+      write_summary(summary, out);
+    });
+    files->write_first("restart.bin", [&](std::ostream &out) {
+      write_restart(out, restart_key(), [&](auto &archive) {
+        serialize(archive, steps);
+      });
+    });
+  }
+
+
+
+  void ContactProblem::read_restart_file(LoadSteps &steps)
+  {
+    const auto file = files->directory / "restart.bin";
+    if (!std::filesystem::exists(file))
+      {
+        screen << "Nothing to go on from: no " << file << std::endl;
+        return;
+      }
+    read_restart(file, restart_key(), [&](auto &archive) {
+      serialize(archive, steps);
+    });
+    files->write_series();
+    screen << "Restart behind the load factor "
+           << summary.increments.back().load_factor << std::endl;
+  }
+
+
+
+  // @sect4{ContactProblem::restart_key}
+  //
+  // What has to be the same for a run to be the continuation of another one.
+  std::string ContactProblem::restart_key() const
+  {
+    std::ostringstream key;
+    key << "contact restart 1, ranks "
+        << Utilities::MPI::n_mpi_processes(communicator) << ", unknowns "
+        << solution.size() << '\n';
+    prm.print_parameters(key, ParameterHandler::ShortText);
+    return key.str();
+  }
+
+
+
+  // @sect4{ContactProblem::serialize}
+  //
+  // Levels below the last one are computed again, which costs less than to keep
+  // their meshes.
+  template<class Archive>
+  void ContactProblem::serialize(Archive &archive, LoadSteps &steps)
+  {
+    std::vector<double>      values(solution.begin(), solution.end()), bounds;
+    std::vector<signed char> decisions;
+    if (interface)
+      {
+        decisions              = interface->signature();
+        const Vector<double> b = interface->bounds();
+        bounds.assign(b.begin(), b.end());
+      }
+    archive &steps &values &decisions &bounds &reference_force
+      &reference_is_known &*invariants &summary.increments &*files;
+    if (!Archive::is_loading::value)
+      return;
+
+    solution = Vector<double>(values.begin(), values.end());
+    pair_bodies();
+    if (interface)
+      {
+        std::vector<Decision> all;
+        for (const auto code : decisions)
+          all.push_back(Decision::from_code(code));
+        interface->set_decisions(all);
+        interface->set_bounds(Vector<double>(bounds.begin(), bounds.end()));
+      }
+  }
+
+
+
+  // @sect3{What is asked in several places}
 
   bool ContactProblem::is_last_level() const
   {
