@@ -172,8 +172,6 @@ expect_entry "is no formula in x,y" "Boundary conditions/Body force x=Block: z"
 expect_entry "no body" "Boundary conditions/Body force y=Top_B: 1"
 
 # Several processes, one message
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-export OMPI_MCA_rmaps_base_oversubscribe=1
 launcher="mpirun -np 2"
 expect "rule Gauss" "$gauss"
 expect "by one process" "$good" --set "$saddle"

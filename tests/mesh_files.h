@@ -14,6 +14,21 @@
 #include "mpi_session.h"
 #include "parameters.h"
 
+inline const std::string physical_names = R"($PhysicalNames
+10
+0 1 "P"
+0 2 "Q"
+0 3 "Pair"
+0 4 "Centre"
+1 5 "Bottom"
+1 6 "Foot"
+1 7 "Inside"
+1 8 "The top"
+2 9 "Lower"
+2 10 "Upper"
+$EndPhysicalNames
+)";
+
 // Two bodies, drawn with the numbers of the nodes. Nodes 4 and 7 lie at the
 // same place. The quadrangle of the upper body is clockwise, and so is the
 // triangle 2 6 3; node 11, somewhere else, belongs to no cell.
@@ -35,20 +50,7 @@ $EndMeshFormat
 $Comments
 a section nobody needs
 $EndComments
-$PhysicalNames
-10
-0 1 "P"
-0 2 "Q"
-0 3 "Pair"
-0 4 "Centre"
-1 5 "Bottom"
-1 6 "Foot"
-1 7 "Inside"
-1 8 "The top"
-2 9 "Lower"
-2 10 "Upper"
-$EndPhysicalNames
-$Nodes
+)" + physical_names + R"($Nodes
 11
 1 0 0 0
 2 1 0 0
@@ -88,20 +90,7 @@ $EndElements
 inline const std::string msh_41 = R"($MeshFormat
 4.1 0 8
 $EndMeshFormat
-$PhysicalNames
-10
-0 1 "P"
-0 2 "Q"
-0 3 "Pair"
-0 4 "Centre"
-1 5 "Bottom"
-1 6 "Foot"
-1 7 "Inside"
-1 8 "The top"
-2 9 "Lower"
-2 10 "Upper"
-$EndPhysicalNames
-$Entities
+)" + physical_names + R"($Entities
 5 5 2 0
 1 0 1 0 1 1
 2 0 1 0 1 2

@@ -325,6 +325,26 @@ namespace
 
 
 
+  // Meshes that do not match on an interface that rises from left to right.
+  Case inclined(const double       slope,
+                const double       poisson,
+                const unsigned int degree,
+                const bool         lower_is_slave)
+  {
+    Case c{};
+    c.degree         = degree;
+    c.poisson        = poisson;
+    c.rule           = "mortar";
+    c.n_lower        = 3;
+    c.n_upper        = 7;
+    c.lower_is_slave = lower_is_slave;
+    c.lower          = below(slope);
+    c.upper          = above(slope);
+    return c;
+  }
+
+
+
   // The interface rises from left to right, and friction keeps the bodies from
   // sliding down. At the end on the line x = 0 the normal is the y axis, and
   // no friction is needed.
@@ -333,17 +353,9 @@ namespace
     headline("mortar rule, inclined interface that sticks, degree " +
              std::to_string(degree) + ", slave " +
              (lower_is_slave ? "below" : "above"));
-    const double slope = 0.15, poisson = 0.3;
-    Case         c{};
-    c.degree                                = degree;
-    c.poisson                               = poisson;
-    c.rule                                  = "mortar";
-    c.n_lower                               = 3;
-    c.n_upper                               = 7;
-    c.lower_is_slave                        = lower_is_slave;
-    c.lower                                 = below(slope);
-    c.upper                                 = above(slope);
-    Parameters::All parameters              = make_case(c);
+    const double    slope = 0.15, poisson = 0.3;
+    Parameters::All parameters =
+      make_case(inclined(slope, poisson, degree, lower_is_slave));
     parameters.contact.friction_coefficient = 1;
     ContactModel model(parameters);
     check("converges", model.solve(1, false) > 0);
@@ -384,17 +396,9 @@ namespace
                              const bool         lower_is_slave,
                              const bool         with_ends)
   {
-    const double slope = 0.15, poisson = 0.3;
-    Case         c{};
-    c.degree                   = degree;
-    c.poisson                  = poisson;
-    c.rule                     = "mortar";
-    c.n_lower                  = 3;
-    c.n_upper                  = 7;
-    c.lower_is_slave           = lower_is_slave;
-    c.lower                    = below(slope);
-    c.upper                    = above(slope);
-    Parameters::All parameters = make_case(c);
+    const double    slope = 0.15, poisson = 0.3;
+    Parameters::All parameters =
+      make_case(inclined(slope, poisson, degree, lower_is_slave));
     for (const std::string name : {"lower right", "upper right"})
       parameters.boundary.displacement_x[name] = -shortening;
     if (!with_ends)

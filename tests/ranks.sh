@@ -7,8 +7,6 @@ set -eu
 
 contact=$1
 parameters=$2
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1
 
 # values FILE: the probes of a summary, one a line
 values() {

@@ -106,10 +106,7 @@ def main() -> int:
         found = []
         print("NOT RUN: the commands of README take the program in build/")
 
-    environment = os.environ | {
-        "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-        "OMPI_MCA_rmaps_base_oversubscribe": "1",
-        "SCRATCH": tempfile.mkdtemp()}
+    environment = os.environ | {"SCRATCH": tempfile.mkdtemp()}
     for command in found:
         needed = next((program for start, program in NEEDS.items()
                        if command.startswith(start)), None)

@@ -22,12 +22,7 @@ cd "$scratch"
 OPENBLAS_NUM_THREADS=1
 OMP_NUM_THREADS=1
 DEAL_II_NUM_THREADS=1
-OMPI_ALLOW_RUN_AS_ROOT=1
-OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-OMPI_MCA_rmaps_base_oversubscribe=1
-export OPENBLAS_NUM_THREADS OMP_NUM_THREADS DEAL_II_NUM_THREADS \
-  OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM \
-  OMPI_MCA_rmaps_base_oversubscribe
+export OPENBLAS_NUM_THREADS OMP_NUM_THREADS DEAL_II_NUM_THREADS
 
 # clock: 'wall CPU', seconds since the machine started, and CPU seconds of all
 # children of this shell so far

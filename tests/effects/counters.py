@@ -96,14 +96,8 @@ def linear(s):
                          "stress_recoveries", "error_estimates",
                          "active_set_changes"))
             check("paired once", r.counters["pairings"], 1)
-    r = s.run("no contact, a load, three increments", {
-        "Solids/Young's modulus": "Block: 210000",
-        "Solids/Poisson's ratio": "Block: 0.3",
-        "Solids/Kinematics": "small strain",
-        "Boundary conditions/Displacement x": "Base: 0",
-        "Boundary conditions/Displacement y": "Base: 0",
-        "Boundary conditions/Spread force y": "Top: -1",
-        "Solution/Increments": "3"}, mesh=s.block)
+    r = s.run("no contact, a load, three increments", scenes.HELD_BLOCK,
+              {"Solution/Increments": "3"}, mesh=s.block)
     once(r, s.cells(r), 3)
     all_zero(r, OFF + NO_CONTACT)
 

@@ -17,6 +17,15 @@ ENVIRONMENT.update({"OMPI_MCA_ess_singleton_isolated": "1",
                     "OMPI_MCA_osc": "^ucx"})
 
 
+# One block, held below and pressed above.
+HELD_BLOCK = {"Solids/Young's modulus": "Block: 210000",
+              "Solids/Poisson's ratio": "Block: 0.3",
+              "Solids/Kinematics": "small strain",
+              "Boundary conditions/Displacement x": "Base: 0",
+              "Boundary conditions/Displacement y": "Base: 0",
+              "Boundary conditions/Spread force y": "Top: -1"}
+
+
 class MshFile:
     """Structured blocks of quadrangles in MSH format 2.2."""
 
