@@ -612,7 +612,7 @@ namespace Contact
     key << "contact restart 1, ranks "
         << Utilities::MPI::n_mpi_processes(communicator) << ", unknowns "
         << solution.size() << '\n';
-    prm.print_parameters(key, ParameterHandler::ShortText);
+    prm.print_parameters(key, ParameterHandler::ShortPRM);
     return key.str();
   }
 
@@ -1645,7 +1645,7 @@ namespace Contact
   void ContactProblem::finish()
   {
     files->write_first("parameters.prm", [this](std::ostream &out) {
-      prm.print_parameters(out, ParameterHandler::ShortText);
+      prm.print_parameters(out, ParameterHandler::ShortPRM);
     });
     for (const auto &[phase, time] :
          timer.get_summary_data(TimerOutput::total_cpu_time))
