@@ -1443,7 +1443,7 @@ namespace Contact
   void ContactProblem::finish()
   {
     files->write_first("parameters.prm", [this](std::ostream &out) {
-      prm.print_parameters(out, ParameterHandler::ShortText);
+      prm.print_parameters(out, ParameterHandler::ShortPRM);
     });
     summary.time     = phase_times(timer);
     summary.counters = counters().by_name();
@@ -1516,7 +1516,7 @@ namespace Contact
     key << "contact restart 1, ranks "
         << Utilities::MPI::n_mpi_processes(communicator) << ", unknowns "
         << solution.size() << '\n';
-    prm.print_parameters(key, ParameterHandler::ShortText);
+    prm.print_parameters(key, ParameterHandler::ShortPRM);
     return key.str();
   }
 

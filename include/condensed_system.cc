@@ -205,7 +205,7 @@ namespace Contact
       Utilities::MPI::n_mpi_processes(discretization.communicator) > 1;
     if (is_distributed)
       {
-        DoFTools::extract_locally_relevant_dofs(dof_handler, rows);
+        rows = DoFTools::extract_locally_relevant_dofs(dof_handler);
         rows.add_indices(all.begin(), all.end());
         rows.compress();
       }

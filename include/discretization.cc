@@ -16,6 +16,8 @@
 #include <deal.II/hp/fe_values.h>
 #include <deal.II/numerics/vector_tools.h>
 
+#include <boost/serialization/map.hpp>
+
 #include "errors.h"
 #include "formula.h"
 

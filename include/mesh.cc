@@ -10,6 +10,7 @@
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria_accessor.h>
+#include <deal.II/grid/tria_description.h>
 #include <deal.II/grid/tria_iterator.h>
 
 #include <algorithm>
@@ -99,10 +100,10 @@ namespace Contact
      * corner span an area, and that of all corners has the same sign, or the
      * cell is tangled: its Jacobian determinant changes sign inside.
      */
-    void make_anticlockwise(const std::vector<Point<2>> &points,
-                            const MshFile::Element      &element,
-                            const MshFile               &msh,
-                            std::vector<unsigned int>   &corners)
+    void make_anticlockwise(const std::vector<Point<2>>     &points,
+                            const MshFile::Element          &element,
+                            const MshFile                   &msh,
+                            decltype(CellData<2>::vertices) &corners)
     {
       const unsigned int  n = corners.size();
       std::vector<double> areas;
@@ -395,7 +396,8 @@ namespace Contact
   Mesh::Mesh(const Parameters::Mesh &parameters,
              const MshFile          &msh,
              const MPI_Comm          communicator)
-    : owned_triangulation(make_triangulation(msh, communicator))
+    : communicator(communicator)
+    , owned_triangulation(make_triangulation(msh, communicator))
     , triangulation(*owned_triangulation)
   {
     for (const auto &body : msh.names[2])

@@ -138,6 +138,9 @@ namespace Contact
     explicit Mesh(const Parameters::Mesh &parameters,
                   const MPI_Comm          communicator = MPI_COMM_SELF);
 
+    /// Of all ranks that have a part of the mesh.
+    const MPI_Comm communicator;
+
   private:
     // Before the reference to it.
     std::unique_ptr<Triangulation<2>> owned_triangulation;

@@ -5,15 +5,16 @@
 
 #include "refinement.h"
 
-#include <deal.II/distributed/solution_transfer.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/la_parallel_vector.h>
-#include <deal.II/numerics/solution_transfer.h>
 
 #include <algorithm>
+#include <boost/serialization/utility.hpp>
 #include <functional>
 #include <numeric>
 
+#include "deal_ii_versions.h"
 #include "errors.h"
 
 namespace Contact
@@ -34,16 +35,17 @@ namespace Contact
         solution.grow_or_shrink(discretization.dof_handler.n_dofs());
 
       mesh.triangulation.prepare_coarsening_and_refinement();
-      transfer.prepare_for_pure_refinement();
+      if (!solutions.empty())
+        transfer.prepare_for_coarsening_and_refinement(solutions);
       mesh.triangulation.execute_coarsening_and_refinement();
       discretization.redistribute();
 
-      for (Vector<double> &solution : solutions)
-        {
-          Vector<double> refined(discretization.dof_handler.n_dofs());
-          transfer.refine_interpolate(solution, refined);
-          solution.swap(refined);
-        }
+      std::vector<Vector<double>> refined(
+        solutions.size(),
+        Vector<double>(discretization.dof_handler.n_dofs()));
+      if (!solutions.empty())
+        interpolate(transfer, solutions, refined);
+      solutions.swap(refined);
     }
 
 
@@ -56,8 +58,7 @@ namespace Contact
       const auto    &dof_handler  = discretization.dof_handler;
       const MPI_Comm communicator = discretization.communicator;
 
-      IndexSet relevant;
-      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      IndexSet relevant = DoFTools::extract_locally_relevant_dofs(dof_handler);
       std::vector<DistributedVector>         old(solutions.size());
       std::vector<const DistributedVector *> old_pointers;
       for (unsigned int k = 0; k < solutions.size(); ++k)
@@ -71,8 +72,7 @@ namespace Contact
           old_pointers.push_back(&old[k]);
         }
 
-      parallel::distributed::SolutionTransfer<2, DistributedVector> transfer(
-        dof_handler);
+      DistributedTransfer<DistributedVector> transfer(dof_handler);
       mesh.triangulation.prepare_coarsening_and_refinement();
       transfer.prepare_for_coarsening_and_refinement(old_pointers);
       mesh.triangulation.execute_coarsening_and_refinement();
@@ -80,7 +80,7 @@ namespace Contact
 
       // Cells write on what neighbors own, too.
       const IndexSet &owned = dof_handler.locally_owned_dofs();
-      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      relevant = DoFTools::extract_locally_relevant_dofs(dof_handler);
       std::vector<DistributedVector>   refined(solutions.size());
       std::vector<DistributedVector *> refined_pointers;
       for (DistributedVector &vector : refined)
@@ -126,7 +126,7 @@ namespace Contact
       if (cell->is_locally_owned())
         own.push_back(indicators[cell->active_cell_index()]);
     for (const auto &of_rank :
-         Utilities::MPI::all_gather(triangulation.get_communicator(), own))
+         Utilities::MPI::all_gather(mesh.communicator, own))
       all.insert(all.end(), of_rank.begin(), of_rank.end());
 
     std::sort(all.begin(), all.end(), std::greater<float>());
@@ -166,8 +166,7 @@ namespace Contact
                   flagged.emplace_back(middle, size);
               });
     for (const Faces &of_rank :
-         Utilities::MPI::all_gather(mesh.triangulation.get_communicator(),
-                                    flagged))
+         Utilities::MPI::all_gather(mesh.communicator, flagged))
       for_faces(
         slave,
         [&](const auto &cell, const Point<2> &middle, const double size) {

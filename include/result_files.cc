@@ -34,8 +34,9 @@ namespace Contact
                                     const unsigned int degree)
     {
       DataOutBase::VtkFlags flags(load_factor, k);
-      flags.print_date_and_time      = false;
-      flags.compression_level        = DataOutBase::VtkFlags::best_speed;
+      flags.print_date_and_time = false;
+      // The enumeration has another name since deal.II 9.5.
+      flags.compression_level = decltype(flags.compression_level)::best_speed;
       flags.write_higher_order_cells = degree > 1;
       flags.physical_units           = {{"displacement", "mm"},
                                         {"stress_xx", "MPa"},

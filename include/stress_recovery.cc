@@ -17,7 +17,7 @@ namespace Contact
   {
     for (unsigned int e = 0; e < discretization.fe.size(); ++e)
       {
-        const ReferenceCell  cell       = discretization.fe[e].reference_cell();
+        const auto           cell       = discretization.fe[e].reference_cell();
         const Quadrature<2> &quadrature = discretization.quadrature[e];
         FullMatrix<double>   values(quadrature.size(), cell.n_vertices());
         for (unsigned int q = 0; q < quadrature.size(); ++q)

@@ -31,17 +31,6 @@ namespace Contact
         archive &body;
       }
     };
-
-
-
-    Point<2> unit_midpoint(const ReferenceCell &cell, const unsigned int face)
-    {
-      Point<2> midpoint;
-      for (unsigned int v = 0; v < 2; ++v)
-        midpoint +=
-          0.5 * cell.vertex<2>(cell.face_to_cell_vertices(face, v, 1));
-      return midpoint;
-    }
   } // namespace
 
 
@@ -105,11 +94,12 @@ namespace Contact
           edge.body = cell->material_id();
           for (unsigned int a = 0; a < 2; ++a)
             edge.nodes[a].X = face->vertex(a);
+          // The elements number the corners, then the mid-sides as the faces.
           if (degree == 2)
             edge.nodes[2].X =
               discretization.mapping[index].transform_unit_to_real_cell(
                 cell,
-                unit_midpoint(cell->reference_cell(), f));
+                fe.base_element(0).unit_support_point(cell->n_vertices() + f));
           for (unsigned int k = 0; k < dofs.size(); ++k)
             {
               const auto [c, a]     = fe.face_system_to_component_index(k, f);

@@ -470,8 +470,8 @@ namespace
     write("empty.prm", "");
     const Case         defaults("empty.prm", needed);
     std::ostringstream from_printed, from_nothing;
-    result.prm.print_parameters(from_printed, ParameterHandler::ShortText);
-    defaults.prm.print_parameters(from_nothing, ParameterHandler::ShortText);
+    result.prm.print_parameters(from_printed, ParameterHandler::ShortPRM);
+    defaults.prm.print_parameters(from_nothing, ParameterHandler::ShortPRM);
     std::cout << result.error << defaults.error
               << "same values: " << (from_printed.str() == from_nothing.str())
               << '\n';
