@@ -388,7 +388,7 @@ namespace Contact
     system_rhs.reinit(n_unknowns);
     update.reinit(summary.n_displacements);
     bodies_tangent.clear();
-    reference_force    = discretization->whole_load();
+    reference_force    = elasticity->dead_loads.whole();
     reference_is_known = false;
     invariants         = std::make_unique<InvariantCheck>(*discretization,
                                                   *elasticity,
@@ -1312,7 +1312,7 @@ namespace Contact
     reference_force = std::max(
       {force,
        round_off,
-       reference_is_known ? reference_force : discretization->whole_load()});
+       reference_is_known ? reference_force : elasticity->dead_loads.whole()});
   }
 
 

@@ -446,7 +446,8 @@ namespace Contact
 
   Elasticity::Elasticity(const Discretization     &discretization,
                          const Parameters::Solids &parameters)
-    : discretization(discretization)
+    : dead_loads(discretization)
+    , discretization(discretization)
   {
     const std::string entry = "Solids/Young's modulus";
     for (const auto &[name, young] : parameters.young)
@@ -602,7 +603,7 @@ namespace Contact
   void Elasticity::add_dead_load(const double    load_factor,
                                  Vector<double> &rhs) const
   {
-    const auto  load  = discretization.dead_load(load_factor);
+    const auto  load  = dead_loads.at(load_factor);
     const auto &owned = discretization.dof_handler.locally_owned_dofs();
     for (unsigned int i = 0; i < load.size(); ++i)
       if (load[i] != 0 && owned.is_element(i))
@@ -623,7 +624,7 @@ namespace Contact
                   forces.add(dofs, cell_forces);
                 });
     Utilities::MPI::sum(forces, discretization.communicator, forces);
-    forces -= discretization.dead_load(load_factor);
+    forces -= dead_loads.at(load_factor);
     return forces;
   }
 

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "discretization.h"
+#include "dead_loads.h"
 #include "kinematics.h"
 
 namespace Contact
@@ -90,6 +90,9 @@ namespace Contact
     static std::unique_ptr<Elasticity>
     create(const Discretization     &discretization,
            const Parameters::Solids &parameters);
+
+    /// The forces on the bodies.
+    const DeadLoads dead_loads;
 
     /// Add the couplings of the bodies.
     void add_couplings(DynamicSparsityPattern &pattern) const;

@@ -3,12 +3,12 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "error_estimator.h"
-
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>
 
 #include <algorithm>
+
+#include "error_estimator.h"
 
 namespace Contact
 {
@@ -234,7 +234,7 @@ namespace Contact
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary() &&
-              !discretization.is_loaded(face->boundary_id()))
+              !elasticity.dead_loads.is_loaded(face->boundary_id()))
             {
               std::array<unsigned int, 2> ends{
                 {face->vertex_index(0), face->vertex_index(1)}};
@@ -408,7 +408,7 @@ namespace Contact
   {
     const auto carries_force = [this](const unsigned int vertex) {
       for (const auto dof : discretization.vertex_dofs[vertex])
-        if (discretization.carries_nodal_force(dof))
+        if (elasticity.dead_loads.carries_nodal_force(dof))
           return true;
       return false;
     };

@@ -565,7 +565,7 @@ namespace Contact
     Utilities::MPI::sum(reactions, communicator, reactions);
     Utilities::MPI::sum(residual, communicator, residual);
 
-    end.external = discretization.dead_load(load_factor);
+    end.external = elasticity.dead_loads.at(load_factor);
     end.external += reactions;
 
     found.equilibrium = residual.l2_norm() / force;

@@ -158,7 +158,7 @@ namespace
                              dilatation;
     check_small(name + ", forces",
                 bodies.elasticity->forces(u, 1).linfty_norm() /
-                  bodies.discretization.whole_load(),
+                  bodies.elasticity->dead_loads.whole(),
                 1e-12);
 
     SymmetricTensor<2, 3> exact;
@@ -195,7 +195,9 @@ namespace
       auto parameters = cylinder(0, degree, "small strain");
       set(parameters.boundary);
       const Bodies bodies(parameters);
-      return sum_of(bodies.discretization.dead_load(1), bodies.components(), 1);
+      return sum_of(bodies.elasticity->dead_loads.at(1),
+                    bodies.components(),
+                    1);
     };
     const std::string name = "degree " + std::to_string(degree) + ", ";
     check_small(name + "spread force",
