@@ -662,10 +662,10 @@ namespace Contact
   {
     TimerOutput::Scope scope(timer, "invariants");
     Vector<double>     hold;
-    if (!elasticity->softly_held().empty())
+    if (!elasticity->soft_hold.held().empty())
       {
         hold = elasticity->forces(solution, load_factor);
-        elasticity->release();
+        elasticity->soft_hold.release();
         hold.sadd(-1, 1, elasticity->forces(solution, load_factor));
       }
     const Invariants found =
@@ -851,7 +851,7 @@ namespace Contact
   {
     if (softly_held.empty())
       {
-        elasticity->release();
+        elasticity->soft_hold.release();
         solve_with_geometry_loop();
         return;
       }
@@ -863,12 +863,12 @@ namespace Contact
     std::map<types::material_id, double> stiffness;
     for (const FreeMotion &motion : softly_held)
       stiffness[motion.body] =
-        1e-6 * softest * elasticity->mean_circumference(motion.body);
+        1e-6 * softest * elasticity->soft_hold.mean_circumference(motion.body);
 
     const unsigned int max_turns = 20;
     for (unsigned int turn = 1;; ++turn)
       {
-        elasticity->hold_softly(stiffness, solution);
+        elasticity->soft_hold.hold(stiffness, solution);
         if (interface)
           {
             pair_bodies();
@@ -876,7 +876,7 @@ namespace Contact
           }
         solve_with_geometry_loop();
 
-        const auto   works  = elasticity->hold_energy(solution);
+        const auto   works  = elasticity->soft_hold.energy(solution);
         const auto   most   = std::max_element(works.begin(),
                                            works.end(),
                                            [](const auto &a, const auto &b) {

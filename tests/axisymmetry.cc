@@ -78,17 +78,7 @@ namespace
     for (double &value : u)
       value = random(-0.05, 0.05);
 
-    FullMatrix<double> K(u.size(), u.size());
-    bodies.elasticity->visit_cells(
-      u,
-      true,
-      [&](const std::vector<types::global_dof_index> &dofs,
-          const FullMatrix<double>                   &of_cell,
-          const Vector<double> &) {
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          for (unsigned int j = 0; j < dofs.size(); ++j)
-            K(dofs[i], dofs[j]) += of_cell(i, j);
-      });
+    const FullMatrix<double> K = bodies.tangent(u);
 
     const auto   forces    = bodies.elasticity->forces(u, 0);
     double       of_energy = 0, of_forces = 0, asymmetry = 0, largest = 0;

@@ -66,25 +66,6 @@ namespace
 
 
 
-  // By all unknowns, without constraints.
-  FullMatrix<double> tangent(const Bodies &bodies, const Vector<double> &u)
-  {
-    FullMatrix<double> sum(u.size(), u.size());
-    bodies.elasticity->visit_cells(
-      u,
-      true,
-      [&](const std::vector<types::global_dof_index> &dofs,
-          const FullMatrix<double>                   &of_cell,
-          const Vector<double> &) {
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          for (unsigned int j = 0; j < dofs.size(); ++j)
-            sum(dofs[i], dofs[j]) += of_cell(i, j);
-      });
-    return sum;
-  }
-
-
-
   void derivatives(const unsigned int degree,
                    const std::string &centre_node,
                    const std::string &kinematics,
@@ -96,7 +77,7 @@ namespace
     const Bodies bodies(make_case(degree, centre_node, kinematics, dilatation));
     const Vector<double>     u      = random_displacement(bodies);
     const Vector<double>     forces = bodies.elasticity->forces(u, 0);
-    const FullMatrix<double> K      = tangent(bodies, u);
+    const FullMatrix<double> K      = bodies.tangent(u);
 
     double       of_energy = 0, of_forces = 0, asymmetry = 0;
     const double h = 1e-5;
