@@ -3,12 +3,12 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
+#include "error_estimator.h"
+
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>
 
 #include <algorithm>
-
-#include "error_estimator.h"
 
 namespace Contact
 {
@@ -49,14 +49,6 @@ namespace Contact
       for (unsigned int e = 0; e < surface.edges.size(); ++e)
         edges.emplace(edge_name(surface, surface.edges[e]), e);
       return edges;
-    }
-
-
-
-    double length(const Surface &surface, const Surface::Edge &edge)
-    {
-      return surface.nodes[edge.nodes[0]].X.distance(
-        surface.nodes[edge.nodes[1]].X);
     }
 
 
@@ -348,7 +340,7 @@ namespace Contact
     const auto          &ends  = neighborhoods[e].vertices;
     const auto           first = in_plane(vertex_stresses[ends[0]]);
     const auto           last  = in_plane(vertex_stresses[ends[1]]);
-    const double         h     = length(boundary, edge);
+    const double         h     = boundary.reference_length(e);
 
     const QGauss<1> quadrature(boundary.degree + 1);
     double          integral = 0;
