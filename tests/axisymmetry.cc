@@ -12,6 +12,7 @@
 // Lame's.
 
 #include "condensed_model.h"
+#include "derivatives.h"
 #include "free_motions.h"
 
 using namespace Tests;
@@ -78,35 +79,13 @@ namespace
     for (double &value : u)
       value = random(-0.05, 0.05);
 
-    const FullMatrix<double> K = bodies.tangent(u);
-
-    const auto   forces    = bodies.elasticity->forces(u, 0);
-    double       of_energy = 0, of_forces = 0, asymmetry = 0, largest = 0;
-    const double h = 1e-5;
-    for (unsigned int j = 0; j < u.size(); ++j)
-      {
-        Vector<double> before(u), after(u);
-        before[j] -= h;
-        after[j] += h;
-        of_energy =
-          std::max(of_energy,
-                   std::abs((bodies.elasticity->strain_energy(after) -
-                             bodies.elasticity->strain_energy(before)) /
-                              (2 * h) -
-                            forces[j]));
-        Vector<double> column = bodies.elasticity->forces(after, 0);
-        column -= bodies.elasticity->forces(before, 0);
-        column /= 2 * h;
-        for (unsigned int i = 0; i < u.size(); ++i)
-          {
-            of_forces = std::max(of_forces, std::abs(column[i] - K(i, j)));
-            asymmetry = std::max(asymmetry, std::abs(K(i, j) - K(j, i)));
-            largest   = std::max(largest, std::abs(K(i, j)));
-          }
-      }
-    check_small(name + ", forces", of_energy / forces.linfty_norm(), 1e-7);
-    check_small(name + ", tangent", of_forces / largest, 1e-8);
-    check_small(name + ", asymmetry", asymmetry / largest, 1e-13);
+    const auto found =
+      compare_with_differences(bodies, u, [&](const Vector<double> &u) {
+        return bodies.elasticity->strain_energy(u);
+      });
+    check_small(name + ", forces", found.forces, 1e-7);
+    check_small(name + ", tangent", found.tangent, 1e-8);
+    check_small(name + ", asymmetry", found.asymmetry, 1e-13);
   }
 
 

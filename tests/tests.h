@@ -293,23 +293,6 @@ namespace Tests
       return u;
     }
 
-    /// The tangent by all unknowns, without constraints.
-    FullMatrix<double> tangent(const Vector<double> &u) const
-    {
-      FullMatrix<double> sum(n_dofs(), n_dofs());
-      elasticity->visit_cells(
-        u,
-        /*with_tangent=*/true,
-        [&](const std::vector<types::global_dof_index> &dofs,
-            const FullMatrix<double>                   &of_cell,
-            const Vector<double> &) {
-          for (unsigned int i = 0; i < dofs.size(); ++i)
-            for (unsigned int j = 0; j < dofs.size(); ++j)
-              sum(dofs[i], dofs[j]) += of_cell(i, j);
-        });
-      return sum;
-    }
-
     Mesh                        mesh;
     Discretization              discretization;
     std::unique_ptr<Elasticity> elasticity;
