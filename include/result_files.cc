@@ -9,6 +9,7 @@
 #include <deal.II/base/utilities.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/numerics/data_out.h>
 
 #include <algorithm>
 #include <cmath>

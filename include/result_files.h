@@ -6,8 +6,6 @@
 #ifndef contact_result_files_h
 #define contact_result_files_h
 
-#include <deal.II/numerics/data_out.h>
-
 #include <filesystem>
 #include <functional>
 #include <iosfwd>

@@ -44,7 +44,7 @@ namespace Contact
       std::array<unsigned int, 3> nodes; // first, last, middle
       types::material_id          body;
       bool                        begins_surface, ends_surface;
-      unsigned int                previous, next; // along the chain, if any
+      unsigned int                previous, next; // along the chain, or invalid
     };
 
     /// Throws InputError if there is no edge.
