@@ -397,7 +397,7 @@ namespace Contact
     start.reinit(n_unknowns);
     system_rhs.reinit(n_unknowns);
     update.reinit(summary.n_displacements);
-    reference_force    = discretization->whole_load();
+    reference_force    = elasticity->dead_loads.whole();
     reference_is_known = false;
     invariants         = std::make_unique<InvariantCheck>(*discretization,
                                                   *elasticity,
@@ -662,7 +662,7 @@ namespace Contact
   {
     if (softly_held.empty())
       {
-        elasticity->release();
+        elasticity->soft_hold.release();
         solve_with_geometry_loop();
         return;
       }
@@ -674,12 +674,12 @@ namespace Contact
     std::map<types::material_id, double> stiffness;
     for (const FreeMotion &motion : softly_held)
       stiffness[motion.body] =
-        1e-6 * softest * elasticity->mean_circumference(motion.body);
+        1e-6 * softest * elasticity->soft_hold.mean_circumference(motion.body);
 
     const unsigned int max_turns = 20;
     for (unsigned int turn = 1;; ++turn)
       {
-        elasticity->hold_softly(stiffness, solution);
+        elasticity->soft_hold.hold(stiffness, solution);
         if (interface)
           {
             pair_bodies();
@@ -687,7 +687,7 @@ namespace Contact
           }
         solve_with_geometry_loop();
 
-        const auto   works  = elasticity->hold_energy(solution);
+        const auto   works  = elasticity->soft_hold.energy(solution);
         const auto   most   = std::max_element(works.begin(),
                                            works.end(),
                                            [](const auto &a, const auto &b) {
@@ -1102,7 +1102,7 @@ namespace Contact
     reference_force = std::max(
       {force,
        round_off,
-       reference_is_known ? reference_force : discretization->whole_load()});
+       reference_is_known ? reference_force : elasticity->dead_loads.whole()});
   }
 
 
@@ -1249,10 +1249,10 @@ namespace Contact
   {
     TimerOutput::Scope scope(timer, "invariants");
     Vector<double>     hold;
-    if (!elasticity->softly_held().empty())
+    if (!elasticity->soft_hold.held().empty())
       {
         hold = elasticity->forces(solution, load_factor);
-        elasticity->release();
+        elasticity->soft_hold.release();
         hold.sadd(-1, 1, elasticity->forces(solution, load_factor));
       }
     const Invariants found =

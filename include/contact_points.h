@@ -10,7 +10,7 @@
 
 #include "friction_law.h"
 #include "obstacle.h"
-#include "surface.h"
+#include "surface_search.h"
 
 namespace Contact
 {

@@ -6,6 +6,7 @@
 #include "discretization.h"
 
 #include <deal.II/base/function.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
@@ -13,7 +14,6 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_fe.h>
 #include <deal.II/fe/mapping_q.h>
-#include <deal.II/hp/fe_values.h>
 #include <deal.II/numerics/vector_tools.h>
 
 #include <boost/serialization/map.hpp>
@@ -99,7 +99,6 @@ namespace Contact
     share_named_points();
     collect_supports();
     collect_ties();
-    collect_loads();
     make_constraints({});
   }
 
@@ -154,21 +153,6 @@ namespace Contact
   {
     // All that is prescribed is constrained, which is faster to see.
     return constraints.is_constrained(dof) && prescribed.count(dof) > 0;
-  }
-
-
-
-  bool
-  Discretization::carries_nodal_force(const types::global_dof_index dof) const
-  {
-    return nodal_forces.count(dof) > 0;
-  }
-
-
-
-  bool Discretization::is_loaded(const types::boundary_id id) const
-  {
-    return loaded.count(id) > 0;
   }
 
 
@@ -314,221 +298,12 @@ namespace Contact
 
 
 
-  void Discretization::collect_loads()
-  {
-    loads.clear();
-    loaded.clear();
-    nodal_forces.clear();
-    for (unsigned int c = 0; c < 2; ++c)
-      {
-        const std::string spread = std::string("Spread force ") + "xy"[c];
-        for (const auto &[name, force] :
-             c == 0 ? boundary.spread_force_x : boundary.spread_force_y)
-          {
-            Tensor<1, 2> direction;
-            direction[c] = 1;
-            const auto &ids =
-              mesh.boundary(name, "Boundary conditions/" + spread);
-            loaded.insert(ids.begin(), ids.end());
-            const Vector<double> shares =
-              integrate(ids, [&](const Point<2> &, const Tensor<1, 2> &) {
-                return direction;
-              });
-            // The shares add up to the length; of rings, to their area.
-            load_of(spread).add(force / (shares.mean_value() * shares.size()),
-                                shares);
-          }
-
-        const std::string nodal = std::string("Force ") + "xy"[c];
-        for (const auto &[name, force] :
-             c == 0 ? boundary.force_x : boundary.force_y)
-          {
-            const auto dof =
-              vertex_dofs[mesh.point(name, "Boundary conditions/" + nodal)][c];
-            load_of(nodal)[dof] += force;
-            nodal_forces.insert(dof);
-          }
-        collect_fields(c);
-      }
-    collect_pressures();
-  }
-
-
-
-  // Tractions and body forces in the direction c.
-  void Discretization::collect_fields(const unsigned int c)
-  {
-    Tensor<1, 2> direction;
-    direction[c] = 1;
-
-    const std::string traction = std::string("Traction ") + "xy"[c];
-    for (const auto &[name, formula] :
-         c == 0 ? boundary.traction_x : boundary.traction_y)
-      {
-        const auto  value = parse_formula<2>(formula, "x,y");
-        const auto &ids =
-          mesh.boundary(name, "Boundary conditions/" + traction);
-        loaded.insert(ids.begin(), ids.end());
-        load_of(traction) +=
-          integrate(ids, [&](const Point<2> &X, const Tensor<1, 2> &) {
-            return value(X) * direction;
-          });
-      }
-
-    const std::string body_force = std::string("Body force ") + "xy"[c];
-    for (const auto &[name, formula] :
-         c == 0 ? boundary.body_force_x : boundary.body_force_y)
-      {
-        const auto value = parse_formula<2>(formula, "x,y");
-        load_of(body_force) +=
-          integrate(mesh.body(name, "Boundary conditions/" + body_force),
-                    [&](const Point<2> &X) { return value(X) * direction; });
-      }
-  }
-
-
-
-  void Discretization::collect_pressures()
-  {
-    for (const auto &[name, formula] : boundary.pressure)
-      {
-        const auto  pressure = parse_formula<2>(formula, "x,y");
-        const auto &ids = mesh.boundary(name, "Boundary conditions/Pressure");
-        loaded.insert(ids.begin(), ids.end());
-        load_of("Pressure") +=
-          integrate(ids, [&](const Point<2> &x, const Tensor<1, 2> &normal) {
-            return -pressure(x) * normal;
-          });
-      }
-  }
-
-
-
-  // The integral of a traction times the shape functions, from all ranks.
-  Vector<double>
-  Discretization::integrate(const std::set<types::boundary_id> &ids,
-                            const TractionField                &traction) const
-  {
-    const QGauss<1>     edge_quadrature(degree + 1);
-    hp::FEFaceValues<2> hp_values(mapping,
-                                  fe,
-                                  hp::QCollection<1>(edge_quadrature,
-                                                     edge_quadrature),
-                                  update_values | update_JxW_values |
-                                    update_quadrature_points |
-                                    update_normal_vectors);
-    Vector<double>      integrals(dof_handler.n_dofs());
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      for (const unsigned int f : cell->face_indices())
-        if (cell->is_locally_owned() && cell->face(f)->at_boundary() &&
-            ids.count(cell->face(f)->boundary_id()) > 0)
-          {
-            hp_values.reinit(cell, f);
-            const auto &values = hp_values.get_present_fe_values();
-            add_integrals(
-              values,
-              cell,
-              [&](const unsigned int q) {
-                return traction(values.quadrature_point(q),
-                                values.normal_vector(q));
-              },
-              integrals);
-          }
-    Utilities::MPI::sum(integrals, communicator, integrals);
-    return integrals;
-  }
-
-
-
-  // The same of a body. A constant force times the radius times the shape
-  // functions is integrated exactly on straight cells.
-  Vector<double> Discretization::integrate(const types::material_id body,
-                                           const BodyForceField    &force) const
-  {
-    hp::FEValues<2> hp_values(mapping,
-                              fe,
-                              hp::QCollection<2>(QGauss<2>(degree + 1),
-                                                 QGaussSimplex<2>(degree + 1)),
-                              update_values | update_JxW_values |
-                                update_quadrature_points);
-    Vector<double>  integrals(dof_handler.n_dofs());
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned() && cell->material_id() == body)
-        {
-          hp_values.reinit(cell);
-          const auto &values = hp_values.get_present_fe_values();
-          add_integrals(
-            values,
-            cell,
-            [&](const unsigned int q) {
-              return force(values.quadrature_point(q));
-            },
-            integrals);
-        }
-    Utilities::MPI::sum(integrals, communicator, integrals);
-    return integrals;
-  }
-
-
-
-  void Discretization::add_integrals(
-    const FEValuesBase<2>                                   &values,
-    const DoFHandler<2>::active_cell_iterator               &cell,
-    const std::function<Tensor<1, 2>(const unsigned int q)> &density,
-    Vector<double>                                          &integrals) const
-  {
-    const auto                          &fe = values.get_fe();
-    std::vector<types::global_dof_index> dofs(values.dofs_per_cell);
-    cell->get_dof_indices(dofs);
-    for (const unsigned int q : values.quadrature_point_indices())
-      {
-        const Tensor<1, 2> force = values.JxW(q) *
-                                   circumference(values.quadrature_point(q)) *
-                                   density(q);
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          integrals[dofs[i]] += force[fe.system_to_component_index(i).first] *
-                                values.shape_value(i, q);
-      }
-  }
-
-
-
   double Discretization::factor(const std::string &entry,
                                 const double       load_factor) const
   {
     const auto history = histories.find(entry);
     return history == histories.end() ? load_factor
                                       : history->second(Point<1>(load_factor));
-  }
-
-
-
-  Vector<double> &Discretization::load_of(const std::string &entry)
-  {
-    Vector<double> &load = loads[entry];
-    if (load.size() == 0)
-      load.reinit(dof_handler.n_dofs());
-    return load;
-  }
-
-
-
-  Vector<double> Discretization::dead_load(const double load_factor) const
-  {
-    Vector<double> sum(dof_handler.n_dofs());
-    for (const auto &[entry, load] : loads)
-      sum.add(factor(entry, load_factor), load);
-    return sum;
-  }
-
-
-
-  double Discretization::whole_load() const
-  {
-    double sum = 0;
-    for (const auto &[entry, load] : loads)
-      sum += load.l1_norm();
-    return sum;
   }
 
 

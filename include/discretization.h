@@ -7,7 +7,6 @@
 #define contact_discretization_h
 
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_collection.h>
 #include <deal.II/hp/mapping_collection.h>
 #include <deal.II/hp/q_collection.h>
@@ -49,7 +48,7 @@ namespace Contact
    * for.
    *
    * With several ranks each has the unknowns of its cells and their neighbors;
-   * supports, dead loads and the unknowns of named points are known to all.
+   * supports and the unknowns of named points are known to all.
    * Vectors of the displacement are held in full by every rank.
    */
   class Discretization
@@ -86,22 +85,16 @@ namespace Contact
     const hp::QCollection<2>       quadrature;
     DoFHandler<2>                  dof_handler;
 
+    /// Supports, ties and loads at their full values.
+    const Parameters::Boundary boundary;
+
+    /// The factor of an entry of the boundary conditions under a load factor,
+    /// by its history.
+    double factor(const std::string &entry, const double load_factor) const;
+
     /// Supports, ties, bound centres and hanging nodes, for the next Newton
     /// update.
     AffineConstraints<double> constraints;
-
-    /// The dead forces under a load factor [N per mm of thickness; rings: N].
-    Vector<double> dead_load(const double load_factor) const;
-
-    /// The sum of all their magnitudes at their full values, in the same unit:
-    /// what is small against it is small.
-    double whole_load() const;
-
-    /// Whether a nodal force acts on this unknown.
-    bool carries_nodal_force(const types::global_dof_index dof) const;
-
-    /// Whether a spread force, a pressure or a traction acts on a boundary.
-    bool is_loaded(const types::boundary_id id) const;
 
     /// The unknowns of each vertex of the triangulation; invalid where no cell
     /// of this rank or its neighbors has it.
@@ -167,47 +160,15 @@ namespace Contact
     void share_named_points();
     void collect_supports();
     void collect_ties();
-    void collect_loads();
-    void collect_pressures();
-    void collect_fields(const unsigned int c);
-
-    /// Traction [MPa] by place and outward normal.
-    using TractionField =
-      std::function<Tensor<1, 2>(const Point<2> &, const Tensor<1, 2> &)>;
-    Vector<double> integrate(const std::set<types::boundary_id> &ids,
-                             const TractionField &traction) const;
-
-    /// Force by volume [N/mm^3] by place.
-    using BodyForceField = std::function<Tensor<1, 2>(const Point<2> &)>;
-    Vector<double> integrate(const types::material_id body,
-                             const BodyForceField    &force) const;
-
-    /// Add the integrals of a density times the shape functions of a cell, over
-    /// the cell or one of its faces.
-    void add_integrals(
-      const FEValuesBase<2>                                   &values,
-      const DoFHandler<2>::active_cell_iterator               &cell,
-      const std::function<Tensor<1, 2>(const unsigned int q)> &density,
-      Vector<double>                                          &integrals) const;
-
-    /// The factor of an entry of the boundary conditions under a load factor.
-    double factor(const std::string &entry, const double load_factor) const;
-
-    /// What the forces of an entry add up to.
-    Vector<double> &load_of(const std::string &entry);
     void
     make_constraints(const std::map<types::global_dof_index, double> &updates);
     void bind_centres();
 
     using History = std::function<double(const Point<1> &)>;
 
-    const Parameters::Boundary                                 boundary;
     std::map<std::string, History>                             histories;
     std::map<types::global_dof_index, Prescribed>              prescribed;
     std::map<types::global_dof_index, types::global_dof_index> ties;
-    std::map<std::string, Vector<double>>                      loads;
-    std::set<types::global_dof_index>                          nodal_forces;
-    std::set<types::boundary_id>                               loaded;
     double axis_tolerance       = 0; // round-off of the radii [mm]
     bool   updates_vanish       = true;
     double largest_displacement = 0;

@@ -11,16 +11,14 @@
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
-#include <array>
 #include <functional>
 #include <map>
 #include <memory>
 #include <set>
-#include <string>
 #include <vector>
 
-#include "discretization.h"
-#include "kinematics.h"
+#include "dead_loads.h"
+#include "soft_hold.h"
 
 namespace Contact
 {
@@ -49,11 +47,6 @@ namespace Contact
    * The bodies: residual and consistent tangent of
    *   integral S(u) : delta E dX - dead load . delta u = 0.
    *
-   * The gradients of the shape functions are with respect to the reference
-   * configuration and never change: they are computed once. Where the centre
-   * of a quadrangle is bound, they are those of the eight free nodes, so that
-   * the centre costs nothing in assembly.
-   *
    * Forces are in N per mm of thickness and energies in N mm per mm; of rings,
    * whose integrals hold the circumference, in N and N mm (symmetry.h).
    *
@@ -75,11 +68,6 @@ namespace Contact
    * too many for the four unknowns of displacement that a triangle has (see
    * tests/locking.cc), one is stable, at the price of an order. Prefer
    * quadrangles where nu is close to 1/2.
-   *
-   * Soft hold. What holds a body before it touches another one can be added
-   * for a while: springs at the corners of its cells, to x and to y, from where
-   * these were under the displacement @p rest. They are part of the residual
-   * and of the tangent of the cells, whoever visits them.
    */
   class Elasticity
   {
@@ -90,6 +78,9 @@ namespace Contact
     static std::unique_ptr<Elasticity>
     create(const Discretization     &discretization,
            const Parameters::Solids &parameters);
+
+    /// The forces on the bodies.
+    const DeadLoads dead_loads;
 
     /// Add the couplings of the bodies.
     void add_couplings(DynamicSparsityPattern &pattern) const;
@@ -112,9 +103,15 @@ namespace Contact
                             const CellVisitor               &visitor) const;
 
     /// How many cells this rank has, and the unknowns of one of them.
-    unsigned int n_cells() const;
+    unsigned int n_cells() const
+    {
+      return tables.own.size();
+    }
     const std::vector<types::global_dof_index> &
-    dofs_of_cell(const unsigned int number) const;
+    dofs_of_cell(const unsigned int number) const
+    {
+      return tables.own[number].dofs;
+    }
 
     /**
      * Add minus the residual (dead forces under @p load_factor minus internal
@@ -141,39 +138,18 @@ namespace Contact
      */
     double strain_energy(const Vector<double> &u) const;
 
-    /**
-     * Hold bodies softly, by body with a stiffness k [N/mm per mm of thickness;
-     * rings: N/mm]: under a rigid translation d away from @p rest the springs
-     * of the body exert k d together. Each cell gives its corners equal shares
-     * of its part of the volume of the body. A body that is not named, or with
-     * k = 0, is not held. Replaces what held before. Not collective, but has to
-     * be the same on all ranks.
-     */
-    void hold_softly(const std::map<types::material_id, double> &stiffness,
-                     const Vector<double>                       &rest);
-
-    /// Hold nothing any longer.
-    void release();
-
-    /// The bodies that are held softly, and their stiffness k.
-    const std::map<types::material_id, double> &softly_held() const;
-
-    /**
-     * The energy of the springs of each held body, 1/2 k |u - rest|^2 in total
-     * if it is translated [N mm per mm of thickness]. Collective.
-     */
-    std::map<types::material_id, double>
-    hold_energy(const Vector<double> &u) const;
-
-    /// Grows whenever the tangent becomes another one under the same u: as
-    /// bodies are held, released, or held with another stiffness.
-    unsigned int tangent_version() const;
-
-    /// The volume of a body by its area in the plane [-]; rings: [mm].
-    double mean_circumference(const types::material_id body) const;
+    /// Grows whenever the tangent becomes another one under the same u: with
+    /// the soft hold.
+    unsigned int tangent_version() const
+    {
+      return soft_hold.version();
+    }
 
     /// Whether the dilatation of the quadrangles of a body is projected.
-    bool is_projected(const types::material_id body) const;
+    bool is_projected(const types::material_id body) const
+    {
+      return projected.count(body) > 0;
+    }
 
     /// Cauchy stress [MPa] in all quadrature points, by active cell; nothing
     /// for the cells that this rank does not know.
@@ -189,42 +165,27 @@ namespace Contact
                    const SymmetricTensor<2, 3> &stress) const = 0;
 
     /// Young's modulus [MPa] of a body.
-    double young(const types::material_id body) const;
+    double young(const types::material_id body) const
+    {
+      return material(body).young;
+    }
 
     /// The material of a body.
-    const Material &material(const types::material_id body) const;
+    const Material &material(const types::material_id body) const
+    {
+      return materials.at(body);
+    }
+
+  private:
+    template<class Numbers>
+    VolumeRatio visit(const Vector<double> &u,
+                      const bool            with_tangent,
+                      const Numbers        &numbers,
+                      const CellVisitor    &visitor) const;
 
   protected:
     Elasticity(const Discretization     &discretization,
                const Parameters::Solids &parameters);
-
-    /// What of a cell stays the same during a run.
-    struct Cell
-    {
-      unsigned int                         active_index;
-      types::material_id                   body;
-      const Material                      *material;
-      std::vector<types::global_dof_index> dofs;      // (x, y) node by node
-      std::vector<double>                  JxW;       // by point
-      std::vector<Point<2>>                points;    // X by point
-      std::vector<Tensor<1, 2>>            gradients; // by point, then node
-      std::vector<double> hoop_gradients; // N_a/X, likewise, of rings
-
-      /// Where the dilatation is projected: polynomials phi_m with
-      /// sum_q JxW phi_m phi_n = delta_mn, by point. Else empty.
-      std::vector<std::array<double, 3>> modes;
-
-      unsigned int n_nodes() const
-      {
-        return dofs.size() / 2;
-      }
-
-      /// The first nodes are the corners.
-      unsigned int n_corners() const
-      {
-        return n_nodes() % 3 == 0 && n_nodes() < 9 ? 3 : 4;
-      }
-    };
 
     /// The smallest det F of a cell, and in which of its points.
     struct SmallestInCell
@@ -234,50 +195,25 @@ namespace Contact
     };
 
     /// Internal forces and, if @p tangent is not null, tangent of a cell.
-    virtual SmallestInCell cell_forces(const Cell           &cell,
+    virtual SmallestInCell cell_forces(const CellTable      &cell,
                                        const Vector<double> &u,
                                        FullMatrix<double>   *tangent,
                                        Vector<double>       &forces) const = 0;
 
     /// Strain energy of a cell.
-    virtual double cell_energy(const Cell           &cell,
+    virtual double cell_energy(const CellTable      &cell,
                                const Vector<double> &u) const = 0;
 
-    const Discretization                  &discretization;
-    std::map<types::material_id, Material> materials;
-    std::map<types::material_id, double>   young_moduli;
+    const Discretization                        &discretization;
+    const std::map<types::material_id, Material> materials;
+    const std::set<types::material_id>           projected;
 
-    /// First the cells of this rank, then the neighbors' cells beside them.
-    std::vector<Cell> cells;
-    unsigned int      n_own_cells = 0;
+    const CellTables tables;
 
-  private:
-    void visit_cell(const Cell           &cell,
-                    const Vector<double> &u,
-                    const bool            with_tangent,
-                    FullMatrix<double>   &tangent,
-                    Vector<double>       &forces,
-                    const CellVisitor    &visitor,
-                    VolumeRatio          &smallest) const;
-
-    void add_dead_load(const double load_factor, Vector<double> &rhs) const;
-
-    /// The springs of a cell: the stiffness of each of its corners, as k.
-    double spring(const Cell &cell) const;
-    void   add_springs(const Cell           &cell,
-                       const Vector<double> &u,
-                       FullMatrix<double>   *tangent,
-                       Vector<double>       &forces) const;
-
-    void tabulate();
-    void sum_volumes();
-
-    std::set<types::material_id>         projected;
-    std::map<types::material_id, double> areas, volumes; // of all ranks
-
-    std::map<types::material_id, double> hold_stiffness;
-    Vector<double>                       hold_rest;
-    unsigned int                         version = 0;
+  public:
+    /// The springs at the cells, which are part of their residual and of their
+    /// tangent, whoever visits them.
+    SoftHold soft_hold;
   };
 } // namespace Contact
 

@@ -53,14 +53,6 @@ namespace Contact
 
 
 
-    double length(const Surface &surface, const Surface::Edge &edge)
-    {
-      return surface.nodes[edge.nodes[0]].X.distance(
-        surface.nodes[edge.nodes[1]].X);
-    }
-
-
-
     /// The body lies to the left of the edge: out of it is to the right.
     Tensor<1, 2> turn_right(const Tensor<1, 2> &along)
     {
@@ -234,7 +226,7 @@ namespace Contact
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary() &&
-              !discretization.is_loaded(face->boundary_id()))
+              !elasticity.dead_loads.is_loaded(face->boundary_id()))
             {
               std::array<unsigned int, 2> ends{
                 {face->vertex_index(0), face->vertex_index(1)}};
@@ -348,7 +340,7 @@ namespace Contact
     const auto          &ends  = neighborhoods[e].vertices;
     const auto           first = in_plane(vertex_stresses[ends[0]]);
     const auto           last  = in_plane(vertex_stresses[ends[1]]);
-    const double         h     = length(boundary, edge);
+    const double         h     = boundary.reference_length(e);
 
     const QGauss<1> quadrature(boundary.degree + 1);
     double          integral = 0;
@@ -408,7 +400,7 @@ namespace Contact
   {
     const auto carries_force = [this](const unsigned int vertex) {
       for (const auto dof : discretization.vertex_dofs[vertex])
-        if (discretization.carries_nodal_force(dof))
+        if (elasticity.dead_loads.carries_nodal_force(dof))
           return true;
       return false;
     };

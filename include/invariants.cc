@@ -10,83 +10,15 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace Contact
 {
   namespace
   {
-    /// The larger one; what is not a number is larger than all.
-    double larger(const double a, const double b)
-    {
-      return b <= a ? a : b;
-    }
-
-
-
-    std::string text(const double value)
-    {
-      std::ostringstream out;
-      out.precision(3);
-      out << value;
-      return out.str();
-    }
-
-
-
-    /// Add a sentence if @p value is above @p limit, or not a number.
-    void judge(const std::string        &name,
-               const double              value,
-               const double              limit,
-               const std::string        &sentence,
-               const std::string        &advice,
-               std::vector<std::string> &violations)
-    {
-      if (value <= limit)
-        return;
-      violations.push_back(name + ": " + sentence + "; relative " +
-                           text(value) + ", allowed " + text(limit) + ". " +
-                           advice);
-    }
-
-
-
-    const std::string wrong_set =
-      "Do not use this increment: the active set is not that of this state; "
-      "try smaller increments, or 'Solution/Geometry = Newton'.";
     const std::string wrong_forces =
       "Do not use this increment: lower 'Solution/Newton tolerance'; if that "
       "does not help, it is an error of the program.";
-
-
-
-    std::string at(const Point<2> &place)
-    {
-      return " at X = (" + text(place[0]) + ", " + text(place[1]) + ") mm";
-    }
   } // namespace
-
-
-
-  // What is not a number is worse than all.
-  template<class Say>
-  void InvariantCheck::Worst::add(const double value,
-                                  const double slack,
-                                  const Say   &say)
-  {
-    this->value = larger(this->value, value);
-    if (value - slack <= excess || std::isnan(excess))
-      return;
-    excess   = value - slack;
-    sentence = say();
-  }
-
-
-
-  bool InvariantCheck::Worst::is_violated() const
-  {
-    return !(excess <= 0);
-  }
 
 
 
@@ -125,14 +57,7 @@ namespace Contact
     : discretization(discretization)
     , elasticity(elasticity)
     , interface(interface)
-    , moving_bound(parameters.friction == "Newton")
-    , undeformed_geometry(parameters.geometry == "undeformed")
-    , friction_tolerance(parameters.friction == "fixed point"
-                           ? parameters.friction_tolerance
-                           : 0)
-    , geometry_tolerance(parameters.geometry == "fixed point"
-                           ? parameters.geometry_tolerance
-                           : 0)
+    , parameters(parameters)
   {
     for (Vector<double> *vector : {&start.displacement,
                                    &start.external,
@@ -180,355 +105,22 @@ namespace Contact
     end.pressures = 0;
     end.shears    = 0;
 
-    force = reference_force > 0 ? reference_force : 1;
-    Slack slack{newton_tolerance * force, newton_tolerance};
+    const double force = reference_force > 0 ? reference_force : 1;
+    Slack        slack{force, newton_tolerance, newton_tolerance * force};
     if (interface != nullptr)
       {
-        find_tractions(solution);
-        if (interface->has_coulomb_friction())
-          slack.shear = friction_tolerance * largest_bound;
-        for (unsigned int i = 0; i < tractions.size(); ++i)
-          if (interface->points[i].decision.status == Status::slip)
-            slack.shear_force += slack.shear * interface->points[i].weight;
-
-        add_forces();
-        for (const auto &zone : interface->zones)
-          if (zone->master)
-            check_balance(*zone, slack, found);
-        check_normal(slack, found);
-        check_tangential(slack, found);
+        const ContactCheck contact(discretization,
+                                   *interface,
+                                   parameters,
+                                   solution,
+                                   start.displacement);
+        contact.widen(slack);
+        contact.add_forces(end.pressures, end.shears, end.dissipation);
+        contact.check(slack, found);
       }
-    balance_bodies(load_factor, force, slack, hold_forces, found);
+    balance_bodies(load_factor, slack, hold_forces, found);
     check_energy(slack, found);
     return found;
-  }
-
-
-
-  // @sect4{The points}
-  void InvariantCheck::find_tractions(const Vector<double> &solution)
-  {
-    states.clear();
-    tractions.clear();
-    largest_bound = 0;
-    for (const ContactPoint &point : interface->points)
-      {
-        states.push_back(interface->state(point, solution, start.displacement));
-        tractions.push_back(interface->traction(point,
-                                                point.decision,
-                                                states.back().p_trial,
-                                                states.back().q_trial,
-                                                moving_bound));
-        const ContactZone &zone = interface->zone(point);
-        if (!zone.tied && point.decision.status != Status::open)
-          largest_bound =
-            std::max(largest_bound, zone.law.bound(tractions.back().p));
-      }
-  }
-
-
-
-  void InvariantCheck::add_forces()
-  {
-    for (unsigned int k = 0; k < tractions.size(); ++k)
-      {
-        const ContactPoint &point = interface->points[k];
-        const Traction     &t     = tractions[k];
-        for (unsigned int a = 0; a < point.n_nodes; ++a)
-          for (unsigned int i = 0; i < 2; ++i)
-            {
-              const double share = point.weight * point.C[a];
-              end.pressures[point.dofs[a][i]] += share * t.p * point.normal[i];
-              end.shears[point.dofs[a][i]] += share * t.q * point.tangent[i];
-            }
-        // Implicit Euler.
-        if (!interface->zone(point).tied)
-          end.dissipation -= point.weight * t.q * states[k].slip;
-      }
-  }
-
-
-
-  void InvariantCheck::check_balance(const ContactZone &zone,
-                                     const Slack       &slack,
-                                     Invariants        &found) const
-  {
-    const Vector<double> &u = end.displacement;
-    double                d = 0; // the largest displacement of this increment
-    for (unsigned int i = 0; i < u.size(); ++i)
-      d = larger(d, std::abs(u[i] - start.displacement[i]));
-    // A tolerance of one promises nothing.
-    const double foot_moves =
-      geometry_tolerance < 1
-        ? std::sqrt(2.) * geometry_tolerance / (1 - geometry_tolerance) * d
-        : std::numeric_limits<float>::max();
-    const Vector<double> none(u.size());
-    const auto position = [&](const Surface &surface, const unsigned int node) {
-      return surface.position(node, undeformed_geometry ? none : u);
-    };
-
-    // The middle of the slave and its size.
-    Point<2> low = position(zone.slave, 0), high = low;
-    for (unsigned int n = 1; n < zone.slave.nodes.size(); ++n)
-      for (unsigned int i = 0; i < 2; ++i)
-        {
-          const Point<2> x = position(zone.slave, n);
-          low[i]           = std::min(low[i], x[i]);
-          high[i]          = std::max(high[i], x[i]);
-        }
-    const Point<2> middle = low + 0.5 * (high - low);
-    const double   size   = low.distance(high);
-
-    // A node may see other zones as well.
-    std::map<types::global_dof_index, Tensor<1, 2>> forces;
-    for (unsigned int k = zone.first_point;
-         k < zone.first_point + zone.n_points;
-         ++k)
-      {
-        const ContactPoint &point = interface->points[k];
-        for (unsigned int a = 0; a < point.n_nodes; ++a)
-          forces[point.dofs[a][0]] +=
-            point.weight * point.C[a] *
-            (tractions[k].p * point.normal + tractions[k].q * point.tangent);
-      }
-
-    double       moment = 0, magnitude = 0;
-    Tensor<1, 2> sum;
-    for (const Surface *surface : {&zone.slave, &*zone.master})
-      for (unsigned int n = 0; n < surface->nodes.size(); ++n)
-        {
-          const Tensor<1, 2> f   = forces[surface->nodes[n].dofs[0]];
-          const Tensor<1, 2> arm = position(*surface, n) - middle;
-          sum += f;
-          moment += arm[0] * f[1] - arm[1] * f[0];
-          magnitude += f.norm();
-        }
-    if (magnitude == 0)
-      return;
-
-    // The moment that the rule leaves.
-    double own_moment = 0;
-    for (unsigned int k = zone.first_point;
-         k < zone.first_point + zone.n_points;
-         ++k)
-      {
-        const ContactPoint &point = interface->points[k];
-        Tensor<1, 2>        r;
-        double              sum_of_C = 0;
-        for (unsigned int a = 0; a < point.n_nodes; ++a)
-          {
-            sum_of_C += std::abs(point.C[a]);
-            for (unsigned int i = 0; i < 2; ++i)
-              r[i] +=
-                point.C[a] * (point.X[a][i] +
-                              (undeformed_geometry ? 0. : u[point.dofs[a][i]]));
-          }
-        const double offset = point.foot_is_clipped || zone.tied
-                                ? std::abs(r * point.tangent)
-                                : foot_moves * sum_of_C;
-        own_moment +=
-          point.weight * (std::abs(tractions[k].q * (r * point.normal)) +
-                          std::abs(tractions[k].p) * offset);
-      }
-
-    const double of_forces = sum.norm() / magnitude;
-    found.force_imbalance  = larger(found.force_imbalance, of_forces);
-    judge("balance of forces",
-          of_forces,
-          slack.relative,
-          "the forces of contact on both bodies add up to " + text(sum.norm()) +
-            " N/mm of " + text(magnitude) + " N/mm",
-          "The coefficients of a point do not add up to zero: an error of the "
-          "program.",
-          found.violations);
-    // The forces on a ring have none in the plane.
-    if (discretization.axisymmetric)
-      return;
-    const double of_moments = std::abs(moment) / (magnitude * size);
-    found.moment_imbalance  = larger(found.moment_imbalance, of_moments);
-    judge("balance of moments",
-          of_moments,
-          slack.relative + own_moment / (magnitude * size),
-          "the forces of contact on both bodies have the moment " +
-            text(moment) + " N",
-          "Slave points and their feet are apart along the surface: lower "
-          "'Solution/Geometry tolerance'.",
-          found.violations);
-  }
-
-
-
-  // The conditions in the normal direction: weak ones by multiplier, signs by
-  // point.
-  void InvariantCheck::check_normal(const Slack &slack, Invariants &found) const
-  {
-    const auto               &points = interface->points;
-    const unsigned int        n      = interface->n_normal_multipliers();
-    std::vector<double>       weak(n), stiff(n);
-    std::vector<unsigned int> point_of(n);
-    Worst                     worst;
-    double                    largest_pressure = 0, largest_penalty = 0;
-    unsigned int              worst_penalty = 0;
-    for (unsigned int k = 0; k < points.size(); ++k)
-      {
-        const ContactPoint &point   = points[k];
-        const ContactState &now     = states[k];
-        const bool          is_open = point.decision.status == Status::open;
-        const ContactZone  &zone    = interface->zone(point);
-        if (!is_open && !zone.tied && !zone.has_point_per_multiplier())
-          {
-            largest_pressure = std::max(largest_pressure, tractions[k].p);
-            if (const double penalty = tractions[k].p - now.lambda_n;
-                penalty > largest_penalty)
-              {
-                largest_penalty = penalty;
-                worst_penalty   = k;
-              }
-          }
-        for (unsigned int m = 0; m < point.n_multipliers; ++m)
-          {
-            const unsigned int l = point.multipliers[m];
-            weak[l] += point.weight * point.psi[m] *
-                       (tractions[k].p - now.lambda_n) / point.complementarity;
-            stiff[l]    = zone.stiffness(point);
-            point_of[l] = k;
-          }
-        if (zone.tied || !point.facing)
-          continue;
-
-        if (!is_open)
-          worst.add(-point.weight * tractions[k].p, 0, [&]() {
-            return "the pressure in contact is " + text(tractions[k].p) +
-                   " MPa" + at(place(point));
-          });
-        else if (zone.has_point_per_multiplier())
-          worst.add(-point.weight * zone.stiffness(point) * now.gap,
-                    slack.force,
-                    [&]() {
-                      return "where it is open, the gap is " + text(now.gap) +
-                             " mm" + at(place(point));
-                    });
-
-        if (-now.gap > found.penetration)
-          {
-            found.penetration          = -now.gap;
-            found.relative_penetration = -now.gap / slave_edge_length(point);
-            found.deepest              = place(point);
-          }
-      }
-    for (unsigned int l = 0; l < n; ++l)
-      worst.add(stiff[l] * std::abs(weak[l]), slack.force, [&]() {
-        return "the condition p = max(0, lambda - c g) fails by the force " +
-               text(stiff[l] * weak[l]) + " N/mm" +
-               at(place(points[point_of[l]]));
-      });
-
-    // With c far below the stiffness of the bodies, what is penalty instead of
-    // multiplier is no pressure: see the header.
-    if (largest_pressure > 0)
-      judge("penetration",
-            largest_penalty / largest_pressure,
-            0.5,
-            "of the largest pressure " + text(largest_pressure) + " MPa, " +
-              text(largest_penalty) + " MPa come from a penetration of " +
-              text(-states[worst_penalty].gap) + " mm" +
-              at(place(points[worst_penalty])),
-            "An edge of the slave faces the master with a part of its points "
-            "only: take the other surface as the slave, or another rule.",
-            found.violations);
-
-    found.complementarity = worst.value / force;
-    if (worst.is_violated())
-      judge("complementarity",
-            worst.value / force,
-            (worst.value - worst.excess) / force,
-            worst.sentence,
-            wrong_set,
-            found.violations);
-  }
-
-
-
-  // The same in the tangential direction.
-  void InvariantCheck::check_tangential(const Slack &slack,
-                                        Invariants  &found) const
-  {
-    if (!interface->has_friction())
-      return;
-    const auto               &points = interface->points;
-    const unsigned int        n      = interface->n_normal_multipliers();
-    std::vector<double>       weak(n), stiff(n), moved(n);
-    std::vector<unsigned int> point_of(n);
-    Worst                     cone, slip;
-    for (unsigned int k = 0; k < points.size(); ++k)
-      {
-        const ContactPoint &point = points[k];
-        const ContactState &now   = states[k];
-        const double        q     = tractions[k].q;
-        const bool          slips = point.decision.status == Status::slip;
-        const ContactZone  &zone  = interface->zone(point);
-        const FrictionLaw  &law   = zone.law;
-        if (zone.tied || law.is_frictionless())
-          continue;
-        const double per_traction =
-          zone.stiffness(point) / point.complementarity;
-        for (unsigned int m = 0; m < point.n_multipliers; ++m)
-          {
-            const unsigned int l     = point.multipliers[m];
-            const double       share = point.weight * point.psi[m];
-            weak[l] += share * (q - now.lambda_t) / point.complementarity;
-            moved[l] += slips ? std::abs(share) * slack.shear : 0.;
-            stiff[l]    = zone.stiffness(point);
-            point_of[l] = k;
-          }
-        if (point.decision.status == Status::open)
-          continue;
-
-        cone.add(std::abs(q) - law.bound(tractions[k].p),
-                 slack.shear + slack.relative * largest_bound,
-                 [&]() {
-                   return "the shear is " + text(q) + " MPa under a bound of " +
-                          text(law.bound(tractions[k].p)) + " MPa" +
-                          at(place(point));
-                 });
-        if (slips && q != 0 && zone.has_point_per_multiplier())
-          slip.add(point.weight * zone.stiffness(point) *
-                     std::copysign(now.slip, now.slip * q),
-                   slack.force + point.weight * per_traction * slack.shear,
-                   [&]() {
-                     return "the slip is " + text(now.slip) +
-                            " mm along the shear of " + text(q) + " MPa" +
-                            at(place(point));
-                   });
-      }
-    for (unsigned int l = 0; l < n; ++l)
-      slip.add(stiff[l] * std::abs(weak[l]),
-               slack.force +
-                 stiff[l] * moved[l] / points[point_of[l]].complementarity,
-               [&]() {
-                 return "the slip law q = projection of lambda - c s fails by "
-                        "the force " +
-                        text(stiff[l] * weak[l]) + " N/mm" +
-                        at(place(points[point_of[l]]));
-               });
-
-    found.cone = largest_bound > 0 ? cone.value / largest_bound : cone.value;
-    found.slip = slip.value / force;
-    if (cone.is_violated())
-      judge("friction cone",
-            found.cone,
-            found.cone * (1 - cone.excess / cone.value),
-            cone.sentence,
-            "Lower 'Solution/Friction tolerance', or set 'Solution/Friction = "
-            "Newton'.",
-            found.violations);
-    if (slip.is_violated())
-      judge("slip",
-            slip.value / force,
-            (slip.value - slip.excess) / force,
-            slip.sentence,
-            wrong_set,
-            found.violations);
   }
 
 
@@ -540,7 +132,6 @@ namespace Contact
   // elsewhere. The force on an unknown that others move goes to those. Every
   // rank knows the constraints of its own unknowns.
   void InvariantCheck::balance_bodies(const double          load_factor,
-                                      const double          force,
                                       const Slack          &slack,
                                       const Vector<double> *hold_forces,
                                       Invariants           &found)
@@ -593,17 +184,16 @@ namespace Contact
     Utilities::MPI::sum(reactions, communicator, reactions);
     Utilities::MPI::sum(residual, communicator, residual);
 
-    end.external = discretization.dead_load(load_factor);
+    end.external = elasticity.dead_loads.at(load_factor);
     end.external += reactions;
 
-    found.equilibrium = residual.l2_norm() / force;
-    judge("equilibrium",
-          found.equilibrium,
-          (slack.force + slack.shear_force) / force,
-          "a force of " + text(residual.l2_norm()) +
-            " N/mm is left over where no support acts",
-          wrong_forces,
-          found.violations);
+    found.equilibrium = residual.l2_norm() / slack.reference;
+    found.judge("equilibrium",
+                found.equilibrium,
+                (slack.force + slack.shear_force) / slack.reference,
+                "a force of " + brief(residual.l2_norm()) +
+                  " N/mm is left over where no support acts",
+                wrong_forces);
   }
 
 
@@ -671,27 +261,12 @@ namespace Contact
     if (scale == 0)
       return;
     found.energy_imbalance = missing / std::max(scale, works);
-    judge("energy",
-          missing / scale,
-          ((slack.force + slack.shear_force) * d.l2_norm() + round_off) / scale,
-          "strain energy and works differ by " + text(missing) +
-            " N mm/mm in this increment",
-          wrong_forces,
-          found.violations);
-  }
-
-
-
-  // @sect4{Small things}
-  double InvariantCheck::slave_edge_length(const ContactPoint &point) const
-  {
-    return interface->zone(point).slave.reference_length(point.slave_edge);
-  }
-
-
-
-  Point<2> InvariantCheck::place(const ContactPoint &point) const
-  {
-    return interface->zone(point).place(point);
+    found.judge("energy",
+                missing / scale,
+                ((slack.force + slack.shear_force) * d.l2_norm() + round_off) /
+                  scale,
+                "strain energy and works differ by " + brief(missing) +
+                  " N mm/mm in this increment",
+                wrong_forces);
   }
 } // namespace Contact

@@ -8,54 +8,21 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
-#include "contact_interface.h"
+#include "contact_check.h"
 
 namespace Contact
 {
   using namespace dealii;
 
   /**
-   * What has to hold after a load increment, whatever the mesh: how far it does
-   * not. All ranks get the same numbers. Of several levels of refinement each
-   * starts from the undeformed bodies.
-   *
-   * What is relative to the force F [N per mm] is so to the one that Newton's
-   * method is relative to; a gap g becomes a force as w k g, with the weight w
-   * of the point and the stiffness k = E/h of its slave edge.
+   * What has to hold after a load increment, of contact and of the bodies. Of
+   * several levels of refinement each starts from the undeformed bodies.
    */
-  struct Invariants
+  struct Invariants : public ContactInvariants
   {
-    /// The forces of contact on slave and master together, and their moment
-    /// about the middle of the slave by its size, by the sum of the magnitudes
-    /// of all these forces.
-    double force_imbalance  = 0;
-    double moment_imbalance = 0;
-
     /// The norm of the forces that are left over where no support acts, by F.
     double equilibrium = 0;
-
-    /// The largest of: a negative pressure in contact; a gap in contact, a
-    /// multiplier where open (in the weak sense of the rule); with the nodal
-    /// and the mortar rule, a penetration where open. By F.
-    double complementarity = 0;
-
-    /// The largest |q| - bound of the friction law under the present pressure,
-    /// by the largest bound.
-    double cone = 0;
-
-    /// The largest slip of what sticks (in the weak sense of the rule) and,
-    /// with the nodal and the mortar rule, slip along the shear instead of
-    /// against it. By F.
-    double slip = 0;
-
-    /// The largest -gap [mm] of all points, also by the length of the slave
-    /// edge, and where, undeformed. With the Gauss rule surfaces penetrate
-    /// each other between the nodes: no violation.
-    double   penetration          = 0;
-    double   relative_penetration = 0;
-    Point<2> deepest;
 
     /**
      * Energy and works since the start [N mm per mm of thickness]:
@@ -79,10 +46,6 @@ namespace Contact
     /// external work.
     double energy_imbalance = 0;
 
-    /// One sentence for each invariant that is violated: which, by how much,
-    /// where, what to do.
-    std::vector<std::string> violations;
-
     /// By name, for the summary.
     std::map<std::string, double> measures() const;
     std::map<std::string, double> works() const;
@@ -92,33 +55,8 @@ namespace Contact
 
   /**
    * Check the invariants of one increment after the other, by a computation
-   * of its own: from the displacements, the decisions and multipliers of the
-   * points, the energy and the forces of the bodies.
-   *
-   * @par Forces
-   * A point exerts w (p n + q t) C_a on its node a. These add up to zero
-   * because the C_a do. With r = sum C_a x_a = g n + o t their moment is
-   *   w (g q - o p):
-   * zero where the gap is, if the foot is the closest point (o = 0). With the
-   * Gauss rule the gap is zero in the mean only; over a corner of the master
-   * the foot stays behind; with the geometry frozen, the foot is that of the
-   * last turn: |o| <= sqrt(2) sum |C_a| (geometry tolerance) max |du|. So much
-   * is the method's own. With undeformed geometry the moments are those of the
-   * undeformed bodies.
-   *
-   * @par Complementarity and friction
-   * The weak conditions of the rule are what Newton's method has solved, for
-   * each multiplier k,
-   *   sum w psi_k (p - lambda_n)/c = 0,  sum w psi_k (q - lambda_t)/c = 0.
-   * With a point per multiplier (nodal, mortar; there gap and slip are the
-   * weighted ones) they say g = 0 in contact, lambda = 0 where open, s = 0
-   * where it sticks; from p = max(0, lambda - c g) follow p >= 0 and g >= 0,
-   * from the slip law q s <= 0, point by point. The Gauss rule has several
-   * points per multiplier and promises the weak conditions and p >= 0. Gaps
-   * are those of the pairing of the last turn. Where most points of an edge
-   * face nothing, they pull its multipliers to zero, and what is left is a
-   * penalty -c g, with c far below the stiffness of the bodies: if that makes
-   * half of the largest pressure, the bodies pass through each other.
+   * of its own: from the energy and the forces of the bodies, and from what
+   * ContactCheck finds.
    *
    * @par Energy
    * Along the straight path from u_0 to u_1 = u_0 + d of an increment the
@@ -209,59 +147,18 @@ namespace Contact
     }
 
   private:
-    /// What the tolerances leave open in this state.
-    struct Slack
-    {
-      double force;           // Newton's tolerance [N per mm]
-      double relative;        // Newton's tolerance
-      double shear       = 0; // of the bounds by a fixed point [MPa]
-      double shear_force = 0; // the same on all points [N per mm]
-    };
-
-    /// The largest value, and a sentence about the worst one.
-    struct Worst
-    {
-      double      value  = 0; // of all
-      double      excess = 0; // over its slack, of all
-      std::string sentence;
-
-      /// @p say is asked for the sentence if need be.
-      template<class Say>
-      void add(const double value, const double slack, const Say &say);
-
-      bool is_violated() const;
-    };
-
-    void find_tractions(const Vector<double> &solution);
-    void add_forces();
-    void check_balance(const ContactZone &zone,
-                       const Slack       &slack,
-                       Invariants        &found) const;
-    void check_normal(const Slack &slack, Invariants &found) const;
-    void check_tangential(const Slack &slack, Invariants &found) const;
     void balance_bodies(const double          load_factor,
-                        const double          force,
                         const Slack          &slack,
                         const Vector<double> *hold_forces,
                         Invariants           &found);
     void check_energy(const Slack &slack, Invariants &found);
 
-    double   slave_edge_length(const ContactPoint &point) const;
-    Point<2> place(const ContactPoint &point) const;
-
-    const Discretization   &discretization;
-    const Elasticity       &elasticity;
-    const ContactInterface *interface;
-    const bool              moving_bound, undeformed_geometry;
-    const double            friction_tolerance, geometry_tolerance;
+    const Discretization      &discretization;
+    const Elasticity          &elasticity;
+    const ContactInterface    *interface;
+    const Parameters::Solution parameters;
 
     State start, end;
-
-    // Of the state that is checked, by point.
-    std::vector<ContactState> states;
-    std::vector<Traction>     tractions;
-    double                    largest_bound = 0; // [MPa]
-    double                    force         = 1; // F
   };
 } // namespace Contact
 

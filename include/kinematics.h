@@ -26,7 +26,8 @@ namespace Contact
 
 
   /**
-   * Isotropic linear elasticity, by the Lame parameters [MPa]:
+   * Isotropic linear elasticity, by Young's modulus and Poisson's ratio, which
+   * make the Lame parameters [MPa]:
    * stress = lambda tr(strain) I + 2 mu strain. With the Green-Lagrange strain
    * and the second Piola-Kirchhoff stress it is the St. Venant-Kirchhoff
    * material.
@@ -34,7 +35,8 @@ namespace Contact
   struct Material
   {
     Material(const double young, const double poisson)
-      : lambda(young * poisson / ((1 + poisson) * (1 - 2 * poisson)))
+      : young(young)
+      , lambda(young * poisson / ((1 + poisson) * (1 - 2 * poisson)))
       , mu(young / (2 * (1 + poisson)))
     {
     }
@@ -90,6 +92,7 @@ namespace Contact
       return (s * s - lambda * trace(s) * tr) / (2 * mu);
     }
 
+    const double young; // [MPa]
     const double lambda;
     const double mu;
   };

@@ -5,7 +5,8 @@
 
 #include "mortar.h"
 
-#include <deal.II/base/quadrature_lib.h>
+#include <algorithm>
+#include <cmath>
 
 namespace Contact
 {
@@ -16,145 +17,9 @@ namespace Contact
     /// Of coordinates and coefficients, which are of the order of one.
     const double round_off = 1e-11;
 
-    double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-    {
-      return a[0] * b[1] - a[1] * b[0];
-    }
-
-
-
     /// Coordinates of the nodes of an edge: first, last, middle.
     const std::array<double, 3> node_coordinates{{-1, 1, 0}};
-
-
-
-    /// Newton's method for a root of a smooth function near @p xi; edges are
-    /// short against their curvature, so that few steps suffice.
-    template<typename Function>
-    double find_root(double xi, const Function &value_and_slope)
-    {
-      for (unsigned int iteration = 0; iteration < 30; ++iteration)
-        {
-          const auto [value, slope] = value_and_slope(xi);
-          if (slope == 0)
-            break;
-          const double step = -value / slope;
-          xi                = std::max(-3., std::min(3., xi + step));
-          if (std::abs(step) < 1e-14)
-            break;
-        }
-      return xi;
-    }
   } // namespace
-
-
-
-  struct MortarRule::Configuration
-  {
-    Configuration(const Surface        &slave,
-                  const Surface        &master,
-                  const Discretization &discretization,
-                  const Vector<double> &u);
-
-    /// A point of an edge, or its derivative along the edge.
-    static Tensor<1, 2> at(const std::vector<Tensor<1, 2>> &values,
-                           const Surface::Edge             &edge,
-                           const std::array<double, 3>     &shape);
-
-    /// Where the line through @p x along @p n meets a master edge, which may
-    /// be beyond its ends.
-    double foot_on_edge(const Tensor<1, 2> &x,
-                        const Tensor<1, 2> &n,
-                        const unsigned int  master_edge) const;
-
-    /// The slave coordinate from where the normal meets the point @p x.
-    double slave_coordinate(const unsigned int  slave_edge,
-                            const Tensor<1, 2> &x) const;
-
-    const Surface            &slave;
-    const Surface            &master;
-    const SurfaceSearch       search; // on the master
-    std::vector<Tensor<1, 2>> slave_x, master_x;
-
-    /// At the slave nodes, towards the slave as the normal of the master is.
-    std::vector<Tensor<1, 2>> normals;
-  };
-
-
-
-  MortarRule::Configuration::Configuration(const Surface        &slave,
-                                           const Surface        &master,
-                                           const Discretization &discretization,
-                                           const Vector<double> &u)
-    : slave(slave)
-    , master(master)
-    , search(master, u)
-    , normals(slave.normals(u))
-  {
-    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
-      slave_x.push_back(slave.position(i, u));
-    for (unsigned int i = 0; i < master.nodes.size(); ++i)
-      master_x.push_back(master.position(i, u));
-
-    for (unsigned int i = 0; i < normals.size(); ++i)
-      {
-        Tensor<1, 2> free = -normals[i];
-        for (unsigned int c = 0; c < 2; ++c)
-          if (discretization.is_fixed(slave.nodes[i].dofs[c]))
-            free[c] = 0;
-        // Against a support the node carries no multiplier, and its own normal
-        // serves for the projection.
-        normals[i] =
-          free.norm_square() > 0.5 ? free / free.norm() : -normals[i];
-      }
-  }
-
-
-
-  Tensor<1, 2>
-  MortarRule::Configuration::at(const std::vector<Tensor<1, 2>> &values,
-                                const Surface::Edge             &edge,
-                                const std::array<double, 3>     &shape)
-  {
-    // A shape function that an edge of degree 1 does not have is zero, and so
-    // is the number of its node.
-    Tensor<1, 2> sum;
-    for (unsigned int a = 0; a < 3; ++a)
-      sum += shape[a] * values[edge.nodes[a]];
-    return sum;
-  }
-
-
-
-  double
-  MortarRule::Configuration::foot_on_edge(const Tensor<1, 2> &x,
-                                          const Tensor<1, 2> &n,
-                                          const unsigned int  master_edge) const
-  {
-    const auto &edge = master.edges[master_edge];
-    return find_root(0, [&](const double xi) {
-      const EdgeShape shape(master.degree, xi);
-      return std::make_pair(cross(at(master_x, edge, shape.value) - x, n),
-                            cross(at(master_x, edge, shape.first), n));
-    });
-  }
-
-
-
-  double
-  MortarRule::Configuration::slave_coordinate(const unsigned int  slave_edge,
-                                              const Tensor<1, 2> &x) const
-  {
-    const auto &edge = slave.edges[slave_edge];
-    return find_root(0, [&](const double xi) {
-      const EdgeShape    shape(slave.degree, xi);
-      const Tensor<1, 2> r = at(slave_x, edge, shape.value) - x;
-      const Tensor<1, 2> n = at(normals, edge, shape.value);
-      return std::make_pair(cross(r, n),
-                            cross(at(slave_x, edge, shape.first), n) +
-                              cross(r, at(normals, edge, shape.first)));
-    });
-  }
 
 
 
@@ -166,19 +31,7 @@ namespace Contact
     , master(master)
     , discretization(discretization)
     , carries(slave.nodes.size(), true)
-    , next(master.edges.size(), none)
-    , previous(master.edges.size(), none)
   {
-    std::map<unsigned int, unsigned int> begins_at;
-    for (unsigned int e = 0; e < master.edges.size(); ++e)
-      begins_at[master.edges[e].nodes[0]] = e;
-    for (unsigned int e = 0; e < master.edges.size(); ++e)
-      if (!master.edges[e].ends_surface)
-        {
-          next[e]           = begins_at.at(master.edges[e].nodes[1]);
-          previous[next[e]] = e;
-        }
-
     const Vector<double> at_rest(discretization.dof_handler.n_dofs());
     const auto           normals = slave.normals(at_rest);
     for (unsigned int i = 0; i < slave.nodes.size(); ++i)
@@ -228,11 +81,11 @@ namespace Contact
   bool MortarRule::pair(const ArrayView<ContactPoint> &points,
                         const Vector<double>          &u) const
   {
-    const Configuration    now(slave, master, discretization, u);
+    const MortarSegments   now(slave, master, discretization, u);
     std::vector<Integrals> integrals(slave.nodes.size());
     for (unsigned int e = 0; e < slave.edges.size(); ++e)
       {
-        const Overlap facing = overlap(now, e);
+        const MortarOverlap facing = now.overlap(e);
         if (!facing.samples.empty())
           integrate_edge(now, e, facing, integrals);
       }
@@ -261,107 +114,11 @@ namespace Contact
 
 
 
-  // The normals at both ends of the slave edge meet the chain of the master in
-  // two edges; those from one to the other may be faced, and each cuts a
-  // segment out of the slave edge. The chains run in opposite directions.
-  MortarRule::Overlap MortarRule::overlap(const Configuration &now,
-                                          const unsigned int   slave_edge) const
-  {
-    const auto        &nodes = slave.edges[slave_edge].nodes;
-    const unsigned int last  = facing_edge(now, nodes[0]);
-    unsigned int       faced = facing_edge(now, nodes[1]);
-
-    Overlap overlap;
-    for (unsigned int n = 0; n < master.edges.size() && faced != none; ++n)
-      {
-        add_segment(now, slave_edge, faced, overlap);
-        if (faced == last)
-          break;
-        faced = next[faced];
-      }
-    return overlap;
-  }
-
-
-
-  // From the closest edge along the chain to the one that the normal meets, or
-  // to the end of the chain.
-  unsigned int MortarRule::facing_edge(const Configuration &now,
-                                       const unsigned int   slave_node) const
-  {
-    const Tensor<1, 2> &x         = now.slave_x[slave_node];
-    const Tensor<1, 2> &n         = now.normals[slave_node];
-    unsigned int        candidate = now.search.closest_point(Point<2>(x)).edge;
-    int                 last_step = 0;
-    while (true)
-      {
-        const double xi       = now.foot_on_edge(x, n, candidate);
-        const int    step     = xi > 1 ? 1 : (xi < -1 ? -1 : 0);
-        const auto   neighbor = step == 0  ? none
-                                : step > 0 ? next[candidate]
-                                           : previous[candidate];
-        if (neighbor == none || step == -last_step)
-          return candidate;
-        candidate = neighbor;
-        last_step = step;
-      }
-  }
-
-
-
-  void MortarRule::add_segment(const Configuration &now,
-                               const unsigned int   slave_edge,
-                               const unsigned int   master_edge,
-                               Overlap             &overlap) const
-  {
-    const auto  &s_edge = slave.edges[slave_edge];
-    const auto  &m_edge = master.edges[master_edge];
-    const double low =
-      std::max(-1.,
-               now.slave_coordinate(slave_edge, now.master_x[m_edge.nodes[1]]));
-    const double high =
-      std::min(1.,
-               now.slave_coordinate(slave_edge, now.master_x[m_edge.nodes[0]]));
-    // Shorter segments are round-off at nodes that face each other.
-    if (high - low < round_off)
-      return;
-
-    const QGauss<1>     quadrature(slave.degree + 2);
-    std::vector<Sample> samples;
-    for (unsigned int q = 0; q < quadrature.size(); ++q)
-      {
-        const double    xi = low + quadrature.point(q)[0] * (high - low);
-        const EdgeShape shape(slave.degree, xi);
-        const auto      x = Configuration::at(now.slave_x, s_edge, shape.value);
-        const auto      n = Configuration::at(now.normals, s_edge, shape.value);
-
-        const double    master_xi = now.foot_on_edge(x, n, master_edge);
-        const EdgeShape foot(master.degree, master_xi);
-        const auto along = Configuration::at(now.master_x, m_edge, foot.first);
-        // Back to back is not face to face.
-        if (cross(n, along) <= 0)
-          return;
-
-        samples.push_back({xi,
-                           quadrature.weight(q) * (high - low) *
-                             slave.reference_jacobian(s_edge, shape),
-                           master_edge,
-                           master_xi});
-      }
-    overlap.samples.insert(overlap.samples.end(),
-                           samples.begin(),
-                           samples.end());
-    overlap.low  = std::min(overlap.low, low);
-    overlap.high = std::max(overlap.high, high);
-  }
-
-
-
   // Where an edge faces the master in part, the nodes beyond the overlap have
   // no dual function; if that would be all, the nearest one has.
   std::vector<unsigned int>
-  MortarRule::carrying_nodes(const unsigned int slave_edge,
-                             const Overlap     &overlap) const
+  MortarRule::carrying_nodes(const unsigned int   slave_edge,
+                             const MortarOverlap &overlap) const
   {
     const auto beyond = [&](const unsigned int a) {
       const double xi = node_coordinates[a];
@@ -422,12 +179,12 @@ namespace Contact
   // functions sum up to one. Summed over j, that D_k = integral M_k ds.
   FullMatrix<double>
   MortarRule::dual_functions(const std::vector<unsigned int> &nodes,
-                             const Overlap                   &overlap) const
+                             const MortarOverlap             &overlap) const
   {
     const unsigned int n = nodes.size();
     FullMatrix<double> moments(n, n), coefficients(n, n);
     Vector<double>     integrals(n);
-    for (const Sample &sample : overlap.samples)
+    for (const MortarSample &sample : overlap.samples)
       {
         const auto test =
           test_functions(nodes, EdgeShape(slave.degree, sample.xi));
@@ -449,9 +206,9 @@ namespace Contact
 
 
 
-  void MortarRule::integrate_edge(const Configuration    &now,
+  void MortarRule::integrate_edge(const MortarSegments   &now,
                                   const unsigned int      slave_edge,
-                                  const Overlap          &overlap,
+                                  const MortarOverlap    &overlap,
                                   std::vector<Integrals> &integrals) const
   {
     const auto &edge  = slave.edges[slave_edge];
@@ -460,13 +217,13 @@ namespace Contact
       return;
 
     const auto dual = dual_functions(nodes, overlap);
-    for (const Sample &sample : overlap.samples)
+    for (const MortarSample &sample : overlap.samples)
       {
         const EdgeShape shape(slave.degree, sample.xi);
         const EdgeShape foot(master.degree, sample.master_xi);
         const auto     &m_edge = master.edges[sample.master_edge];
         const double    metric =
-          Configuration::at(now.master_x, m_edge, foot.first).norm();
+          MortarSegments::at(now.master_x, m_edge, foot.first).norm();
 
         for (unsigned int k = 0; k < nodes.size(); ++k)
           {
@@ -490,9 +247,9 @@ namespace Contact
 
 
 
-  void MortarRule::fill_in(const Configuration &now,
-                           const Integrals     &integrals,
-                           ContactPoint        &point) const
+  void MortarRule::fill_in(const MortarSegments &now,
+                           const Integrals      &integrals,
+                           ContactPoint         &point) const
   {
     const unsigned int node = slave_node(point);
     point.normal            = now.normals[node];

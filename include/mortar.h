@@ -10,6 +10,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include "contact_points.h"
+#include "mortar_segments.h"
 
 namespace Contact
 {
@@ -30,9 +31,7 @@ namespace Contact
    * Comput. Methods Appl. Mech. Engrg. 194, 2005; A. Popp, M. W. Gee and
    * W. A. Wall, Int. J. Numer. Meth. Engng. 79, 2009.)
    *
-   * The integrals run over segments: pieces of a slave edge that face one
-   * master edge. Projection is along the continuous normal field of the slave
-   * (the mean normals of its nodes, interpolated).
+   * The integrals run over the segments of class MortarSegments.
    *
    * Where this differs from the papers:
    *  - At an edge that faces the master in part, and at nodes that carry no
@@ -70,46 +69,19 @@ namespace Contact
               const Vector<double>          &u) const;
 
   private:
-    /// A quadrature point of a segment.
-    struct Sample
-    {
-      double       xi;     // on the slave edge
-      double       weight; // undeformed length [mm]; of rings, area [mm^2]
-      unsigned int master_edge;
-      double       master_xi;
-    };
-
-    /// The part of a slave edge that faces the master.
-    struct Overlap
-    {
-      std::vector<Sample> samples;
-      double              low = 1, high = -1; // slave coordinates
-    };
-
     /// Integrals of the dual function of one slave node.
     struct Integrals
     {
-      double                         weight = 0; // D_k, likewise
+      double                         weight = 0; // D_k [mm]; of rings, [mm^2]
       std::map<unsigned int, double> slave;      // Phi_k N_a, by slave node
       std::map<unsigned int, double> master;     // Phi_k N_m, by master node
       std::map<unsigned int, double> shift; // Phi_k dN_m/ds, by master node
     };
 
-    /// Both surfaces in one configuration.
-    struct Configuration;
-
-    Overlap      overlap(const Configuration &now,
-                         const unsigned int   slave_edge) const;
-    unsigned int facing_edge(const Configuration &now,
-                             const unsigned int   slave_node) const;
-    void         add_segment(const Configuration &now,
-                             const unsigned int   slave_edge,
-                             const unsigned int   master_edge,
-                             Overlap             &overlap) const;
-
     /// The nodes of an edge, by their number in it, that have a dual function.
-    std::vector<unsigned int> carrying_nodes(const unsigned int slave_edge,
-                                             const Overlap     &overlap) const;
+    std::vector<unsigned int>
+    carrying_nodes(const unsigned int   slave_edge,
+                   const MortarOverlap &overlap) const;
 
     /// What the dual functions of these nodes are biorthogonal to.
     std::vector<double> test_functions(const std::vector<unsigned int> &nodes,
@@ -118,16 +90,16 @@ namespace Contact
     /// The coefficients of the dual functions of these nodes: row k holds those
     /// of 1, xi, xi^2.
     FullMatrix<double> dual_functions(const std::vector<unsigned int> &nodes,
-                                      const Overlap &overlap) const;
+                                      const MortarOverlap &overlap) const;
 
-    void integrate_edge(const Configuration    &now,
+    void integrate_edge(const MortarSegments   &now,
                         const unsigned int      slave_edge,
-                        const Overlap          &overlap,
+                        const MortarOverlap    &overlap,
                         std::vector<Integrals> &integrals) const;
 
-    void fill_in(const Configuration &now,
-                 const Integrals     &integrals,
-                 ContactPoint        &point) const;
+    void fill_in(const MortarSegments &now,
+                 const Integrals      &integrals,
+                 ContactPoint         &point) const;
 
     unsigned int slave_node(const ContactPoint &point) const;
 
@@ -137,9 +109,6 @@ namespace Contact
 
     /// Whether a slave node carries a multiplier.
     std::vector<bool> carries;
-
-    /// The master edge behind and before an edge along the chain.
-    std::vector<unsigned int> next, previous;
   };
 } // namespace Contact
 

@@ -6,8 +6,6 @@
 #ifndef contact_result_files_h
 #define contact_result_files_h
 
-#include <deal.II/numerics/data_out.h>
-
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
@@ -27,41 +25,6 @@ namespace Contact
    * touched.
    */
   void create_output_directory(const std::filesystem::path &directory);
-
-  /**
-   * Write a file by @p write, under another name until it is complete: an
-   * interrupted run leaves the file of before or the new one, never half of
-   * it. Throws InputError if it can not be written.
-   */
-  void write_file(const std::filesystem::path               &file,
-                  const std::function<void(std::ostream &)> &write);
-
-
-
-  /**
-   * The recovered stress as finite element fields that are given by their
-   * values at the vertices: linear, whatever the degree of the displacement.
-   */
-  class VertexFields
-  {
-  public:
-    explicit VertexFields(const Discretization &discretization);
-
-    /// Take over the stress [MPa] by vertex of the triangulation.
-    void set(const std::vector<SymmetricTensor<2, 3>> &vertex_stresses);
-
-    /// Attach stress_xx, _yy, _zz, _xy and von_mises [MPa] to @p data_out,
-    /// which must not outlive this object.
-    void attach(DataOut<2> &data_out) const;
-
-  private:
-    const hp::FECollection<2>            fe;
-    DoFHandler<2>                        dof_handler;
-    std::vector<types::global_dof_index> dof_of_vertex;
-
-    /// Name and values by unknown of the fields.
-    std::vector<std::pair<std::string, Vector<double>>> fields;
-  };
 
 
 

@@ -9,7 +9,7 @@
 
 #include <deal.II/hp/fe_values.h>
 
-#include "tests.h"
+#include "derivatives.h"
 
 using namespace Tests;
 
@@ -66,25 +66,6 @@ namespace
 
 
 
-  // By all unknowns, without constraints.
-  FullMatrix<double> tangent(const Bodies &bodies, const Vector<double> &u)
-  {
-    FullMatrix<double> sum(u.size(), u.size());
-    bodies.elasticity->visit_cells(
-      u,
-      true,
-      [&](const std::vector<types::global_dof_index> &dofs,
-          const FullMatrix<double>                   &of_cell,
-          const Vector<double> &) {
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          for (unsigned int j = 0; j < dofs.size(); ++j)
-            sum(dofs[i], dofs[j]) += of_cell(i, j);
-      });
-    return sum;
-  }
-
-
-
   void derivatives(const unsigned int degree,
                    const std::string &centre_node,
                    const std::string &kinematics,
@@ -94,39 +75,17 @@ namespace
              (degree == 2 ? ", centre " + centre_node : "") + ", " +
              kinematics + ", " + dilatation);
     const Bodies bodies(make_case(degree, centre_node, kinematics, dilatation));
-    const Vector<double>     u      = random_displacement(bodies);
-    const Vector<double>     forces = bodies.elasticity->forces(u, 0);
-    const FullMatrix<double> K      = tangent(bodies, u);
-
-    double       of_energy = 0, of_forces = 0, asymmetry = 0;
-    const double h = 1e-5;
-    for (unsigned int j = 0; j < u.size(); ++j)
-      {
-        Vector<double> before(u), after(u);
-        before[j] -= h;
-        after[j] += h;
-        const double slope = (bodies.elasticity->strain_energy(after) -
-                              bodies.elasticity->strain_energy(before)) /
-                             (2 * h);
-        of_energy = std::max(of_energy, std::abs(slope - forces[j]));
-
-        Vector<double> column = bodies.elasticity->forces(after, 0);
-        column -= bodies.elasticity->forces(before, 0);
-        column /= 2 * h;
-        for (unsigned int i = 0; i < u.size(); ++i)
-          {
-            of_forces = std::max(of_forces, std::abs(column[i] - K(i, j)));
-            asymmetry = std::max(asymmetry, std::abs(K(i, j) - K(j, i)));
-          }
-      }
-    const double largest = K.linfty_norm();
+    const auto   found =
+      compare_with_differences(bodies,
+                               random_displacement(bodies),
+                               [&](const Vector<double> &u) {
+                                 return bodies.elasticity->strain_energy(u);
+                               });
     check_small("forces against central differences of the energy",
-                of_energy / forces.linfty_norm(),
+                found.forces,
                 1e-8);
-    check_small("tangent against those of the forces",
-                of_forces / largest,
-                1e-8);
-    check_small("asymmetry", asymmetry / largest, 1e-14);
+    check_small("tangent against those of the forces", found.tangent, 1e-8);
+    check_small("asymmetry", found.asymmetry, 1e-14);
     check("projected as announced",
           bodies.elasticity->is_projected(0) == (dilatation != "full"));
   }

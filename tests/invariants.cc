@@ -183,13 +183,15 @@ namespace
         const StatusCount count = model.interface.count();
         stick += count.stick;
         slip += count.active - count.stick;
-        for (double Invariants::*number : {&Invariants::force_imbalance,
-                                           &Invariants::moment_imbalance,
-                                           &Invariants::complementarity,
-                                           &Invariants::cone,
-                                           &Invariants::slip,
-                                           &Invariants::penetration,
-                                           &Invariants::energy_imbalance})
+        for (double Invariants::*number :
+             std::initializer_list<double Invariants::*>{
+               &Invariants::force_imbalance,
+               &Invariants::moment_imbalance,
+               &Invariants::complementarity,
+               &Invariants::cone,
+               &Invariants::slip,
+               &Invariants::penetration,
+               &Invariants::energy_imbalance})
           worst.*number = std::max(worst.*number, found.*number);
         dissipates =
           dissipates &&

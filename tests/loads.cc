@@ -142,7 +142,8 @@ namespace
         const Bodies  under_constant(parameters);
         const Surface surface = under_constant.surface(side);
         const auto    found =
-          resultant(under_constant, under_constant.discretization.dead_load(1));
+          resultant(under_constant,
+                    under_constant.elasticity->dead_loads.at(1));
         constant = std::max(constant,
                             found.distance(
                               integrate(surface, [](auto &) { return 3.; })));
@@ -157,7 +158,7 @@ namespace
         const Bodies under_linear(parameters);
         linear = std::max(linear,
                           resultant(under_linear,
-                                    under_linear.discretization.dead_load(1))
+                                    under_linear.elasticity->dead_loads.at(1))
                             .distance(integrate(surface, [](const Point<2> &X) {
                               return 1 + 2 * X[0] - 0.5 * X[1];
                             })));
@@ -173,7 +174,7 @@ namespace
                                     {"body right", "3"}};
     const Bodies under_all(parameters);
     check_small(text + ": all around",
-                resultant(under_all, under_all.discretization.dead_load(1))
+                resultant(under_all, under_all.elasticity->dead_loads.at(1))
                   .distance(Resultant()),
                 1e-12);
   }
@@ -205,7 +206,8 @@ namespace
     check_small("forces, degree " + std::to_string(degree), largest, 1e-11);
     check("the load points downwards",
           forces.linfty_norm() > 1 &&
-            resultant(bodies, bodies.discretization.dead_load(1)).force[1] < 0);
+            resultant(bodies, bodies.elasticity->dead_loads.at(1)).force[1] <
+              0);
   }
 
 
@@ -224,7 +226,7 @@ namespace
     parameters.boundary.spread_force_y = {{"body top", -100},
                                           {"body bottom", 30}};
     const Bodies bodies(parameters);
-    const auto   found = resultant(bodies, bodies.discretization.dead_load(1));
+    const auto   found = resultant(bodies, bodies.elasticity->dead_loads.at(1));
     check_small(text + ": force",
                 (found.force - Tensor<1, 2>({7, -70})).norm(),
                 1e-12);
@@ -238,7 +240,7 @@ namespace
                     1e-11);
       }
     check_small(text + ": whole load",
-                std::abs(bodies.discretization.whole_load() - 137),
+                std::abs(bodies.elasticity->dead_loads.whole() - 137),
                 1e-11);
   }
 
@@ -257,7 +259,7 @@ namespace
       auto parameters = body(degree, false, split);
       set(parameters.boundary);
       const Bodies bodies(parameters);
-      return resultant(bodies, bodies.discretization.dead_load(1))
+      return resultant(bodies, bodies.elasticity->dead_loads.at(1))
         .distance(exact);
     };
     const double length = std::sqrt(10.);
@@ -376,7 +378,7 @@ namespace
                                     "Body force x",
                                     "Body force y"})
       {
-        loads[entry] = Bodies(loaded_body(entry)).discretization.dead_load(1);
+        loads[entry] = Bodies(loaded_body(entry)).elasticity->dead_loads.at(1);
         whole += loads[entry].l1_norm();
       }
     for (const double t : {0., 0.25, 0.5, 0.75, 1.})
@@ -387,8 +389,8 @@ namespace
             with.add(history(entry, t), load);
             without.add(t, load);
           }
-        with -= bodies.discretization.dead_load(t);
-        without -= plain.discretization.dead_load(t);
+        with -= bodies.elasticity->dead_loads.at(t);
+        without -= plain.elasticity->dead_loads.at(t);
         check_small("t = " + two_digits(t) + ", with histories",
                     with.linfty_norm(),
                     1e-13);
@@ -397,8 +399,8 @@ namespace
                     1e-13);
       }
     check_small("whole load",
-                std::abs(bodies.discretization.whole_load() - whole) +
-                  std::abs(plain.discretization.whole_load() - whole),
+                std::abs(bodies.elasticity->dead_loads.whole() - whole) +
+                  std::abs(plain.elasticity->dead_loads.whole() - whole),
                 1e-12);
   }
 
