@@ -14,35 +14,11 @@
 #include <string>
 #include <vector>
 
+#include "declared_entry.h"
+
 namespace Contact
 {
   using namespace dealii;
-
-  /// An entry as it was declared in a ParameterHandler.
-  struct DeclaredEntry
-  {
-    std::string section;
-    std::string name;
-    std::string default_value;
-    std::string documentation;
-
-    /// The pattern, as ParameterHandler describes it.
-    std::string pattern;
-
-    /// "Section/Name", the way messages and overrides name it.
-    std::string path() const;
-
-    /// What the pattern allows, in words.
-    std::string allowed_values() const;
-
-    /// The key that @p value, which matches the pattern, gives twice; if any.
-    std::string repeated_key(const std::string &value) const;
-  };
-
-  /// All entries of @p prm in the order of their declaration.
-  std::vector<DeclaredEntry> declared_entries(const ParameterHandler &prm);
-
-
 
   /**
    * Reads parameter files into a ParameterHandler. The reader of
