@@ -23,18 +23,6 @@ namespace Contact
       return text.find(part) != std::string::npos;
     }
 
-
-
-    // What separates the elements of a map. The pattern says so at its end,
-    // unless it is a comma; a list inside may have another one.
-    std::string map_separator(const std::string &pattern)
-    {
-      const std::string separated = "separated by <";
-      const auto        position  = pattern.rfind(separated);
-      return position == std::string::npos
-               ? ","
-               : pattern.substr(position + separated.size(), 1);
-    }
   } // namespace
 
 
@@ -46,18 +34,44 @@ namespace Contact
 
 
 
+  bool DeclaredEntry::is_map() const
+  {
+    return contains(pattern, "[Map");
+  }
+
+
+
+  bool DeclaredEntry::is_list() const
+  {
+    return contains(pattern, "[List");
+  }
+
+
+
+  std::string DeclaredEntry::separator() const
+  {
+    // The pattern says so at its end, unless it is a comma; a list inside of a
+    // map may have another one.
+    const std::string separated = "separated by <";
+    const auto        position  = pattern.rfind(separated);
+    return position == std::string::npos
+             ? ","
+             : pattern.substr(position + separated.size(), 1);
+  }
+
+
+
   std::string DeclaredEntry::allowed_values() const
   {
     // ParameterHandler's own words for maps and lists are hard to read.
     const std::string item = contains(pattern, "[Double") ? "number" : "name";
-    if (contains(pattern, "[Map") && contains(pattern, "[List"))
+    if (is_map() && is_list())
       return "any number of 'name: " + item + ", " + item +
              ", ...', separated by ';'";
-    if (contains(pattern, "[Map"))
-      return "any number of 'name: " +
-             (map_separator(pattern) == ";" ? "formula" : item) +
-             "', separated by '" + map_separator(pattern) + "'";
-    if (contains(pattern, "[List"))
+    if (is_map())
+      return "any number of 'name: " + (separator() == ";" ? "formula" : item) +
+             "', separated by '" + separator() + "'";
+    if (is_list())
       return "any number of " + item + "s, separated by ','";
     if (contains(pattern, "[Anything"))
       return "any text";
@@ -75,12 +89,11 @@ namespace Contact
 
   std::string DeclaredEntry::repeated_key(const std::string &value) const
   {
-    if (!contains(pattern, "[Map"))
+    if (!is_map())
       return "";
-    const std::string     separator = map_separator(pattern);
     std::set<std::string> keys;
     for (const std::string &element :
-         Utilities::split_string_list(value, separator))
+         Utilities::split_string_list(value, separator()))
       {
         const std::string key = split_at(element, element.find(':')).first;
         if (!keys.insert(key).second)

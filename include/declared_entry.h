@@ -29,6 +29,15 @@ namespace Contact
     /// "Section/Name", the way messages and overrides name it.
     std::string path() const;
 
+    /// Whether the value is 'name: item, name: item'.
+    bool is_map() const;
+
+    /// Whether the value is 'item, item'; of a map, whether its items are.
+    bool is_list() const;
+
+    /// What separates the elements of a map or of a list.
+    std::string separator() const;
+
     /// What the pattern allows, in words.
     std::string allowed_values() const;
 

@@ -86,11 +86,10 @@ namespace Contact
     if (main_file.empty())
       main_file = file.string();
     open_files.push_back({path, section, {}});
-    for (const Statement &statement : read_statements(in))
-      read_statement(statement.text,
-                     {file.string() + ":" + std::to_string(statement.line),
-                      file.parent_path()});
-    check_section_closed();
+    if (file.extension() == ".json")
+      read_json(in, file);
+    else
+      read_prm(in, file);
     open_files.pop_back();
   }
 
@@ -142,6 +141,25 @@ namespace Contact
       }
     // Somebody has to be told which file lacks them.
     return is_set ? text : main_file + ", " + text;
+  }
+
+
+
+  void ParameterReader::read_prm(std::istream                &in,
+                                 const std::filesystem::path &file)
+  {
+    for (const Statement &statement : read_statements(in))
+      read_statement(statement.text, place_in(file, statement.line));
+    check_section_closed();
+  }
+
+
+
+  ParameterReader::Place
+  ParameterReader::place_in(const std::filesystem::path &file,
+                            const unsigned int           line)
+  {
+    return {file.string() + ":" + std::to_string(line), file.parent_path()};
   }
 
 
@@ -234,9 +252,19 @@ namespace Contact
 
     const auto [name, value] = split_at(assignment, equal_sign);
     declare_section(in_section);
-    const DeclaredEntry &entry =
-      find_entry(in_section, with_single_blanks(name), place);
+    set_once(find_entry(in_section, with_single_blanks(name), place),
+             value,
+             place,
+             set_before);
+  }
 
+
+
+  void ParameterReader::set_once(const DeclaredEntry &entry,
+                                 const std::string   &value,
+                                 const Place         &place,
+                                 Settings            &set_before)
+  {
     const auto [earlier, is_new] = set_before.insert({entry.path(), place});
     if (!is_new)
       throw InputError(entry.path() + " is set twice.",
