@@ -186,12 +186,12 @@ namespace Contact
         message.erase(0,
                       begin != std::string::npos ? begin
                                                  : message.find("] ") + 2);
-        const auto read     = message.find("; last read");
+        const auto token    = message.find("; last read");
         const auto expected = message.rfind("; expected");
-        if (read != std::string::npos)
-          message.erase(read,
-                        expected > read && expected != std::string::npos
-                          ? expected - read
+        if (token != std::string::npos)
+          message.erase(token,
+                        expected > token && expected != std::string::npos
+                          ? expected - token
                           : std::string::npos);
         return message.substr(0, 200); // a number may be long as well
       }
