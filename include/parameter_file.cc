@@ -8,14 +8,10 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
-#include <nlohmann/json.hpp>
-#include <numeric>
-#include <set>
-#include <sstream>
 
 #include "errors.h"
+#include "words.h"
 
 namespace Contact
 {
@@ -28,58 +24,6 @@ namespace Contact
       unsigned int line;
       std::string  text;
     };
-
-
-
-    // What a file has in it may be of any length, or no text at all.
-    std::string in_quotes(const std::string &name)
-    {
-      std::string text = name.substr(0, 200);
-      for (char &c : text)
-        if (std::iscntrl(static_cast<unsigned char>(c)))
-          c = '?';
-      return "'" + text + (name.size() > text.size() ? "..." : "") + "'";
-    }
-
-
-
-    bool contains(const std::string &text, const std::string &part)
-    {
-      return text.find(part) != std::string::npos;
-    }
-
-
-
-    std::string lower_case(std::string text)
-    {
-      for (char &c : text)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      return text;
-    }
-
-
-
-    // Names are compared word by word: 'Gauss   points' is 'Gauss points'.
-    std::string with_single_blanks(const std::string &text)
-    {
-      std::istringstream words(text);
-      std::string        word, result;
-      while (words >> word)
-        result += (result.empty() ? "" : " ") + word;
-      return result;
-    }
-
-
-
-    // Split at the first separator; without one, the second part is empty.
-    std::pair<std::string, std::string> split_at(const std::string &text,
-                                                 const std::size_t  position)
-    {
-      if (position == std::string::npos)
-        return {Utilities::trim(text), ""};
-      return {Utilities::trim(text.substr(0, position)),
-              Utilities::trim(text.substr(position + 1))};
-    }
 
 
 
@@ -105,143 +49,7 @@ namespace Contact
           Utilities::trim(statement.text.substr(0, statement.text.find('#')));
       return statements;
     }
-
-
-
-    // Levenshtein's distance: insertions, deletions and replacements that
-    // turn one word into the other. Only one row of the table is kept.
-    std::size_t edit_distance(const std::string &a, const std::string &b)
-    {
-      std::vector<std::size_t> row(b.size() + 1);
-      std::iota(row.begin(), row.end(), 0);
-      for (std::size_t i = 0; i < a.size(); ++i)
-        {
-          std::size_t diagonal = row[0]++;
-          for (std::size_t j = 0; j < b.size(); ++j)
-            {
-              const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-              diagonal                   = row[j + 1];
-              row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-            }
-        }
-      return row.back();
-    }
-
-
-
-    // What separates the elements of a map. The pattern says so at its end,
-    // unless it is a comma; a list inside may have another one.
-    std::string map_separator(const std::string &pattern)
-    {
-      const std::string separated = "separated by <";
-      const auto        position  = pattern.rfind(separated);
-      return position == std::string::npos
-               ? ","
-               : pattern.substr(position + separated.size(), 1);
-    }
-
-
-
-    // The position of the nearest word; their number if all of them are too
-    // far away to be what was meant.
-    std::size_t nearest(const std::string &word, const Names &candidates)
-    {
-      std::size_t best = candidates.size();
-      // Nobody means a word by that, and comparing takes its length.
-      if (word.size() > 1000)
-        return best;
-      std::size_t shortest = std::max<std::size_t>(2, word.size() / 3) + 1;
-      for (std::size_t i = 0; i < candidates.size(); ++i)
-        {
-          const std::size_t distance =
-            edit_distance(lower_case(word), lower_case(candidates[i]));
-          if (distance < shortest)
-            {
-              shortest = distance;
-              best     = i;
-            }
-        }
-      return best;
-    }
   } // namespace
-
-
-
-  std::string DeclaredEntry::path() const
-  {
-    return section + "/" + name;
-  }
-
-
-
-  std::string DeclaredEntry::allowed_values() const
-  {
-    // ParameterHandler's own words for maps and lists are hard to read.
-    const std::string item = contains(pattern, "[Double") ? "number" : "name";
-    if (contains(pattern, "[Map") && contains(pattern, "[List"))
-      return "any number of 'name: " + item + ", " + item +
-             ", ...', separated by ';'";
-    if (contains(pattern, "[Map"))
-      return "any number of 'name: " +
-             (map_separator(pattern) == ";" ? "formula" : item) +
-             "', separated by '" + map_separator(pattern) + "'";
-    if (contains(pattern, "[List"))
-      return "any number of " + item + "s, separated by ','";
-    if (contains(pattern, "[Anything"))
-      return "any text";
-    if (contains(pattern, "[Double -MAX"))
-      return "any number";
-
-    std::string text = Patterns::pattern_factory(pattern)->description(
-      Patterns::PatternBase::Text);
-    for (const std::string no_bound : {" <= 2147483647", " <= MAX_DOUBLE"})
-      text = Utilities::replace_in_string(text, no_bound, "");
-    return lower_case(text.substr(0, 1)) + text.substr(1);
-  }
-
-
-
-  std::string DeclaredEntry::repeated_key(const std::string &value) const
-  {
-    if (!contains(pattern, "[Map"))
-      return "";
-    const std::string     separator = map_separator(pattern);
-    std::set<std::string> keys;
-    for (const std::string &element :
-         Utilities::split_string_list(value, separator))
-      {
-        const std::string key = split_at(element, element.find(':')).first;
-        if (!keys.insert(key).second)
-          return key;
-      }
-    return "";
-  }
-
-
-
-  std::vector<DeclaredEntry> declared_entries(const ParameterHandler &prm)
-  {
-    // The handler tells what it knows in no other form than in print.
-    std::stringstream text;
-    prm.print_parameters(text,
-                         static_cast<ParameterHandler::OutputStyle>(
-                           ParameterHandler::JSON |
-                           ParameterHandler::KeepDeclarationOrder));
-
-    const auto                 tree = nlohmann::ordered_json::parse(text);
-    std::vector<DeclaredEntry> entries;
-    for (const auto &section : tree.items())
-      for (const auto &entry : section.value().items())
-        {
-          const auto &field = entry.value();
-          entries.push_back({section.key(),
-                             entry.key(),
-                             field.at("default_value"),
-                             field.at("documentation"),
-                             field.at("pattern_description")});
-        }
-    return entries;
-  }
 
 
 
@@ -278,11 +86,10 @@ namespace Contact
     if (main_file.empty())
       main_file = file.string();
     open_files.push_back({path, section, {}});
-    for (const Statement &statement : read_statements(in))
-      read_statement(statement.text,
-                     {file.string() + ":" + std::to_string(statement.line),
-                      file.parent_path()});
-    check_section_closed();
+    if (file.extension() == ".json")
+      read_json(in, file);
+    else
+      read_prm(in, file);
     open_files.pop_back();
   }
 
@@ -334,6 +141,25 @@ namespace Contact
       }
     // Somebody has to be told which file lacks them.
     return is_set ? text : main_file + ", " + text;
+  }
+
+
+
+  void ParameterReader::read_prm(std::istream                &in,
+                                 const std::filesystem::path &file)
+  {
+    for (const Statement &statement : read_statements(in))
+      read_statement(statement.text, place_in(file, statement.line));
+    check_section_closed();
+  }
+
+
+
+  ParameterReader::Place
+  ParameterReader::place_in(const std::filesystem::path &file,
+                            const unsigned int           line)
+  {
+    return {file.string() + ":" + std::to_string(line), file.parent_path()};
   }
 
 
@@ -426,9 +252,19 @@ namespace Contact
 
     const auto [name, value] = split_at(assignment, equal_sign);
     declare_section(in_section);
-    const DeclaredEntry &entry =
-      find_entry(in_section, with_single_blanks(name), place);
+    set_once(find_entry(in_section, with_single_blanks(name), place),
+             value,
+             place,
+             set_before);
+  }
 
+
+
+  void ParameterReader::set_once(const DeclaredEntry &entry,
+                                 const std::string   &value,
+                                 const Place         &place,
+                                 Settings            &set_before)
+  {
     const auto [earlier, is_new] = set_before.insert({entry.path(), place});
     if (!is_new)
       throw InputError(entry.path() + " is set twice.",

@@ -10,44 +10,26 @@
 
 #include <filesystem>
 #include <functional>
+#include <iosfwd>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "declared_entry.h"
 
 namespace Contact
 {
   using namespace dealii;
 
-  /// An entry as it was declared in a ParameterHandler.
-  struct DeclaredEntry
-  {
-    std::string section;
-    std::string name;
-    std::string default_value;
-    std::string documentation;
-
-    /// The pattern, as ParameterHandler describes it.
-    std::string pattern;
-
-    /// "Section/Name", the way messages and overrides name it.
-    std::string path() const;
-
-    /// What the pattern allows, in words.
-    std::string allowed_values() const;
-
-    /// The key that @p value, which matches the pattern, gives twice; if any.
-    std::string repeated_key(const std::string &value) const;
-  };
-
-  /// All entries of @p prm in the order of their declaration.
-  std::vector<DeclaredEntry> declared_entries(const ParameterHandler &prm);
+  struct JsonValue;
 
 
 
   /**
    * Reads parameter files into a ParameterHandler. The reader of
    * ParameterHandler itself forgets where an entry was set, which the messages
-   * of this program tell. Sections are not nested here.
+   * of this program tell. Sections are not nested here. JSON is read by
+   * parameter_json.cc.
    */
   class ParameterReader
   {
@@ -61,7 +43,8 @@ namespace Contact
                     const std::string &kind,
                     const Declare     &declare);
 
-    /// Read a file and what it includes. @p asked_by is who wants it.
+    /// Read a file and what it includes, JSON if its name ends so. @p asked_by
+    /// is who wants it.
     void read_file(const std::filesystem::path &file,
                    const std::string           &asked_by = "command line");
 
@@ -95,6 +78,12 @@ namespace Contact
       Settings              settings;
     };
 
+    static Place place_in(const std::filesystem::path &file,
+                          const unsigned int           line);
+
+    void read_prm(std::istream &in, const std::filesystem::path &file);
+    void read_json(std::istream &in, const std::filesystem::path &file);
+
     void read_statement(const std::string &statement, const Place &place);
     void read_include(const std::string &file, const Place &place);
     void enter_section(const std::string &name, const Place &place);
@@ -104,6 +93,14 @@ namespace Contact
                          const std::string &assignment,
                          const Place       &place,
                          Settings          &set_before);
+    void read_json_includes(const JsonValue &files, const Place &place);
+    void read_json_section(const JsonValue             &value,
+                           const std::filesystem::path &file);
+    void read_json_entry(const JsonValue &value, const Place &place);
+    void set_once(const DeclaredEntry &entry,
+                  const std::string   &value,
+                  const Place         &place,
+                  Settings            &set_before);
     void set(const DeclaredEntry &entry,
              const std::string   &value,
              const Place         &place);

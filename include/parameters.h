@@ -371,10 +371,10 @@ namespace Contact
 
 
   /**
-   * Read a case from a .prm file into @p parameters, with @p overrides of the
-   * form "Section/Entry=value" on top, and check it. @p prm is the handler
-   * that was filled, to print what was used; it refers to @p parameters, which
-   * has to live as long. What both hold before is lost.
+   * Read a case from a .prm or .json file into @p parameters, with @p overrides
+   * of the form "Section/Entry=value" on top, and check it. @p prm is the
+   * handler that was filled, to print what was used; it refers to @p
+   * parameters, which has to live as long. What both hold before is lost.
    *
    * The format is that of ParameterHandler with three differences. An
    * <code>include</code> is relative to the file that includes, and so is the
@@ -383,6 +383,12 @@ namespace Contact
    * override what it includes, and a later include an earlier one); an unknown
    * entry is answered with the nearest known one. Throws InputError with file
    * and line. A section "Contact NAME" is declared by its first mention.
+   *
+   * JSON is an object of sections, which are objects of entries, as
+   * ParameterHandler writes it or shorter: a value may be a number, true or
+   * false, an entry of names and values an object, a list an array. "include"
+   * is a file or an array of files of either format, and what a file sets
+   * itself goes before what it includes.
    */
   void read_parameters(const std::filesystem::path    &file,
                        const std::vector<std::string> &overrides,

@@ -28,6 +28,7 @@ _contact() {
   else
     compopt -o filenames
     mapfile -t COMPREPLY < <(compgen -f -X '!*.prm' -- "$word"
+                             compgen -f -X '!*.json' -- "$word"
                              compgen -d -- "$word")
   fi
 }

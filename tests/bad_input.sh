@@ -66,6 +66,21 @@ expect_entry "Centre node" "Element/Centre node=free"
 expect "no parameter file" "$scratch/missing.prm"
 expect "option" "$good" --sett
 
+# JSON
+printf '{"include": "%s",\n"Contact": {"Slaev": "a"}}' "$good" >a.json
+expect "a.json:2" a.json
+expect "did you mean 'Slave'" a.json
+printf '{"Element": {\n  "Degree": 1,\n}}' >b.json
+expect "b.json:3:1" b.json
+printf '{"Element": {"Degree": 1, "Degree": 1}}' >c.json
+expect "twice" c.json
+printf '{"include": "%s", "Element": {"Degree": [1]}}' "$good" >d.json
+expect "an array where" d.json
+printf '{"include": "%s", "Element": {"Degree": 3}}' "$good" >e.json
+expect "1 <= n <= 2" e.json
+head -c 200000 /dev/zero | tr '\0' '[' >f.json
+expect "inside each other" f.json
+
 # Meshes
 expect_entry "missing.msh" "Mesh/File=missing.msh"
 head -c 5000 "$meshes/ssnp154.msh" >truncated.msh

@@ -3,18 +3,20 @@
 """Good parameter and mesh files, damaged in every way a file can be.
 
     damaged.py [--number N] [--first SEED] [--only SEED,...] [--output DIR]
-               [--processes P] [--limit SECONDS] CONTACT
+               [--processes P] [--limit SECONDS] [--json] CONTACT
 
 The number of a case is its seed. What is damaged is random, but always the same
 for a seed. The program has to answer with exit status 2 and one message that
 says what is wrong, in which file or entry, and the remedy; or the file still means
 something, then it may run: exit status 0, 1 or 3, and no result of status 0
-that is no number. Writes damaged.csv and damaged.md. Exit status: 0, 1 if one
-crashed, hung, or was answered badly.
+that is no number. With --json the parameter files are JSON, and all damage is in
+them. Writes damaged.csv and damaged.md. Exit status: 0, 1 if one crashed, hung,
+or was answered badly.
 """
 import argparse
 import collections
 import csv
+import json
 import math
 import pathlib
 import random
@@ -37,7 +39,7 @@ WORDS = ("subsection", "end", "set", "include", "=", ":", ";", ",", "#", "\\",
 # Entries that ask for work: a huge value is no error.
 EXPENSIVE = re.compile(
     rb"(Increments|Refinements|Levels|Max \w+ iterations|Gauss points)"
-    rb"\s*=\s*\d\d|tolerance\s*=", re.IGNORECASE)
+    rb"\W*[=:]\W*\d\d|tolerance\W*[=:]", re.IGNORECASE)
 
 
 def numbers_of(data):
@@ -172,17 +174,35 @@ class Damage:
         return way.__name__, way(data)
 
 
+def in_json(scene):
+    """The parameters of a scene, maps of numbers as objects."""
+    sections = {}
+    for path, value in scene.entries.items():
+        section, entry = path.split("/", 1)
+        pairs = [re.fullmatch(r" ?(\w+): (-?\d+\.?\d*)", pair)
+                 for pair in str(value).split(",")]
+        if all(pairs):
+            value = {pair[1]: float(pair[2]) for pair in pairs}
+        sections.setdefault(section, {})[entry] = value
+    return json.dumps(sections, indent=1)
+
+
 class Case:
-    def __init__(self, seed):
+    def __init__(self, seed, as_json):
         self.seed = seed
         self.name = "damaged_%d" % seed
         rng = random.Random("damaged %d" % seed)
         self.scene = scenes.Scene(rng.choice(GOOD))
         self.scene.name = self.name
         self.scene.set("Mesh/File", self.name + ".msh")
-        self.files = {".prm": self.scene.parameters().encode(),
-                      ".msh": self.scene.mesh().encode()}
-        self.part = rng.choice([".prm", ".msh", ".msh"])
+        self.files = {".msh": self.scene.mesh().encode()}
+        if as_json:
+            self.ending = self.part = ".json"
+            self.files[self.ending] = in_json(self.scene).encode()
+        else:
+            self.ending = ".prm"
+            self.files[self.ending] = self.scene.parameters().encode()
+            self.part = rng.choice([".prm", ".msh", ".msh"])
         damage = Damage(rng)
         self.way, self.files[self.part] = damage.apply(self.files[self.part])
 
@@ -205,7 +225,7 @@ def names_entry(text):
 def faults(case, directory, result):
     """What is wrong with the answer."""
     if result.outcome == "hung":
-        if EXPENSIVE.search(case.files[".prm"]) and case.part == ".prm":
+        if EXPENSIVE.search(case.files[case.ending]) and case.part == case.ending:
             return []
         return ["no answer within the time limit"]
     if result.outcome == "crashed":
@@ -241,18 +261,19 @@ def faults(case, directory, result):
     return []
 
 
-def answer(seed, binary, output, limit, sanitized):
-    case = Case(seed)
+def answer(seed, binary, output, limit, sanitized, as_json):
+    case = Case(seed, as_json)
     directory = output / case.name
     case.write(directory)
-    result = runner.run(binary, directory, case.name + ".prm", limit, sanitized,
-                        ["--quiet"])
+    result = runner.run(binary, directory, case.name + case.ending, limit,
+                        sanitized, ["--quiet"])
     return case, result, faults(case, directory, result)
 
 
 def report(answered, output):
     rows = []
-    for part, name in ((".prm", "parameter file"), (".msh", "mesh file")):
+    for part, name in ((".prm", "parameter file"), (".json", "parameter file"),
+                       (".msh", "mesh file")):
         ways = collections.defaultdict(list)
         for case, result, found in answered:
             if case.part == part:
@@ -296,12 +317,12 @@ def report(answered, output):
     return text
 
 
-def run_damaged(binary, seeds, output, processes=2, limit=20):
+def run_damaged(binary, seeds, output, processes=2, limit=20, as_json=False):
     sanitized = runner.is_sanitized(binary)
     output.mkdir(parents=True, exist_ok=True)
     answered = runner.in_parallel(
-        lambda seed: answer(seed, binary, output, limit, sanitized), seeds,
-        processes)
+        lambda seed: answer(seed, binary, output, limit, sanitized, as_json),
+        seeds, processes)
     return answered, report(answered, output)
 
 
@@ -320,12 +341,14 @@ def main():
     parser.add_argument("--output", default="output/fuzz")
     parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--limit", type=float, default=20)
+    parser.add_argument("--json", action="store_true")
     options = parser.parse_args()
     seeds = ([int(s) for s in options.only.split(",")] if options.only else
              range(options.first, options.first + options.number))
     answered, text = run_damaged(options.contact, seeds,
                                  pathlib.Path(options.output),
-                                 options.processes, options.limit)
+                                 options.processes, options.limit,
+                                 options.json)
     print(text)
     if options.only:
         for case, result, found in answered:
