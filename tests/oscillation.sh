@@ -8,13 +8,13 @@
 # linear and 0.15 with quadratic elements where the edges of the block are
 # 0.75 mm long; the other rules and the other choice of the slave are there to
 # compare with.
-#   oscillation.sh CONTACT [RULE...]
+#   oscillation.sh CONTACT [RULE [SLAVE]]
 # SPDX-License-Identifier: LGPL-2.1-or-later
 set -eu
 
 contact=$1
 shift
-rules=$* # none: all
+only=$* # none: all
 here=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -26,8 +26,8 @@ failures=0
 
 # row MESH REFINEMENTS EDGE DEGREE CENTRE RULE SLAVE [BAR]
 row() {
-  case " $rules " in
-    *" $6 "* | "  ") ;;
+  case "$6 $7" in
+    "$only"*) ;;
     *) return 0 ;;
   esac
   case $7 in

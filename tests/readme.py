@@ -18,6 +18,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 STARTS = ("./run", "gmsh ", "mpirun", "build/contact", "meshes/convert.py ", "cmake",
           "pvpython", "apt-get", "ctest", "tests/reference_table.py ",
@@ -34,14 +35,16 @@ SHORT = {
     "./run effects": "./run effects tied --repetitions 1",
     "./run yardstick":
         "./run yardstick CHOLMOD --repetitions 1 --refinements 2",
-    "./run scaling": "./run scaling 6000",
+    "./run scaling": "./run scaling 2000",
     "./run adaptive": "./run adaptive 2000",
-    "./run oscillation": "./run oscillation mortar",
+    "./run oscillation": "./run oscillation mortar block",
     "./run gallery": "./run gallery --pictures $SCRATCH",
     "cmake --install build --strip --prefix ~/.local":
         "cmake --install build --strip --prefix $SCRATCH",
     "tests/fuzz/scenes.py --number 600":
-        "tests/fuzz/scenes.py --number 2 build/contact",
+        "tests/fuzz/scenes.py --number 2 --output $SCRATCH build/contact",
+    "tests/fuzz/damaged.py --json --number 220":
+        "tests/fuzz/damaged.py --json --number 4 --output $SCRATCH build/contact",
     "ctest -R NAME": "cd build && ctest -R formula",
 }
 
@@ -116,9 +119,11 @@ def main() -> int:
         if needed and not shutil.which(needed):
             print(f"{command}: NOT RUN, needs {needed}")
             continue
+        start = time.monotonic()
         run = subprocess.run(SHORT.get(command, command), shell=True, cwd=root,
                              env=environment, text=True, capture_output=True)
-        print(f"{command}: exit status {run.returncode}", flush=True)
+        print(f"{command}: exit status {run.returncode}, "
+              f"{time.monotonic() - start:.1f} s", flush=True)
         if run.returncode:
             failures.append(f"{command}\n{run.stdout[-2000:]}{run.stderr[-2000:]}")
     shutil.rmtree(environment["SCRATCH"])
