@@ -61,8 +61,9 @@
 // The classes behind this file, from the bottom up: Parameters, Mesh,
 // Discretization, Elasticity (the bodies), Surface and ContactPoint (where they
 // meet; MortarRule), ContactInterface (the equations of contact),
-// ActiveSetSearch and DirectSolver, or CondensedSystem and DefiniteSolver; then
-// ErrorEstimator, and for the results StressRecovery, ResultFiles, RunSummary.
+// SaddlePointSystem with ActiveSetSearch, or CondensedSystem with
+// ContactElimination; then ErrorEstimator, InvariantCheck, and for the results
+// StressRecovery, ResultFiles, RunSummary.
 //
 // References: P. Alart and A. Curnier, Comput. Methods Appl. Mech. Engrg. 92
 // (1991) 353-375; M. Hintermueller, K. Ito and K. Kunisch, SIAM J. Optim. 13
@@ -1612,8 +1613,7 @@ namespace Contact
 
 // @sect3{The main function}
 //
-// Exit status: 0 all values within their tolerances, 1 one outside, 2 the input
-// is wrong, 3 a case did not converge, 5 interrupted.
+// What the exit status says is in print_help().
 namespace
 {
   // The discretization error of a run on one mesh is asked for by another one

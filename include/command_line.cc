@@ -15,26 +15,28 @@ namespace Contact
 {
   void print_help(std::ostream &out)
   {
-    out << "Frictional contact of two deformable bodies (plane strain,\n"
-           "axisymmetry).\n"
-           "\n"
-           "usage: contact FILE [MORE ...] [options]\n"
-           "\n"
-           "FILE is a parameter file, NAME.prm or NAME.json.\n"
-           "\n"
-           "  --set \"Section/Entry=value\"   change an entry of all files\n"
-           "  --quiet                       print the table only\n"
-           "  --restart                     go on behind the last increment "
-           "of an\n"
-           "                                interrupted run\n"
-           "  --parameters                  list all entries and their "
-           "meaning\n"
-           "  --version                     print the version\n"
-           "  --help                        print this\n"
-           "\n"
-           "Results are written to output/<name of the file>/.\n"
-           "Exit status: 0 all values within their tolerances, 1 one outside,\n"
-           "2 the input is wrong, 3 a case did not converge, 5 interrupted.\n";
+    out
+      << R"(Frictional contact of two deformable bodies (plane strain, axisymmetry).
+
+usage: contact FILE [MORE ...] [options]
+
+FILE is a parameter file, NAME.prm or NAME.json.
+
+  --set "Section/Entry=value"   change an entry of all files
+  --quiet                       print the table only
+  --restart                     go on behind the last increment of an
+                                interrupted run
+  --parameters                  list all entries and their meaning
+  --version                     print the version
+  --help                        print this
+
+Results are written to output/<name of the file>/.
+Exit status: 0 all values within their tolerances, 1 one outside or an
+invariant violated, 2 the input is wrong or results can not be written,
+3 a case did not converge, 4 an error of the program itself, 5 interrupted.
+Environment: OPENBLAS_NUM_THREADS, threads of the direct solvers (1 by ./run),
+and what Open MPI knows.
+)";
   }
 
 
