@@ -90,11 +90,13 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "command_line.h"
 #include "condensed_system.h"
 #include "contact_interface.h"
+#include "contact_results.h"
 #include "counters.h"
 #include "discretization.h"
 #include "elasticity.h"
@@ -142,6 +144,7 @@ namespace Contact
     void make_interface();
     void make_linear_system();
     void print_scene();
+    void print_note_on_arcs(const Parameters::Contact &zone);
 
     // The loops, from the outside to the inside.
     void solve_level();
@@ -196,9 +199,10 @@ namespace Contact
     void output_increment(const unsigned int k);
     const std::vector<SymmetricTensor<2, 3>> &recovered_stresses();
     void                                      compare_with_theory();
-    double probe(const std::vector<std::string> &definition);
-    void   report_probes();
-    void   finish();
+    ContactResults results(const ContactZone &zone) const;
+    double         probe(const std::vector<std::string> &definition);
+    void           report_probes();
+    void           finish();
 
     // Going on where a run has ended.
     void        write_restart_file(LoadSteps &steps);
@@ -373,6 +377,8 @@ namespace Contact
     files = std::make_unique<ResultFiles>(
       std::filesystem::path(parameters.output.directory) / parameters.name,
       *discretization);
+    if (!parameters.restart)
+      files->remove_increments();
     summary.message = "the run has not ended";
     files->write_first("summary.json", [this](std::ostream &out) {
       write_summary(summary, out);
@@ -454,6 +460,35 @@ namespace Contact
            << std::endl;
     if (screen.is_active())
       print_effects(screen.get_stream(), effects);
+    if (interface)
+      for (const auto &zone : parameters.zones())
+        print_note_on_arcs(zone);
+  }
+
+
+
+  // @sect4{ContactProblem::print_note_on_arcs}
+  //
+  // Who draws a circle may not know that a mesh has but a polygon of it.
+  void ContactProblem::print_note_on_arcs(const Parameters::Contact &zone)
+  {
+    if (parameters.element.degree == 1 && parameters.mesh.refinements == 0 &&
+        parameters.refinement.n_levels == 0)
+      return;
+    for (const std::string &name : {zone.slave, zone.master})
+      {
+        if (name.empty() || parameters.mesh.arcs.count(name) > 0)
+          continue;
+        const double bend =
+          Surface(*discretization, mesh->boundary(name, zone.section()), name)
+            .largest_bend();
+        if (bend > 0.1)
+          screen
+            << "Note: '" << name << "' bends by up to " << bend
+            << " degrees at a node and is no arc: at degree 2 and on finer "
+               "meshes it keeps its corners. For a circle: Mesh/Arcs = "
+            << name << ": x, y, radius" << std::endl;
+      }
   }
 
 
@@ -576,7 +611,12 @@ namespace Contact
         record.active           = count.active;
         record.stick            = count.stick;
         record.slip             = count.active - count.stick;
+        for (const auto &zone : interface->zones)
+          record.contact[zone->name] = results(*zone).by_name();
       }
+    for (const auto &[name, definition] : parameters.probes.probes)
+      if (!is_stress(definition[0]))
+        record.probes[name] = probe(definition);
     record.converged   = true;
     reference_is_known = reference_is_known || reference_force > 0;
     update_reference_force();
@@ -1359,28 +1399,30 @@ namespace Contact
 
 
 
+  ContactResults ContactProblem::results(const ContactZone &zone) const
+  {
+    return contact_results(*interface,
+                           zone,
+                           solution,
+                           start,
+                           linearization.moving_bound);
+  }
+
+
+
   // @sect4{ContactProblem::compare_with_theory}
   //
   // What the contact is like in a few numbers, and what it should be like where
   // theory has an answer.
   void ContactProblem::compare_with_theory()
   {
-    std::vector<ContactResults> results;
-    for (const auto &zone : interface->zones)
-      {
-        results.push_back(contact_results(*interface,
-                                          *zone,
-                                          solution,
-                                          start,
-                                          linearization.moving_bound));
-        summary.contact[zone->name] = results.back().by_name();
-      }
+    summary.contact = summary.increments.back().contact;
 
     TimerOutput::Scope scope(timer, "verification");
     exact = make_exact_solution(parameters,
                                 *discretization,
                                 *interface->zones[0],
-                                results[0]);
+                                results(*interface->zones[0]));
     if (!exact)
       return;
     summary.exact  = exact->values;
@@ -1398,9 +1440,7 @@ namespace Contact
   double ContactProblem::probe(const std::vector<std::string> &definition)
   {
     const std::string &quantity = definition[0];
-    const bool         is_stress =
-      !is_displacement(quantity) && !is_contact_traction(quantity);
-    const auto value = [&](const std::string &point) {
+    const auto         value    = [&](const std::string &point) {
       const unsigned int vertex = mesh->point(point, "Probes/Probes");
       if (is_contact_traction(quantity))
         return contact_traction(quantity,
@@ -1411,7 +1451,7 @@ namespace Contact
       return probe_value(quantity,
                          vertex,
                          *discretization,
-                         is_stress ? recovered_stresses() : stresses,
+                         is_stress(quantity) ? recovered_stresses() : stresses,
                          solution);
     };
     return definition.size() == 2 ? value(definition[1])
@@ -1463,6 +1503,7 @@ namespace Contact
       {
         print_levels(screen.get_stream(), summary);
         print_counters(screen.get_stream(), summary);
+        screen << "Results: " << files->directory.string() << std::endl;
       }
   }
 
@@ -1682,6 +1723,18 @@ namespace
         cases[i].check();
       }
     note_signals();
+
+    std::set<std::filesystem::path> directories;
+    for (const Parameters::All &a_case : cases)
+      if (!directories
+             .insert(std::filesystem::path(a_case.output.directory) /
+                     a_case.name)
+             .second)
+        throw InputError("two cases have the name '" + a_case.name +
+                           "', and the same directory for their results",
+                         "command line",
+                         "rename one of the files, or run them one by one with "
+                         "another Output/Directory");
 
     std::vector<RunSummary> summaries;
     for (unsigned int i = 0; i < cases.size(); ++i)

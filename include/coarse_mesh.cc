@@ -176,8 +176,9 @@ namespace Contact
       throw InputError("a line of the physical group '" + *line.groups.begin() +
                          "' is no edge of a cell",
                        msh.where(line),
-                       "mesh the line and the surface together, or take the "
-                       "line out of the group");
+                       "mesh the line and the surface together, give the "
+                       "surface a physical group, or take the line out of "
+                       "its own");
     }
 
 

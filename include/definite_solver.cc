@@ -41,7 +41,8 @@ namespace Contact
 
     const std::string not_definite =
       "the matrix is not positive definite: a body can move without "
-      "resistance, or has lost its stability";
+      "resistance, or has lost its stability; if friction alone holds it, try "
+      "'Solution/Friction = each step'";
 
 
 

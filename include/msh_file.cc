@@ -349,7 +349,8 @@ namespace Contact
             throw InputError("the physical group '" + *unused.begin() +
                                "' is empty",
                              msh.name,
-                             "give it elements or delete it");
+                             "give it elements or delete it; bodies share no "
+                             "nodes: no Coherence, no fragments");
         }
     }
 

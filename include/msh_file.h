@@ -42,7 +42,8 @@ namespace Contact
         throw InputError("the mesh file can not be opened",
                          file,
                          "check the name and the permissions of the file; a "
-                         "relative name is relative to the parameter file");
+                         "relative name is relative to the parameter file, "
+                         "with --set to the working directory");
     }
 
     /// Go to the next line; false at the end of the file.

@@ -366,6 +366,13 @@ namespace Contact
 
 
 
+  bool is_stress(const std::string &quantity)
+  {
+    return !is_displacement(quantity) && !is_contact_traction(quantity);
+  }
+
+
+
   double contact_traction(const std::string      &quantity,
                           const unsigned int      vertex,
                           const ContactInterface *interface,

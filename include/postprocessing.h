@@ -115,11 +115,14 @@ namespace Contact
                 const std::optional<ExactSolution>       &exact,
                 const bool                                with_masters);
 
-  /// Whether a quantity needs no stresses.
+  /// Whether a quantity is a displacement.
   bool is_displacement(const std::string &quantity);
 
   /// Whether a quantity is a traction of contact.
   bool is_contact_traction(const std::string &quantity);
+
+  /// Whether a quantity is a stress in a body.
+  bool is_stress(const std::string &quantity);
 
   /// The traction [MPa] at a vertex of the triangulation, the multiplier of the
   /// first zone that has one there; zero without friction for the shear. Throws

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <exception>
 #include <fstream>
+#include <regex>
 #include <unistd.h>
 
 #include "counters.h"
@@ -266,12 +267,25 @@ namespace Contact
   {
     create_output_directory(directory);
 
-    // The series and curves of an earlier run, which would look as if this one
-    // had written them.
+    // What an earlier run has written would look as if this one had.
     if (rank() == 0)
       for (const std::string name :
            {"bodies.pvd", "contact.pvd", "profile.csv"})
         std::filesystem::remove(directory / name);
+  }
+
+
+
+  void ResultFiles::remove_increments() const
+  {
+    const std::regex                   name("(bodies|contact)_[0-9.]+p?vtu");
+    std::vector<std::filesystem::path> found;
+    if (rank() == 0)
+      for (const auto &file : std::filesystem::directory_iterator(directory))
+        if (std::regex_match(file.path().filename().string(), name))
+          found.push_back(file.path());
+    for (const auto &file : found)
+      std::filesystem::remove(file);
   }
 
 

@@ -42,6 +42,9 @@ namespace Contact
     ResultFiles(const std::filesystem::path &directory,
                 const Discretization        &discretization);
 
+    /// Remove the increments of an earlier run, unless it is gone on with.
+    void remove_increments() const;
+
     /**
      * Write bodies_000k.vtu of increment @p k, and bodies.pvd anew: all cells
      * at their degree with displacement [mm], Cauchy stress and von Mises

@@ -101,25 +101,38 @@ namespace Contact
 
 
 
+    using ByZone = std::map<std::string, std::map<std::string, double>>;
+
+    void add_zones(const ByZone &zones, Json &json)
+    {
+      for (const auto &[zone, values] : zones)
+        json[zone.empty() ? "contact" : "contact " + zone] = values;
+    }
+
+
+
     Json to_json(const IncrementRecord &increment)
     {
-      return {{"level", increment.level},
-              {"load_factor", increment.load_factor},
-              {"newton_iterations", increment.newton_iterations},
-              {"linear_iterations", increment.linear_iterations},
-              {"friction_iterations", increment.friction_iterations},
-              {"geometry_iterations", increment.geometry_iterations},
-              {"active", increment.active},
-              {"stick", increment.stick},
-              {"slip", increment.slip},
-              {"halved_steps", increment.halved_steps},
-              {"cycles", increment.cycles},
-              {"hold_work", increment.hold_work},
-              {"converged", increment.converged},
-              {"message", increment.message},
-              {"invariants", increment.invariants},
-              {"works", increment.works},
-              {"violations", increment.violations}};
+      Json json{{"level", increment.level},
+                {"load_factor", increment.load_factor},
+                {"newton_iterations", increment.newton_iterations},
+                {"linear_iterations", increment.linear_iterations},
+                {"friction_iterations", increment.friction_iterations},
+                {"geometry_iterations", increment.geometry_iterations},
+                {"active", increment.active},
+                {"stick", increment.stick},
+                {"slip", increment.slip},
+                {"halved_steps", increment.halved_steps},
+                {"cycles", increment.cycles},
+                {"hold_work", increment.hold_work},
+                {"converged", increment.converged},
+                {"message", increment.message},
+                {"invariants", increment.invariants},
+                {"works", increment.works},
+                {"violations", increment.violations},
+                {"probes", increment.probes}};
+      add_zones(increment.contact, json);
+      return json;
     }
 
 
@@ -176,8 +189,7 @@ namespace Contact
         json["increments"].push_back(to_json(increment));
       for (const LevelRecord &level : summary.levels)
         json["levels"].push_back(to_json(level));
-      for (const auto &[zone, values] : summary.contact)
-        json[zone.empty() ? "contact" : "contact " + zone] = values;
+      add_zones(summary.contact, json);
       for (const auto &[effect, value] : summary.effects)
         json["effects"][effect] = value;
       return json;

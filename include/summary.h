@@ -64,13 +64,18 @@ namespace Contact
     std::map<std::string, double> invariants, works;
     std::vector<std::string>      violations;
 
+    /// The probes that need no stresses by name; and what contact exerts by
+    /// zone, see ContactResults.
+    std::map<std::string, double>                        probes;
+    std::map<std::string, std::map<std::string, double>> contact;
+
     template<class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
       archive &level &load_factor &newton_iterations &linear_iterations
         &friction_iterations &geometry_iterations &active &stick &slip
           &halved_steps &cycles &hold_work &converged &message &invariants
-            &works &violations;
+            &works &violations &probes &contact;
     }
   };
 

@@ -274,4 +274,25 @@ namespace Contact
       s[i] = s[i - 1] + x[i].distance(x[i - 1]);
     return s;
   }
+
+
+
+  double Surface::largest_bend() const
+  {
+    const auto chord = [this](const Edge &edge) {
+      return nodes[edge.nodes[1]].X - nodes[edge.nodes[0]].X;
+    };
+    double largest = 0;
+    for (const Edge &edge : edges)
+      if (edge.previous != numbers::invalid_unsigned_int)
+        {
+          const Tensor<1, 2> a = chord(edges[edge.previous]), b = chord(edge);
+          const double       angle =
+            180 / numbers::PI *
+            std::abs(std::atan2(a[0] * b[1] - a[1] * b[0], a * b));
+          if (angle < 30)
+            largest = std::max(largest, angle);
+        }
+    return largest;
+  }
 } // namespace Contact

@@ -56,6 +56,10 @@ namespace Contact
     std::vector<Node>  nodes; // along the chain, mid-sides in their place
     std::vector<Edge>  edges; // along the chain
 
+    /// The largest angle by which one edge turns against the one before it
+    /// [degrees], of those that look like a curve: 30 degrees is a corner.
+    double largest_bend() const;
+
     unsigned int n_nodes_per_edge() const
     {
       return degree + 1;

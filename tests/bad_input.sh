@@ -186,6 +186,8 @@ expect_entry "is no formula in x,y" "Boundary conditions/Traction y=Top_B: z"
 expect_entry "is no formula in x,y" "Boundary conditions/Body force x=Block: z"
 expect_entry "no body" "Boundary conditions/Body force y=Top_B: 1"
 
+expect "two cases have the name" "$good" "$good"
+
 # Several processes, one message
 launcher="mpirun -np 2"
 expect "rule Gauss" "$gauss"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The case that README shows how to write runs as it is printed there.
-#   readme_case.sh CONTACT
+#   readme_case.sh CONTACT PARAMETERS
 # SPDX-License-Identifier: LGPL-2.1-or-later
 set -eu
 
@@ -26,3 +26,10 @@ gmsh -2 -format msh41 -o mine.msh mine.geo >gmsh.log
 [ -s output/mine/bodies.pvd ]
 grep -q '"stick": [1-9]' output/mine/summary.json
 grep -q '"slip": [1-9]' output/mine/summary.json
+
+# A circle that is no arc is noted; one that is, is not.
+"$1" "$2/ssnp154_b.prm" --set Output/VTU=false >with_arc
+"$1" "$2/ssnp154_b.prm" --set Output/VTU=false --set Mesh/Arcs= \
+  --set Probes/References= --set Probes/Tolerances= >without
+grep -q "^Note: 'Bottom_C' bends by up to" without
+! grep -q '^Note' with_arc
