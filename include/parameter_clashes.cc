@@ -89,6 +89,14 @@ namespace Contact
         throw EntryError(problem, entries, remedy);
       };
 
+      for (const Contact &zone : zones)
+        if (zone.rule == "Gauss" && zone.n_gauss_points <= element.degree)
+          clash("With " + std::to_string(zone.n_gauss_points) +
+                  " Gauss points an edge there are multipliers that no point "
+                  "sees.",
+                {zone.section() + "/Gauss points", "Element/Degree"},
+                "set 'Gauss points = " + std::to_string(element.degree + 1) +
+                  "' or more");
       if (n_ranks > 1 && gauss != zones.end())
         clash("The rule Gauss is solved by one process, here are " +
                 std::to_string(n_ranks) + ".",

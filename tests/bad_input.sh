@@ -187,6 +187,8 @@ expect_entry "is no formula in x,y" "Boundary conditions/Body force x=Block: z"
 expect_entry "no body" "Boundary conditions/Body force y=Top_B: 1"
 
 expect "two cases have the name" "$good" "$good"
+expect "multipliers that no point" "$parameters/ssnp154_b.prm" \
+  --set "Contact/Gauss points=2"
 
 # Several processes, one message
 launcher="mpirun -np 2"
