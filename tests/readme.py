@@ -32,6 +32,7 @@ SHORT = {
         "mpirun -np 2 build/contact parameters/nested.prm",
     './run FILE --set "Mesh/File=..."':
         './run parameters/ssnp154_a.prm --set "Mesh/File=$PWD/meshes/ssnp154.msh"',
+    "./run benchmark": "REPETITIONS=1 ./run benchmark",
     "./run effects": "./run effects tied --repetitions 1",
     "./run yardstick":
         "./run yardstick CHOLMOD --repetitions 1 --refinements 2",
@@ -55,6 +56,7 @@ ELSEWHERE = {
     "ctest -R half_plane": "tests/half_plane", "ctest -R locking": "tests/locking",
     "ctest -R restart": "program/restart",
     "ctest -R invariance": "program/invariance",
+    "./run parameters/verification/*.prm --quiet": "modelings/verification",
     "./run hard": "program/hard",
     "apt-get install python3-h5py python3-meshio": "./run test",
     "./run fuzz": "program/quick_fuzz",
