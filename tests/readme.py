@@ -20,7 +20,7 @@ import sys
 import tempfile
 import time
 
-STARTS = ("./run", "gmsh ", "mpirun", "build/contact", "meshes/convert.py ", "cmake",
+STARTS = ("./run", "gmsh ", "mpirun -", "build/contact", "meshes/convert.py ", "cmake",
           "pvpython", "apt-get", "ctest", "tests/reference_table.py ",
           "tests/fuzz/scenes.py ", "tests/fuzz/damaged.py ")
 

@@ -16,6 +16,7 @@ from __future__ import annotations
 import argparse
 import csv
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -346,8 +347,10 @@ def gnuplot(lines: list[str], path: Path, size="1000,560") -> None:
             "set border 3", "set tics nomirror",
             'set grid back lw 1 lc rgb "#dddddd" dt 1',
             'set xlabel "arc length on the slave [mm]"']
+    # Signs such as that of a degree, whatever the language of the machine.
     outcome = subprocess.run(["gnuplot"], input="\n".join(head + lines + [""]),
-                             text=True, capture_output=True)
+                             text=True, capture_output=True, encoding="utf-8",
+                             env=os.environ | {"LC_ALL": "C.UTF-8"})
     if outcome.returncode != 0 or outcome.stderr:
         sys.exit(f"gnuplot, {path.name}: {outcome.stderr.strip()}")
 
