@@ -134,7 +134,7 @@ case=$parameters/nested_friction.prm
 cat >levels.prm <<PRM
 include $case
 subsection Refinement
-  set Levels = 1
+  set Levels = 2
 end
 subsection Output
   set VTU = true
