@@ -1589,6 +1589,7 @@ namespace Contact
     if (interface)
       {
         std::vector<Decision> all;
+        all.reserve(decisions.size());
         for (const auto code : decisions)
           all.push_back(Decision::from_code(code));
         interface->set_decisions(all);

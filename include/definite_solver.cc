@@ -29,7 +29,9 @@ namespace Contact
       explicit Columns(const DefiniteSolver::Matrix &matrix)
         : n(matrix.m())
       {
-        matrix.trilinos_matrix().ExtractCrsDataPointers(starts, rows, values);
+        const int error =
+          matrix.trilinos_matrix().ExtractCrsDataPointers(starts, rows, values);
+        AssertThrow(error == 0, ExcMessage("the matrix is not compressed"));
       }
 
       const int n;
