@@ -103,6 +103,7 @@
 #include "error_estimator.h"
 #include "errors.h"
 #include "exact_solution.h"
+#include "files.h"
 #include "free_motions.h"
 #include "interruption.h"
 #include "invariants.h"
@@ -110,11 +111,12 @@
 #include "load_steps.h"
 #include "newton_guard.h"
 #include "parameters.h"
-#include "postprocessing.h"
+#include "probes.h"
 #include "refinement.h"
 #include "relaxation.h"
 #include "restart_file.h"
 #include "result_files.h"
+#include "result_tables.h"
 #include "saddle_point_system.h"
 #include "stress_recovery.h"
 #include "summary.h"
@@ -374,9 +376,8 @@ namespace Contact
 
     // From here on the results of an earlier run are replaced; until this one
     // ends, its summary says that it has not converged.
-    files = std::make_unique<ResultFiles>(
-      std::filesystem::path(parameters.output.directory) / parameters.name,
-      *discretization);
+    files =
+      std::make_unique<ResultFiles>(parameters.directory(), *discretization);
     if (!parameters.restart)
       files->remove_increments();
     summary.message = "the run has not ended";
@@ -1308,6 +1309,7 @@ namespace Contact
     record.invariants       = found.measures();
     record.works            = found.works();
     record.violations       = found.violations;
+    record.reactions        = found.reactions;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       for (const std::string &violation : found.violations)
         std::cerr << parameters.name << ", load factor " << load_factor
@@ -1677,7 +1679,14 @@ namespace
     finer.output.vtu = finer.output.profile = false;
     const RunSummary refined = ContactProblem(finer, prm, verbose).run();
     if (refined.converged)
-      estimate_errors(summary, refined.probes);
+      {
+        estimate_errors(summary, refined.probes);
+        write_on_first_rank(MPI_COMM_WORLD,
+                            parameters.directory() / "summary.json",
+                            [&](std::ostream &out) {
+                              write_summary(summary, out);
+                            });
+      }
     else
       std::cerr << parameters.name
                 << ": no error estimate, because the case does not converge on "
@@ -1727,10 +1736,7 @@ namespace
 
     std::set<std::filesystem::path> directories;
     for (const Parameters::All &a_case : cases)
-      if (!directories
-             .insert(std::filesystem::path(a_case.output.directory) /
-                     a_case.name)
-             .second)
+      if (!directories.insert(a_case.directory()).second)
         throw InputError("two cases have the name '" + a_case.name +
                            "', and the same directory for their results",
                          "command line",

@@ -226,15 +226,20 @@ namespace Contact
                 values,
                 component);
 
+          auto &unknowns = supports[c][name];
+          unknowns.clear();
           for (const auto &[dof, dof_value] : values)
-            if (const Prescribed here{dof_value, c};
-                prescribed.emplace(dof, here).first->second != here)
-              throw InputError("'" + name +
-                                 "' shares a node with another "
-                                 "group that is moved differently",
-                               entry,
-                               "give both the same displacement, or let the "
-                               "groups end before they meet");
+            {
+              unknowns.insert(dof);
+              if (const Prescribed here{dof_value, c};
+                  prescribed.emplace(dof, here).first->second != here)
+                throw InputError("'" + name +
+                                   "' shares a node with another "
+                                   "group that is moved differently",
+                                 entry,
+                                 "give both the same displacement, or let the "
+                                 "groups end before they meet");
+            }
         }
     };
 

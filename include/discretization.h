@@ -15,6 +15,8 @@
 
 #include <array>
 #include <functional>
+#include <map>
+#include <set>
 
 #include "mesh.h"
 #include "parameters.h"
@@ -95,6 +97,11 @@ namespace Contact
     /// Supports, ties, bound centres and hanging nodes, for the next Newton
     /// update.
     AffineConstraints<double> constraints;
+
+    /// By component: the groups that are supported, and the unknowns of each
+    /// that this rank knows.
+    std::array<std::map<std::string, std::set<types::global_dof_index>>, 2>
+      supports;
 
     /// The unknowns of each vertex of the triangulation; invalid where no cell
     /// of this rank or its neighbors has it.

@@ -9,6 +9,8 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <boost/io/ios_state.hpp>
+#include <iostream>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
@@ -31,6 +33,20 @@ namespace Contact
         }
       return false;
     }
+
+
+
+    /// What the parser has to say of a formula, without deal.II's preamble.
+    std::string reason(const dealii::ExceptionBase &exception)
+    {
+      std::ostringstream info;
+      exception.print_info(info);
+      const std::string text = Utilities::trim(info.str()), said = "said: ";
+      const auto        position = text.find(said);
+      return position == std::string::npos
+               ? text
+               : text.substr(position + said.size());
+    }
   } // namespace
 
 
@@ -39,19 +55,26 @@ namespace Contact
   std::function<double(const Point<n_variables> &)>
   parse_formula(const std::string &formula, const std::string &variables)
   {
-    if (is_list(formula))
+    const auto fail = [&](const std::string &reason) {
       throw std::runtime_error("'" + formula + "' is no formula in " +
-                               variables);
+                               variables + ": " + reason);
+    };
+    if (Utilities::trim(formula).empty())
+      fail("it is empty");
+    if (is_list(formula))
+      fail("there is a comma outside of parentheses");
     const auto parser = std::make_shared<FunctionParser<n_variables>>(1);
     try
       {
+        // deal.II prints what it also throws.
+        std::ostringstream               printed;
+        const boost::io::ios_rdbuf_saver saver(std::cerr, printed.rdbuf());
         parser->initialize(variables, formula, {{"pi", numbers::PI}});
         parser->value(Point<n_variables>()); // here it is read
       }
-    catch (const dealii::ExceptionBase &)
+    catch (const dealii::ExceptionBase &exception)
       {
-        throw std::runtime_error("'" + formula + "' is no formula in " +
-                                 variables);
+        fail(reason(exception));
       }
     return [parser](const Point<n_variables> &p) { return parser->value(p); };
   }

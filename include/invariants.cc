@@ -186,6 +186,7 @@ namespace Contact
 
     end.external = elasticity.dead_loads.at(load_factor);
     end.external += reactions;
+    add_up(reactions, found);
 
     found.equilibrium = residual.l2_norm() / slack.reference;
     found.judge("equilibrium",
@@ -194,6 +195,25 @@ namespace Contact
                 "a force of " + brief(residual.l2_norm()) +
                   " N/mm is left over where no support acts",
                 wrong_forces);
+  }
+
+
+
+  // Every rank has all reactions: each adds up those of its own unknowns.
+  void InvariantCheck::add_up(const Vector<double> &reactions,
+                              Invariants           &found) const
+  {
+    const auto &owned = discretization.dof_handler.locally_owned_dofs();
+    for (unsigned int c = 0; c < 2; ++c)
+      for (const auto &[group, unknowns] : discretization.supports[c])
+        {
+          double sum = 0;
+          for (const auto dof : unknowns)
+            if (owned.is_element(dof))
+              sum += reactions[dof];
+          found.reactions[group][std::string(1, "xy"[c])] =
+            Utilities::MPI::sum(sum, discretization.communicator);
+        }
   }
 
 

@@ -46,6 +46,11 @@ namespace Contact
     /// external work.
     double energy_imbalance = 0;
 
+    /// What each group of supports exerts on the bodies, by direction, in the
+    /// frame of the mesh [N per mm of thickness; axisymmetric: N]. A node of
+    /// two groups counts in both.
+    std::map<std::string, std::map<std::string, double>> reactions;
+
     /// By name, for the summary.
     std::map<std::string, double> measures() const;
     std::map<std::string, double> works() const;
@@ -151,6 +156,7 @@ namespace Contact
                         const Slack          &slack,
                         const Vector<double> *hold_forces,
                         Invariants           &found);
+    void add_up(const Vector<double> &reactions, Invariants &found) const;
     void check_energy(const Slack &slack, Invariants &found);
 
     const Discretization      &discretization;

@@ -200,19 +200,22 @@ namespace Contact
 
     void Boundary::check() const
     {
-      const std::string section = "Boundary conditions/";
-      check_disjoint(force_x,
-                     section + "Force x",
-                     displacement_x,
-                     section + "Displacement x");
-      check_disjoint(force_y,
-                     section + "Force y",
-                     displacement_y,
-                     section + "Displacement y");
-      check_disjoint(tied_y,
-                     section + "Tied y",
-                     displacement_y,
-                     section + "Displacement y");
+      const std::string section      = "Boundary conditions/";
+      const auto        moves_freely = [&](const auto        &loads,
+                                    const std::string &entry,
+                                    const auto        &displacement) {
+        check_disjoint(loads,
+                       section + entry,
+                       displacement,
+                       section + "Displacement " + entry.back());
+      };
+      moves_freely(force_x, "Force x", displacement_x);
+      moves_freely(force_y, "Force y", displacement_y);
+      moves_freely(spread_force_x, "Spread force x", displacement_x);
+      moves_freely(spread_force_y, "Spread force y", displacement_y);
+      moves_freely(traction_x, "Traction x", displacement_x);
+      moves_freely(traction_y, "Traction y", displacement_y);
+      moves_freely(tied_y, "Tied y", displacement_y);
       const auto check_formulas = [&](const auto        &formulas,
                                       const std::string &entry) {
         for (const auto &[group, formula] : formulas)
@@ -322,9 +325,10 @@ namespace Contact
                          "none.",
                          {entry, section() + "/Slave"},
                          "set slave and master, or leave the points empty");
-      if (rule == "Gauss")
-        throw EntryError("Gauss points are inside the faces: there is none to "
-                         "exclude at a point group.",
+      if (!has_point_per_multiplier())
+        throw EntryError("Points of the rule " + rule +
+                           " are inside the faces: there is none to exclude at "
+                           "a point group.",
                          {entry, section() + "/Rule"},
                          "set 'Rule = nodal', or leave the points empty");
       if (std::set<std::string>(excluded_points.begin(), excluded_points.end())

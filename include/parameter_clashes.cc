@@ -76,8 +76,8 @@ namespace Contact
       const auto find  = [&](const auto &has) {
         return std::find_if(zones.begin(), zones.end(), has);
       };
-      const auto gauss =
-        find([](const Contact &zone) { return zone.rule == "Gauss"; });
+      const auto shared = find(
+        [](const Contact &zone) { return !zone.has_point_per_multiplier(); });
       const auto mortar =
         find([](const Contact &zone) { return zone.rule == "mortar"; });
       const bool is_frictional = find([](const Contact &zone) {
@@ -97,10 +97,11 @@ namespace Contact
                 {zone.section() + "/Gauss points", "Element/Degree"},
                 "set 'Gauss points = " + std::to_string(element.degree + 1) +
                   "' or more");
-      if (n_ranks > 1 && gauss != zones.end())
-        clash("The rule Gauss is solved by one process, here are " +
+      if (n_ranks > 1 && shared != zones.end())
+        clash("The rule " + shared->rule +
+                " is solved by one process, here are " +
                 std::to_string(n_ranks) + ".",
-              {gauss->section() + "/Rule"},
+              {shared->section() + "/Rule"},
               "run it without mpirun, or set 'Rule = mortar' or 'Rule = "
               "nodal'");
       if (n_ranks > 1 && solution.linear_solver == "CHOLMOD")
@@ -142,18 +143,19 @@ namespace Contact
         clash("UMFPACK is for saddle point systems.",
               {solver, system},
               "set 'Linear solver = CHOLMOD'");
-      if (gauss != zones.end())
-        clash("The multipliers of the rule Gauss can not be eliminated: " +
+      if (shared != zones.end())
+        clash("The multipliers of the rule " + shared->rule +
+                " can not be eliminated: " +
                 (solution.linear_solver == "automatic"
                    ? "a condensed system"
                    : solution.linear_solver) +
                 " is not for it.",
-              {gauss->section() + "/Rule",
+              {shared->section() + "/Rule",
                solution.system != "automatic"          ? system
                : solution.linear_solver != "automatic" ? solver
                                                        : "Refinement/Levels"},
-              "set 'Rule = mortar' or 'Rule = nodal'; the rule Gauss takes "
-              "'System = saddle point' and UMFPACK");
+              "set 'Rule = mortar' or 'Rule = nodal'; the rule " +
+                shared->rule + " takes 'System = saddle point' and UMFPACK");
       if (!zones.empty() && solution.geometry == "Newton")
         clash("The condensed system does not know how projections move.",
               {"Solution/Geometry", system},

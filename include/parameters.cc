@@ -85,6 +85,13 @@ namespace Contact
 
 
 
+    std::filesystem::path All::directory() const
+    {
+      return std::filesystem::path(output.directory) / name;
+    }
+
+
+
     bool All::is_condensed() const
     {
       if (solution.system != "automatic")
@@ -97,7 +104,7 @@ namespace Contact
       return std::all_of(zones.begin(),
                          zones.end(),
                          [](const Contact &zone) {
-                           return zone.rule != "Gauss";
+                           return zone.has_point_per_multiplier();
                          }) &&
              (zones.empty() ||
               std::any_of(zones.begin(), zones.end(), [](const Contact &zone) {

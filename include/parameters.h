@@ -186,6 +186,13 @@ namespace Contact
       /// discrete problem.
       double complementarity = 1e-3;
 
+      /// Whether each multiplier has a point of its own: only then it can be
+      /// eliminated, excluded at a node, and live on one of several processes.
+      bool has_point_per_multiplier() const
+      {
+        return rule != "Gauss";
+      }
+
       bool frictional() const
       {
         return friction_coefficient > 0 || tresca_limit > 0;
@@ -344,6 +351,9 @@ namespace Contact
 
       /// Declare the entries of "Contact NAME", which are those of Contact.
       void add_zone(const std::string &name, ParameterHandler &prm);
+
+      /// Where its results go.
+      std::filesystem::path directory() const;
 
       /// How many processes work on the case.
       unsigned int n_ranks = 1;

@@ -7,20 +7,14 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/numerics/data_out.h>
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <fstream>
 #include <regex>
-#include <unistd.h>
 
-#include "counters.h"
-#include "errors.h"
-#include "stress_recovery.h"
+#include "files.h"
+#include "vertex_fields.h"
 
 namespace Contact
 {
@@ -133,130 +127,7 @@ namespace Contact
           out << '\n';
         }
     }
-
-
-
-    /**
-     * Write a file by @p write, under another name until it is complete: an
-     * interrupted run leaves the file of before or the new one, never half of
-     * it. Throws InputError if it can not be written.
-     */
-    void write_file(const std::filesystem::path               &file,
-                    const std::function<void(std::ostream &)> &write)
-    {
-      ++counters().files;
-      std::filesystem::path part = file;
-      part += ".part";
-      std::ofstream out(part);
-      try
-        {
-          write(out);
-        }
-      catch (const ExcIO &)
-        {
-          // The stream knows.
-        }
-      out.close();
-
-      std::error_code error;
-      if (out)
-        std::filesystem::rename(part, file, error);
-      if (!out || error)
-        {
-          std::filesystem::remove(part, error);
-          throw InputError(
-            "the file can not be written",
-            file.string(),
-            "make room on the disk, or set Output/Directory to a "
-            "place where you may write");
-        }
-    }
-
-
-
-    /**
-     * The recovered stress as finite element fields that are given by their
-     * values at the vertices: linear, whatever the degree of the displacement.
-     */
-    class VertexFields
-    {
-    public:
-      /// Of the stress [MPa] by vertex of the triangulation.
-      VertexFields(const Discretization                     &discretization,
-                   const std::vector<SymmetricTensor<2, 3>> &vertex_stresses);
-
-      /// Attach stress_xx, _yy, _zz, _xy and von_mises [MPa] to @p data_out,
-      /// which must not outlive this object.
-      void attach(DataOut<2> &data_out) const;
-
-    private:
-      const hp::FECollection<2> fe;
-      DoFHandler<2>             dof_handler;
-
-      /// Name and values by unknown of the fields.
-      std::vector<std::pair<std::string, Vector<double>>> fields;
-    };
-
-
-
-    VertexFields::VertexFields(
-      const Discretization                     &discretization,
-      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses)
-      : fe(FE_Q<2>(1), FE_SimplexP<2>(1))
-      , dof_handler(discretization.mesh.triangulation)
-    {
-      distribute_dofs(discretization.mesh, fe, dof_handler);
-      for (const char *name :
-           {"stress_xx", "stress_yy", "stress_zz", "stress_xy", "von_mises"})
-        fields.emplace_back(name, Vector<double>(dof_handler.n_dofs()));
-
-      // A vertex of another rank may have cells that this one does not know.
-      const IndexSet &owned = dof_handler.locally_owned_dofs();
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        if (!cell->is_artificial())
-          for (const unsigned int v : cell->vertex_indices())
-            {
-              const auto dof =
-                cell->vertex_dof_index(v, 0, cell->active_fe_index());
-              if (!owned.is_element(dof))
-                continue;
-              const auto  &stress = vertex_stresses[cell->vertex_index(v)];
-              unsigned int c      = 0;
-              for (const double value : {stress[0][0],
-                                         stress[1][1],
-                                         stress[2][2],
-                                         stress[0][1],
-                                         von_mises(stress)})
-                fields[c++].second[dof] = value;
-            }
-    }
-
-
-
-    void VertexFields::attach(DataOut<2> &data_out) const
-    {
-      for (const auto &[name, values] : fields)
-        data_out.add_data_vector(dof_handler, values, name);
-    }
   } // namespace
-
-
-
-  void create_output_directory(const std::filesystem::path &directory)
-  {
-    std::error_code error;
-    std::filesystem::create_directories(directory, error);
-
-    // A name of its own, for processes that check at the same time.
-    const auto probe = directory / (".writable." + std::to_string(::getpid()));
-    const bool writable =
-      !error && static_cast<bool>(std::ofstream(probe) << std::flush);
-    std::filesystem::remove(probe, error);
-    if (!writable)
-      throw InputError("the output directory can not be created or written to",
-                       directory.string(),
-                       "set Output/Directory to a place where you may write");
-  }
 
 
 
@@ -301,25 +172,7 @@ namespace Contact
     const std::string                         &file,
     const std::function<void(std::ostream &)> &write) const
   {
-    // What one rank fails to write, no rank may wait for.
-    std::exception_ptr failure;
-    try
-      {
-        if (rank() == 0)
-          write_file(directory / file, write);
-      }
-    catch (const InputError &)
-      {
-        failure = std::current_exception();
-      }
-    const bool failed =
-      Utilities::MPI::max(failure ? 1 : 0, discretization.communicator) > 0;
-    if (failure)
-      std::rethrow_exception(failure);
-    if (failed)
-      throw InputError("another process can not write the file",
-                       (directory / file).string(),
-                       "see its message");
+    write_on_first_rank(discretization.communicator, directory / file, write);
   }
 
 

@@ -13,20 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "postprocessing.h"
+#include "profile.h"
 
 namespace Contact
 {
   using namespace dealii;
-
-  /**
-   * Create a directory and its parents, unless they exist. Throws InputError
-   * if that fails, or if no file can be written there. No file in it is
-   * touched.
-   */
-  void create_output_directory(const std::filesystem::path &directory);
-
-
 
   /**
    * The files of one run for ParaView and for curves: two series, of the

@@ -69,13 +69,16 @@ namespace Contact
     std::map<std::string, double>                        probes;
     std::map<std::string, std::map<std::string, double>> contact;
 
+    /// What each group of supports exerts, by direction, see Invariants.
+    std::map<std::string, std::map<std::string, double>> reactions;
+
     template<class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
       archive &level &load_factor &newton_iterations &linear_iterations
         &friction_iterations &geometry_iterations &active &stick &slip
           &halved_steps &cycles &hold_work &converged &message &invariants
-            &works &violations &probes &contact;
+            &works &violations &probes &contact &reactions;
     }
   };
 
@@ -170,22 +173,8 @@ namespace Contact
   /// The largest resident memory of this process so far [MB = 2^20 bytes].
   double peak_memory_mb();
 
-  /**
-   * Print the wall time [s] by phase and level, with unknowns, iterations and
-   * memory, and how the total grows: its slope over the unknowns on logarithmic
-   * scales, from each level to the next where that is clearly larger.
-   */
-  void print_levels(std::ostream &out, const RunSummary &summary);
-
   /// Write a summary as JSON.
   void write_summary(const RunSummary &summary, std::ostream &out);
-
-  /**
-   * Print the final table, one line per probe: case, mesh, computed value,
-   * reference, deviation, tolerance, and whether it is within. A case that did
-   * not converge says so, and its message follows the table.
-   */
-  void print_table(std::ostream &out, const std::vector<RunSummary> &summaries);
 } // namespace Contact
 
 #endif

@@ -6,7 +6,8 @@
 // Proves that converged increments violate no invariant, loading and unloading,
 // for all rules, both degrees, both kinematics, with and without friction; that
 // energy and works agree to round-off in large displacement, too; that the
-// dissipation is that of forces and slips taken by hand; and that each kind of
+// dissipation is that of forces and slips taken by hand; that the reactions of
+// the supports are the forces of contact; and that each kind of
 // wrong state raises the alarm that belongs to it.
 
 #include "invariants.h"
@@ -80,44 +81,15 @@ namespace
     {
     }
 
-    // One increment by Newton's method, paired in each step; the tangent of the
-    // mortar rule keeps the pairing. Until round-off is left.
+    // One increment, paired in each step; the tangent of the mortar rule keeps
+    // the pairing. Until round-off is left.
     bool solve(const double load)
     {
-      const bool moving_geometry = parameters.contact.rule != "mortar";
-      load_factor                = load;
-      start                      = solution;
-      discretization.constrain_update(solution, load);
-      pair();
-      interface.initialize_status(solution);
-      Vector<double> rhs(solution.size());
-      for (unsigned int iteration = 0; iteration < 100; ++iteration)
-        {
-          pair();
-          const bool changed = iteration == 0 || decide();
-          matrix             = 0;
-          rhs                = 0;
-          elasticity->assemble(solution, load, rhs, &matrix);
-          interface.assemble(solution,
-                             start,
-                             {moving_geometry, true},
-                             rhs,
-                             &matrix);
-          for (unsigned int i = 0; i < n_dofs(); ++i)
-            if (discretization.constraints.is_constrained(i))
-              {
-                matrix.diag_element(i) = 1;
-                rhs[i]                 = 0;
-              }
-          if (!changed && rhs.linfty_norm() < 1e-12 * force)
-            return true;
-          solver.factorize(matrix);
-          solver.solve(rhs);
-          discretization.constraints.distribute(rhs);
-          solution += rhs;
-          discretization.constrain_update(solution, load);
-        }
-      return false;
+      load_factor = load;
+      return ContactModel::solve(load,
+                                 parameters.contact.rule != "mortar",
+                                 /*pairs_anew=*/true,
+                                 force) > 0;
     }
 
     Invariants check()
@@ -232,6 +204,42 @@ namespace
 
 
 
+  // Proves that the supports take up the forces of contact, with the sign of a
+  // force on the bodies: the upper one presses down and drags to the right.
+  void check_reactions(const Checked &model, const Invariants &found)
+  {
+    Tensor<1, 2> on_slave;
+    for (const ContactPoint &point : model.interface.points)
+      {
+        const ContactState now =
+          model.interface.state(point, model.solution, model.start);
+        const Traction t = model.interface.traction(point,
+                                                    point.decision,
+                                                    now.p_trial,
+                                                    now.q_trial,
+                                                    true);
+        for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
+          on_slave += point.weight * point.C[a] *
+                      (t.p * point.normal + t.q * point.tangent);
+      }
+    const auto &upper = found.reactions.at("upper top");
+    const auto &lower = found.reactions.at("lower bottom");
+    check("the upper support presses and drags",
+          upper.at("x") > 0 && upper.at("y") < 0);
+    for (unsigned int c = 0; c < 2; ++c)
+      {
+        const std::string x(1, "xy"[c]);
+        check_small("its force is that of contact in " + x,
+                    std::abs(upper.at(x) / on_slave[c] + 1),
+                    1e-10);
+        check_small("the lower one balances it in " + x,
+                    std::abs(lower.at(x) / upper.at(x) + 1),
+                    1e-10);
+      }
+  }
+
+
+
   // Proves the signs and sizes of the works by hand, with one element on each
   // side: pressed down first, then dragged to the right until both nodes slip.
   // The friction on the upper body points to the left.
@@ -297,6 +305,7 @@ namespace
     check_small("balance",
                 std::abs(trapezoid / dragged.strain_energy - 1),
                 1e-12);
+    check_reactions(model, dragged);
     std::cout << "  alarms: " << model.alarms() << std::endl;
   }
 

@@ -369,6 +369,9 @@ namespace
     report_lines(section, "set Displacement x = A: 0\nset Force x = A: 1");
     report_lines(section, "set Displacement y = A: 0\nset Force y = A: 1");
     report_lines(section, "set Displacement x = A: 0\nset Force y = A: 1");
+    report_lines(section,
+                 "set Displacement y = A: 0\nset Spread force y = A: 1");
+    report_lines(section, "set Displacement x = A: 0\nset Traction x = A: 1");
     report_lines(section, "set Displacement y = C: 0\nset Tied y = C: B");
     report_lines(section, "set Displacement y = B: 0\nset Tied y = C: B");
     report_lines(section, "set Tied y = C: C");

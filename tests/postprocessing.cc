@@ -6,8 +6,6 @@
 // The profiles, the result files and the summary, on two blocks that are small
 // enough to know the answer.
 
-#include "postprocessing.h"
-
 #include <deal.II/base/utilities.h>
 
 #include <cstring>
@@ -16,9 +14,11 @@
 #include <zlib.h>
 
 #include "errors.h"
+#include "files.h"
+#include "probes.h"
 #include "result_files.h"
+#include "result_tables.h"
 #include "stress_recovery.h"
-#include "summary.h"
 #include "tests.h"
 
 using namespace Tests;

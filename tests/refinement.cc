@@ -6,7 +6,8 @@
 // Proves of nested iteration: displacements that both meshes can represent are
 // carried over as they are, hanging nodes and supports included; arcs stay
 // round where they are refined; the marked cells are the fewest that have their
-// share of the error; meshes with triangles are refused; a uniform pressure
+// share of the error; the slave follows the master where that is asked for;
+// meshes with triangles are refused; a uniform pressure
 // passes through the mortar rule between meshes with hanging nodes at both
 // surfaces; and what the points know reaches the points of the finer mesh.
 
@@ -284,6 +285,58 @@ namespace
     for (const auto &cell : triangulation.active_cell_iterators())
       n += static_cast<bool>(cell->refine_flag_set());
     check("all cells flagged", n == triangulation.n_active_cells());
+  }
+
+
+
+  // Proves that next to a part of the master that is refined the slave is
+  // refined until its edges are as short, and nowhere else.
+  void slave_like_master()
+  {
+    headline("slave like master");
+    MeshText mesh;
+    mesh.block("lower", 16, 2, rectangle({0, -1}, {16, 0}));
+    mesh.block("upper", 8, 2, rectangle({0, 0}, {16, 2}));
+    Bodies bodies(make_parameters(mesh, {"lower", "upper"}, 1, "small strain"));
+    const auto &triangulation = bodies.mesh.triangulation;
+    const auto  slave         = bodies.mesh.boundary("upper bottom", "");
+    const auto  master        = bodies.mesh.boundary("lower top", "");
+    const auto  flagged       = [&]() {
+      std::set<std::pair<double, double>> centers;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->refine_flag_set() && cell->center()[1] > 0)
+          centers.insert({cell->center()[0], cell->center()[1]});
+      return centers;
+    };
+    const auto choose = [&](const Choose &choose) {
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (choose(cell->center()))
+          cell->set_refine_flag();
+      flag_slave_like_master(bodies.mesh, slave, master);
+    };
+    using Centers = std::set<std::pair<double, double>>;
+
+    // Edges of 1 mm from 5 to 6 are halved; those of the slave have 2 mm.
+    choose([](const Point<2> &c) {
+      return c[1] > -0.5 && c[1] < 0 && c[0] > 5 && c[0] < 6;
+    });
+    check("slaves beside it", flagged() == Centers({{5, 0.5}, {7, 0.5}}));
+    std::vector<Vector<double>> none;
+    refine_and_carry_over(bodies.mesh, bodies.discretization, none);
+
+    // Now there is 1 mm on both sides from 4 to 8, but for the refined edge.
+    choose([](const Point<2>) { return false; });
+    check("nothing refined, nothing to follow", flagged().empty());
+    choose([](const Point<2> &c) {
+      return c[1] > -0.5 && c[1] < 0 && c[0] > 6 && c[0] < 7;
+    });
+    check("slaves as long as it follow, once",
+          flagged() == Centers({{5.5, 0.25}, {6.5, 0.25}, {7.5, 0.25}}));
+    for (const auto &cell : triangulation.active_cell_iterators())
+      cell->clear_refine_flag();
+    choose(
+      [](const Point<2> &c) { return c[1] < -0.5 && c[0] > 6 && c[0] < 7; });
+    check("what is refined inside, nobody follows", flagged().empty());
   }
 
 
@@ -567,6 +620,7 @@ int main()
   headline("arcs");
   for_elements(arcs);
   marking();
+  slave_like_master();
   triangles();
   headline("uniform pressure, hanging nodes at the surfaces");
   for_elements([](const unsigned int degree, const bool free) {

@@ -45,7 +45,7 @@ wait_for_increments() {
   fail "$1: no increment in 30 s"
 }
 
-# compare DIRECTORY: probes, contact and works are those of the whole run
+# compare DIRECTORY: probes, contact, works and reactions are those of the whole run
 compare() {
   python3 - "whole/$name/summary.json" "$1/$name/summary.json" <<'PYTHON' ||
 import json, sys
@@ -53,7 +53,8 @@ whole, other = (json.load(open(name)) for name in sys.argv[1:])
 def numbers(s):
     last = s["increments"][-1]
     return ([p["value"] for p in s["probes"]] + list(s["contact"].values()) +
-            [last["works"]["external"], last["works"]["dissipation"]])
+            [last["works"]["external"], last["works"]["dissipation"]] +
+            [r for group in last["reactions"].values() for r in group.values()])
 worst = max(abs(a - b) / max(abs(a), 1e-3)
             for a, b in zip(numbers(whole), numbers(other)))
 same = len(whole["increments"]) == len(other["increments"])

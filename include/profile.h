@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#ifndef contact_postprocessing_h
-#define contact_postprocessing_h
+#ifndef contact_profile_h
+#define contact_profile_h
 
 #include <limits>
 #include <optional>
@@ -114,36 +114,6 @@ namespace Contact
                 const Vector<double>                     &u_start,
                 const std::optional<ExactSolution>       &exact,
                 const bool                                with_masters);
-
-  /// Whether a quantity is a displacement.
-  bool is_displacement(const std::string &quantity);
-
-  /// Whether a quantity is a traction of contact.
-  bool is_contact_traction(const std::string &quantity);
-
-  /// Whether a quantity is a stress in a body.
-  bool is_stress(const std::string &quantity);
-
-  /// The traction [MPa] at a vertex of the triangulation, the multiplier of the
-  /// first zone that has one there; zero without friction for the shear. Throws
-  /// InputError if no slave carries a multiplier there.
-  double contact_traction(const std::string      &quantity,
-                          const unsigned int      vertex,
-                          const ContactInterface *interface,
-                          const Discretization   &discretization,
-                          const Vector<double>   &solution);
-
-  /**
-   * The value of a quantity at a vertex of the triangulation: "displacement x"
-   * or "y" [mm], "stress xx", "yy", "zz", "xy" or "von Mises" [MPa]. Throws
-   * InputError for any other. For a displacement @p vertex_stresses may be
-   * empty.
-   */
-  double probe_value(const std::string                        &quantity,
-                     const unsigned int                        vertex,
-                     const Discretization                     &discretization,
-                     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                     const Vector<double>                     &u);
 } // namespace Contact
 
 #endif

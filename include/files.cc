@@ -1,0 +1,94 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "files.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <exception>
+#include <fstream>
+#include <unistd.h>
+
+#include "counters.h"
+#include "errors.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  void create_output_directory(const std::filesystem::path &directory)
+  {
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+
+    // A name of its own, for processes that check at the same time.
+    const auto probe = directory / (".writable." + std::to_string(::getpid()));
+    const bool writable =
+      !error && static_cast<bool>(std::ofstream(probe) << std::flush);
+    std::filesystem::remove(probe, error);
+    if (!writable)
+      throw InputError("the output directory can not be created or written to",
+                       directory.string(),
+                       "set Output/Directory to a place where you may write");
+  }
+
+
+
+  void write_file(const std::filesystem::path               &file,
+                  const std::function<void(std::ostream &)> &write)
+  {
+    ++counters().files;
+    std::filesystem::path part = file;
+    part += ".part";
+    std::ofstream out(part);
+    try
+      {
+        write(out);
+      }
+    catch (const ExcIO &)
+      {
+        // The stream knows.
+      }
+    out.close();
+
+    std::error_code error;
+    if (out)
+      std::filesystem::rename(part, file, error);
+    if (!out || error)
+      {
+        std::filesystem::remove(part, error);
+        throw InputError("the file can not be written",
+                         file.string(),
+                         "make room on the disk, or set Output/Directory to a "
+                         "place where you may write");
+      }
+  }
+
+
+
+  void write_on_first_rank(const MPI_Comm               communicator,
+                           const std::filesystem::path &file,
+                           const std::function<void(std::ostream &)> &write)
+  {
+    // What one rank fails to write, no rank may wait for.
+    std::exception_ptr failure;
+    try
+      {
+        if (Utilities::MPI::this_mpi_process(communicator) == 0)
+          write_file(file, write);
+      }
+    catch (const InputError &)
+      {
+        failure = std::current_exception();
+      }
+    const bool failed = Utilities::MPI::max(failure ? 1 : 0, communicator) > 0;
+    if (failure)
+      std::rethrow_exception(failure);
+    if (failed)
+      throw InputError("another process can not write the file",
+                       file.string(),
+                       "see its message");
+  }
+} // namespace Contact
