@@ -55,9 +55,9 @@ namespace Contact
       throw InputError("the node at (" + std::to_string(node.X[0]) + ", " +
                          std::to_string(node.X[1]) +
                          ") is on the slave of one zone and on a surface of "
-                         "another one, '" +
-                         zone.name + "'",
-                       "Contact/Slave, Contact/Master",
+                         "another one",
+                       "section 'Contact" +
+                         (zone.name.empty() ? "" : " " + zone.name) + "'",
                        "let the surfaces end before they meet, or set 'System "
                        "= saddle point'");
     };

@@ -76,7 +76,7 @@ row() {
 }
 
 echo "| mesh | edges of the block [mm] | element | rule, slave | nodes |" \
-  "variation of p - Hertz | of p beyond one fall | largest p | below the bar |"
+  "variation of p - Hertz | of p beyond a monotone fall | largest p | below the limit |"
 echo "|---|---|---|---|---|---|---|---|---|"
 for mesh in 'ssnp154_quads 3 0.75' 'ssnp154 0 1.5' 'ssnp154 1 0.75'; do
   for element in '1 bound 0.1' '2 bound 0.15' '2 free 0.15'; do

@@ -42,15 +42,19 @@ SHORT = {
     "./run gallery": "./run gallery --pictures $SCRATCH",
     "cmake --install build --strip --prefix ~/.local":
         "cmake --install build --strip --prefix $SCRATCH",
-    "tests/fuzz/scenes.py --number 600":
+    "tests/fuzz/scenes.py --number 600 build/contact":
         "tests/fuzz/scenes.py --number 2 --output $SCRATCH build/contact",
-    "tests/fuzz/damaged.py --json --number 220":
+    "tests/fuzz/damaged.py --number 500 build/contact":
+        "tests/fuzz/damaged.py --number 4 --output $SCRATCH build/contact",
+    "tests/fuzz/damaged.py --json --number 220 build/contact":
         "tests/fuzz/damaged.py --json --number 4 --output $SCRATCH build/contact",
+    "cmake --build build": "cmake --build build --target contact",
     "ctest -R NAME": "cd build && ctest -R formula",
 }
 
 ELSEWHERE = {
     "./run test": "the suite itself",
+    "cmake -S . -B build -DDEAL_II_DIR=DIR": "./run, where deal.II is installed",
     "gmsh -2 -format msh41 -o mine.msh mine.geo": "program/readme_case",
     "./run mine.prm": "program/readme_case",
     "ctest -R half_plane": "tests/half_plane", "ctest -R locking": "tests/locking",

@@ -128,13 +128,22 @@ def read(directory: Path) -> list[dict]:
 
 
 def select_rows(text: str, pattern: str) -> str:
-    """Of Markdown tables the rows that match, with their heads; and the first
-    line, which names the command, if it is no table."""
+    """Of tables, of Markdown or printed by the program, the rows that match,
+    with their heads; and the first line, which names the command, if it is no
+    table."""
     lines = text.splitlines()
     kept = [] if lines[0].startswith("|") else [lines[0]]
     head: list[str] = []
+    printed = below = False  # a table of the program, and its rows
     for i, line in enumerate(lines):
-        if line.startswith("|") and lines[i + 1:i + 2] and \
+        if line == "```":
+            kept += [line] if printed else ["", line]
+            printed, below = not printed, False
+        elif printed:
+            if not below or re.search(pattern, line):
+                kept.append(line)
+            below = below or line.startswith("--")
+        elif line.startswith("|") and lines[i + 1:i + 2] and \
                 lines[i + 1].startswith("|--"):
             head = ["", line, lines[i + 1]]
         elif line.startswith("| ") and re.search(pattern, line):

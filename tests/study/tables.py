@@ -63,7 +63,7 @@ def reference_table(rows) -> str:
     return ("The row 'reference' has values, the others their relative "
             "differences from it, the largest of which is the uncertainty.\n\n" +
             table(["problem", "role", "element", "method", "unknowns", "DY(B)",
-                   "from the published limit", "DY(B) [mm]",
+                   "minus that limit [mm]", "DY(B) [mm]",
                    "peak pressure [MPa]", "width [mm]", "sticking [mm]"], body))
 
 
@@ -107,7 +107,7 @@ def decision_table(rows) -> str:
             "least. Seconds are wall seconds after the start of the program.\n\n" +
             table(["problem", "value", "error below", "method", "levels",
                    "unknowns", "seconds", "largest error from there on",
-                   "next digit, seconds"], body))
+                   "seconds, ten times less error"], body))
 
 
 def order_table(rows) -> str:
@@ -230,7 +230,7 @@ def knob_table(rows) -> str:
             "the increments count, their number is part of the problem.\n\n" +
             table(["problem", "knob", "setting", "DY(B)", "peak pressure",
                    "mesh, DY(B)", "mesh, peak pressure", "Newton steps",
-                   "seconds", "by those of the tightest"],
+                   "seconds", "by those of the tightest one"],
                   body)) if body else ""
 
 
@@ -270,7 +270,7 @@ def estimate_table(rows) -> str:
                 body.append([title, element, name, n, fixed(ratios[0]),
                              fixed(middle), fixed(ratios[-1]),
                              sum(q < 1 for q in ratios)])
-    return ("Estimated error of DY(B) by the true one, where that is above the "
+    return ("Estimated error of DY(B) divided by the true one, where that is above the "
             "uncertainty of the reference.\n\n" +
             table(["problem", "element", "method", "runs", "smallest", "median",
                    "largest", "below 1"], body)) if body else ""

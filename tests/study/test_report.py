@@ -86,6 +86,9 @@ class Readme(unittest.TestCase):
         self.assertEqual(report.select_rows(text, r"\| c"),
                          "a command\n\n| x | y |\n|---|---|\n| 2 | c |")
         self.assertEqual(report.select_rows(text, "d"), "a command")
+        text = "a command\n\n```\nx | y\n--+--\n1 | a\n2 | c\n```"
+        self.assertEqual(report.select_rows(text, r"\| c"),
+                         "a command\n\n```\nx | y\n--+--\n2 | c\n```")
 
     def test_csv_round_trip(self):
         with tempfile.TemporaryDirectory() as directory:
