@@ -281,11 +281,13 @@ namespace Contact
       elimination.condense(rhs);
       is_new = assemble(solution, rhs);
     }
-    if (is_new)
+    if (is_new || !solver_has_matrix)
       {
         TimerOutput::Scope scope(timer, "factorization");
+        solver_has_matrix = false;
         solver->set_matrix(matrix, pattern_is_new);
-        pattern_is_new = false;
+        pattern_is_new    = false;
+        solver_has_matrix = true;
       }
 
     TimerOutput::Scope     scope(timer, "solution");
@@ -309,13 +311,14 @@ namespace Contact
                       : 1e-6 * size,
                     x);
 
-    // Everybody gets everything.
+    // Everybody gets everything, first what is solved for, then what follows.
     row = 0;
     rhs = 0;
     for (const auto i : owned)
       rhs[i] = x.begin()[row++];
     Utilities::MPI::sum(rhs, communicator, rhs);
     elimination.distribute(rhs);
+    discretization.share(rhs);
     std::copy_n(rhs.begin(), rhs.size(), update.begin());
     return n_iterations;
   }

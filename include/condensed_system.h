@@ -102,6 +102,7 @@ namespace Contact
     bool                             tangents_are_known = false;
     unsigned int                     tangent_version    = 0;
     bool                             pattern_is_new     = true; // to the solver
+    bool                             solver_has_matrix  = false;
 
     std::unique_ptr<DefiniteSolver> solver;
   };

@@ -239,14 +239,15 @@ namespace Contact
                           std::abs(tractions[k].p) * offset);
       }
 
-    const double of_forces = sum.norm() / magnitude;
-    found.force_imbalance  = larger(found.force_imbalance, of_forces);
+    const std::string unit      = " N" + discretization.per_thickness();
+    const double      of_forces = sum.norm() / magnitude;
+    found.force_imbalance       = larger(found.force_imbalance, of_forces);
     found.judge(
       "balance of forces",
       of_forces,
       slack.relative,
       "the forces of contact on both bodies add up to " + brief(sum.norm()) +
-        " N/mm of " + brief(magnitude) + " N/mm",
+        unit + " of " + brief(magnitude) + unit,
       "The coefficients of a point do not add up to zero: an error of the "
       "program.");
     // The forces on a ring have none in the plane.
@@ -329,7 +330,8 @@ namespace Contact
     for (unsigned int l = 0; l < n; ++l)
       worst.add(stiff[l] * std::abs(weak[l]), slack.force, [&]() {
         return "the condition p = max(0, lambda - c g) fails by the force " +
-               brief(stiff[l] * weak[l]) + " N/mm" + at(points[point_of[l]]);
+               brief(stiff[l] * weak[l]) + " N" +
+               discretization.per_thickness() + at(points[point_of[l]]);
       });
 
     // With c far below the stiffness of the bodies, what is penalty instead of
@@ -415,7 +417,8 @@ namespace Contact
                [&]() {
                  return "the slip law q = projection of lambda - c s fails by "
                         "the force " +
-                        brief(stiff[l] * weak[l]) + " N/mm" +
+                        brief(stiff[l] * weak[l]) + " N" +
+                        discretization.per_thickness() +
                         at(points[point_of[l]]);
                });
 

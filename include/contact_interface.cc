@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "errors.h"
 
 namespace Contact
 {
@@ -69,7 +68,7 @@ namespace Contact
   bool ContactInterface::has_coulomb_friction() const
   {
     return std::any_of(zones.begin(), zones.end(), [](const auto &zone) {
-      return zone->law.coulomb_coefficient > 0;
+      return !zone->tied && zone->law.coulomb_coefficient > 0;
     });
   }
 
@@ -322,10 +321,9 @@ namespace Contact
 
 
 
-  const ContactPoint *
-  ContactInterface::decide_one(const Vector<double> &solution,
-                               const Vector<double> &u_start,
-                               const bool            moving_bound)
+  void ContactInterface::decide_one(const Vector<double> &solution,
+                                    const Vector<double> &u_start,
+                                    const bool            moving_bound)
   {
     for (ContactPoint &point : points)
       {
@@ -337,9 +335,8 @@ namespace Contact
         point.decision = decision;
         if (!moving_bound && decision.status == Status::open)
           drop_bound(&point - points.data());
-        return &point;
+        return;
       }
-    return nullptr;
   }
 
 
@@ -416,8 +413,7 @@ namespace Contact
     std::vector<double> stiffness(n_normal_multipliers(), 0.);
     for (const ContactPoint &point : points)
       for (unsigned int k = 0; k < point.n_multipliers; ++k)
-        stiffness[point.multipliers[k]] =
-          point.complementarity / zone(point).complementarity;
+        stiffness[point.multipliers[k]] = zone(point).stiffness(point);
 
     double square = 0;
     for (unsigned int k = 0; k < stiffness.size(); ++k)

@@ -39,7 +39,7 @@ namespace Contact
 
 
 
-  /// What the points of a zone do.
+  /// What the points of all zones do.
   struct StatusCount
   {
     unsigned int active = 0; // stick and slip
@@ -152,11 +152,10 @@ namespace Contact
                             const bool            moving_bound,
                             const bool            keep);
 
-    /// Let but one point change its decision, the first that wants to; returns
-    /// that point, or null if there is none.
-    const ContactPoint *decide_one(const Vector<double> &solution,
-                                   const Vector<double> &u_start,
-                                   const bool            moving_bound);
+    /// Let but one point change its decision, the first that wants to.
+    void decide_one(const Vector<double> &solution,
+                    const Vector<double> &u_start,
+                    const bool            moving_bound);
 
     /**
      * A bound that was frozen while a point was under pressure may leave it no

@@ -194,7 +194,8 @@ namespace Contact
         if (point.decision == decisions[q] || ++n > max_lines)
           continue;
         const ContactState now = interface.state(point, solution, u_start);
-        text << "\n        point " << q << " at X = (" << point.X[0]
+        text << "\n        point " << q << " at X = ("
+             << interface.zone(point).place(point)
              << ") mm: " << names[static_cast<int>(decisions[q].status)]
              << ", now " << names[static_cast<int>(point.decision.status)]
              << "; gap " << now.gap << " mm, pressure " << now.lambda_n

@@ -106,9 +106,8 @@ namespace Contact
     else
       points = make_nodal_points(slave, excluded, multipliers);
 
-    this->first_multiplier = first_multiplier;
-    this->first_point      = first_point;
-    n_points               = points.size();
+    this->first_point = first_point;
+    n_points          = points.size();
     for (unsigned int &k : multipliers.of_node)
       if (k != numbers::invalid_unsigned_int)
         k += first_multiplier;
@@ -177,7 +176,7 @@ namespace Contact
 
   bool ContactZone::has_point_per_multiplier() const
   {
-    return n_points == multipliers.n_multipliers;
+    return parameters.has_point_per_multiplier();
   }
 
 

@@ -52,7 +52,6 @@ namespace Contact
 
     /// Numbered among those of all zones.
     MultiplierSpace multipliers;
-    unsigned int    first_multiplier = 0;
 
     /// Their place among the points of all zones.
     unsigned int first_point = 0, n_points = 0;

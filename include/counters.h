@@ -32,7 +32,7 @@ namespace Contact
 
     // Contact.
     unsigned long pairings           = 0; // of all points with the master
-    unsigned long candidate_pairs    = 0; // point and edge, or edge and edge
+    unsigned long candidate_pairs    = 0; // point and edge
     unsigned long projections        = 0; // points with a foot on the master
     unsigned long geometry_updates   = 0; // pairings that follow the bodies
     unsigned long active_set_changes = 0; // Newton steps after which a point

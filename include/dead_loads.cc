@@ -53,8 +53,13 @@ namespace Contact
                              [&](const Point<2> &, const Tensor<1, 2> &) {
                                return direction;
                              });
-        load_of(spread).add(force / (shares.mean_value() * shares.size()),
-                            shares);
+        const double area = shares.mean_value() * shares.size();
+        if (!(area > 0))
+          throw InputError("the boundary '" + name +
+                             "' has no area that a force could be spread over",
+                           prefix + spread,
+                           "name one off the axis of symmetry");
+        load_of(spread).add(force / area, shares);
       }
 
     const std::string nodal = std::string("Force ") + "xy"[c];

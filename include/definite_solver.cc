@@ -145,7 +145,15 @@ namespace Contact
           control,
           TrilinosWrappers::SolverDirect::AdditionalData(false,
                                                          "Amesos_Mumps"));
-        solver->initialize(matrix);
+        try
+          {
+            solver->initialize(matrix);
+          }
+        catch (const ExceptionBase &)
+          {
+            throw NotConverged("MUMPS can not factorize the matrix: a body can "
+                               "move without resistance, or memory is short");
+          }
       }
 
       void release() override
@@ -212,7 +220,7 @@ namespace Contact
             residual << control.last_value();
             throw NotConverged("conjugate gradients with AMG stall at the "
                                "residual " +
-                               residual.str() + " N/mm after " +
+                               residual.str() + " N/mm (rings: N) after " +
                                std::to_string(max_iterations) +
                                " iterations; set Solution/Linear solver = "
                                "CHOLMOD, or MUMPS with several ranks");

@@ -50,8 +50,9 @@ namespace Contact
     virtual ~DefiniteSolver() = default;
 
     /// Take the matrix, which has to live until it is replaced; say whether it
-    /// has another pattern than the last one. Throws NotConverged if it is not
-    /// positive definite.
+    /// has another pattern than the last one. Throws NotConverged if it can
+    /// not be factorized: CHOLMOD if it is not positive definite, MUMPS if it
+    /// is singular; AMG finds out when it solves.
     virtual void set_matrix(const Matrix &matrix, const bool new_pattern) = 0;
 
     /// Let go of the matrix, which is about to become another one: MUMPS looks

@@ -18,6 +18,7 @@
 
 #include <boost/serialization/map.hpp>
 
+#include "all_ranks.h"
 #include "errors.h"
 #include "formula.h"
 
@@ -104,14 +105,21 @@ namespace Contact
 
 
 
+  std::array<double, 2>
+  Discretization::support_factors(const double load_factor) const
+  {
+    return {{factor("Displacement x", load_factor),
+             factor("Displacement y", load_factor)}};
+  }
+
+
+
   void Discretization::constrain_update(const Vector<double> &u,
                                         const double          load_factor)
   {
     std::map<types::global_dof_index, double> updates;
     bool                                      vanish = true;
-    const std::array<double, 2>               factors{
-      {factor("Displacement x", load_factor),
-                     factor("Displacement y", load_factor)}};
+    const auto factors   = support_factors(load_factor);
     largest_displacement = 0;
     for (const auto &[dof, displacement] : prescribed)
       {
@@ -136,15 +144,41 @@ namespace Contact
       return;
     Vector<double> move(u.size());
     constraints.distribute(move);
+    share(move);
     u += move;
 
     // To the last digit.
-    const std::array<double, 2> factors{
-      {factor("Displacement x", load_factor),
-       factor("Displacement y", load_factor)}};
+    const auto factors = support_factors(load_factor);
     for (const auto &[dof, displacement] : prescribed)
       u[dof] = factors[displacement.component] * displacement.value;
     constrain_update(u, load_factor);
+  }
+
+
+
+  double Discretization::distance_from_supports(const Vector<double> &u,
+                                                const double load_factor) const
+  {
+    const auto factors = support_factors(load_factor);
+    double     largest = 0;
+    for (const auto &[dof, displacement] : prescribed)
+      largest = std::max(largest,
+                         std::abs(u[dof] - factors[displacement.component] *
+                                             displacement.value));
+    return largest;
+  }
+
+
+
+  void Discretization::share(Vector<double> &u) const
+  {
+    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+      return;
+    Vector<double> own(dof_handler.n_dofs());
+    for (const auto i : dof_handler.locally_owned_dofs())
+      own[i] = u[i];
+    Utilities::MPI::sum(own, communicator, own);
+    std::copy(own.begin(), own.end(), u.begin());
   }
 
 
@@ -243,10 +277,12 @@ namespace Contact
         }
     };
 
-    collect(boundary.displacement_x, 0);
-    collect(boundary.displacement_y, 1);
-    if (axisymmetric)
-      hold_axis();
+    on_all_ranks(communicator, [&]() {
+      collect(boundary.displacement_x, 0);
+      collect(boundary.displacement_y, 1);
+      if (axisymmetric)
+        hold_axis();
+    });
     for (const auto &of_rank :
          Utilities::MPI::all_gather(communicator, prescribed))
       prescribed.insert(of_rank.begin(), of_rank.end());

@@ -17,6 +17,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <string>
 
 #include "mesh.h"
 #include "parameters.h"
@@ -87,6 +88,13 @@ namespace Contact
     const hp::QCollection<2>       quadrature;
     DoFHandler<2>                  dof_handler;
 
+    /// Behind the unit N of a force: it is one by thickness, or of a whole
+    /// ring.
+    std::string per_thickness() const
+    {
+      return axisymmetric ? "" : "/mm";
+    }
+
     /// Supports, ties and loads at their full values.
     const Parameters::Boundary boundary;
 
@@ -121,11 +129,20 @@ namespace Contact
      */
     void prescribe(Vector<double> &u, const double load_factor);
 
+    /// Give all ranks what the owner of each unknown has in @p u: a rank knows
+    /// the constraints of its own unknowns, not those of all others.
+    void share(Vector<double> &u) const;
+
     /// The largest displacement that a support prescribes now [mm].
     double largest_prescribed() const
     {
       return largest_displacement;
     }
+
+    /// How far a supported unknown of @p u is at most from where it has to be
+    /// under @p load_factor [mm].
+    double distance_from_supports(const Vector<double> &u,
+                                  const double          load_factor) const;
 
     /// Whether the next update moves a supported unknown.
     bool update_is_prescribed() const
@@ -160,6 +177,9 @@ namespace Contact
         archive &value &component;
       }
     };
+
+    /// Of the displacements prescribed in x and y, by their histories.
+    std::array<double, 2> support_factors(const double load_factor) const;
 
     void check_radii();
     void hold_axis();

@@ -25,6 +25,12 @@ namespace Contact
                            "\nremedy: " + remedy)
     {
     }
+
+    /// With all three parts.
+    explicit InputError(const std::string &message)
+      : std::runtime_error(message)
+    {
+    }
   };
 
   /**

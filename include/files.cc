@@ -7,10 +7,12 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <exception>
+#include <boost/crc.hpp>
 #include <fstream>
+#include <iterator>
 #include <unistd.h>
 
+#include "all_ranks.h"
 #include "counters.h"
 #include "errors.h"
 
@@ -68,27 +70,24 @@ namespace Contact
 
 
 
+  unsigned int checksum(const std::filesystem::path &file)
+  {
+    std::ifstream      in(file, std::ios::binary);
+    const std::string  content{std::istreambuf_iterator<char>(in), {}};
+    boost::crc_32_type crc;
+    crc.process_bytes(content.data(), content.size());
+    return crc.checksum();
+  }
+
+
+
   void write_on_first_rank(const MPI_Comm               communicator,
                            const std::filesystem::path &file,
                            const std::function<void(std::ostream &)> &write)
   {
-    // What one rank fails to write, no rank may wait for.
-    std::exception_ptr failure;
-    try
-      {
-        if (Utilities::MPI::this_mpi_process(communicator) == 0)
-          write_file(file, write);
-      }
-    catch (const InputError &)
-      {
-        failure = std::current_exception();
-      }
-    const bool failed = Utilities::MPI::max(failure ? 1 : 0, communicator) > 0;
-    if (failure)
-      std::rethrow_exception(failure);
-    if (failed)
-      throw InputError("another process can not write the file",
-                       file.string(),
-                       "see its message");
+    on_all_ranks(communicator, [&]() {
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        write_file(file, write);
+    });
   }
 } // namespace Contact

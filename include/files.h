@@ -32,7 +32,12 @@ namespace Contact
 
 
 
-  /// The same on the first rank of @p communicator. Throws on all.
+  /// The CRC-32 of a file, by which another content is another file.
+  unsigned int checksum(const std::filesystem::path &file);
+
+
+
+  /// Write a file on the first rank of @p communicator. Throws on all.
   void write_on_first_rank(const MPI_Comm               communicator,
                            const std::filesystem::path &file,
                            const std::function<void(std::ostream &)> &write);

@@ -13,28 +13,13 @@
 
 namespace Contact
 {
-  namespace
-  {
-    double dundurs_beta(const HertzLineContact &hertz)
-    {
-      const auto term = [](const double young, const double poisson) {
-        return (1 - 2 * poisson) * (1 + poisson) / young;
-      };
-      return hertz.contact_modulus() / 2 *
-             (term(hertz.young_1, hertz.poisson_1) -
-              term(hertz.young_2, hertz.poisson_2));
-    }
-  } // namespace
-
-
-
   HalfPlaneContact::HalfPlaneContact(const HertzLineContact &hertz,
                                      const double            friction,
                                      const unsigned int      n_increments,
                                      const unsigned int      n_elements)
     : hertz(hertz)
     , friction(friction)
-    , beta(dundurs_beta(hertz))
+    , beta(hertz.dundurs())
     , h(1. / n_elements)
     // Friction only narrows the contact: a little more than its frictionless
     // width shows both sides of its end.

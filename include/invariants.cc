@@ -27,6 +27,7 @@ namespace Contact
     return {{"force_imbalance", force_imbalance},
             {"moment_imbalance", moment_imbalance},
             {"equilibrium", equilibrium},
+            {"supports", supports},
             {"complementarity", complementarity},
             {"friction_cone", cone},
             {"slip", slip},
@@ -118,6 +119,15 @@ namespace Contact
         contact.add_forces(end.pressures, end.shears, end.dissipation);
         contact.check(slack, found);
       }
+    found.supports =
+      discretization.distance_from_supports(end.displacement, load_factor);
+    found.judge("supports",
+                found.supports,
+                std::numeric_limits<double>::epsilon() *
+                  discretization.largest_prescribed(),
+                "a supported node is " + brief(found.supports) +
+                  " mm from where it has to be",
+                wrong_forces);
     balance_bodies(load_factor, slack, hold_forces, found);
     check_energy(slack, found);
     return found;
@@ -192,8 +202,9 @@ namespace Contact
     found.judge("equilibrium",
                 found.equilibrium,
                 (slack.force + slack.shear_force) / slack.reference,
-                "a force of " + brief(residual.l2_norm()) +
-                  " N/mm is left over where no support acts",
+                "a force of " + brief(residual.l2_norm()) + " N" +
+                  discretization.per_thickness() +
+                  " is left over where no support acts",
                 wrong_forces);
   }
 
@@ -286,7 +297,8 @@ namespace Contact
                 ((slack.force + slack.shear_force) * d.l2_norm() + round_off) /
                   scale,
                 "strain energy and works differ by " + brief(missing) +
-                  " N mm/mm in this increment",
+                  " N mm" + discretization.per_thickness() +
+                  " in this increment",
                 wrong_forces);
   }
 } // namespace Contact

@@ -24,6 +24,9 @@ namespace Contact
     /// The norm of the forces that are left over where no support acts, by F.
     double equilibrium = 0;
 
+    /// The largest distance of a supported node from where it has to be [mm].
+    double supports = 0;
+
     /**
      * Energy and works since the start [N mm per mm of thickness]:
      *   strain energy = works of the loads and moved supports (external), of
@@ -141,7 +144,7 @@ namespace Contact
     /// from its end. Without, the increment is repeated from the same start.
     void advance();
 
-    /// For a restart.
+    /// Where the next increment starts.
     const State &state() const;
     void         restore(const State &state);
 

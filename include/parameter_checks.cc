@@ -307,6 +307,11 @@ namespace Contact
                           section() + "/Slave",
                           section() + "/Master"},
                          "set slave and master, or no friction");
+      if (tied && !has_point_per_multiplier())
+        throw EntryError("Surfaces are glued in nodes, and the rule " + rule +
+                           " has none.",
+                         {section() + "/Tied", section() + "/Rule"},
+                         "set 'Rule = mortar' or 'Rule = nodal'");
       if (friction_coefficient > 0 && tresca_limit > 0)
         throw EntryError("There are two laws of friction.",
                          {coulomb, tresca},

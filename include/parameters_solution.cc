@@ -93,17 +93,18 @@ namespace Contact
                         "How far conjugate gradients are driven in a Newton "
                         "step, relative to the residual of that [-]; > 0, < "
                         "1.");
-      prm.add_parameter("System",
-                        system,
-                        "The linear system [-]; saddle point: with the "
-                        "multipliers; condensed: without, symmetric positive "
-                        "definite, for the rules nodal and mortar; automatic: "
-                        "condensed for the rule mortar, with several levels, "
-                        "with several processes, with another solver than "
-                        "UMFPACK and without contact, otherwise saddle "
-                        "point.",
-                        Patterns::Selection("automatic|saddle point|"
-                                            "condensed"));
+      prm.add_parameter(
+        "System",
+        system,
+        "The linear system [-]; saddle point: with the "
+        "multipliers; condensed: without, symmetric positive "
+        "definite, for the rules nodal and mortar; automatic: "
+        "condensed for the rule mortar and for glued surfaces, "
+        "with several levels, with several processes, with another solver than "
+        "UMFPACK and without contact, otherwise saddle "
+        "point.",
+        Patterns::Selection("automatic|saddle point|"
+                            "condensed"));
       prm.add_parameter("Linear solver",
                         linear_solver,
                         "UMFPACK for saddle point systems; for condensed ones "

@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <ostream>
+#include <sstream>
 #include <string>
 
 #include "errors.h"
@@ -29,9 +30,15 @@ namespace Contact
   void
   write_restart(std::ostream &out, const std::string &key, const Parts &parts)
   {
-    boost::archive::binary_oarchive archive(out);
-    archive                        &key;
-    parts(archive);
+    // The archive writes past the state of its stream, which has to tell
+    // whether the disk is full.
+    std::ostringstream content;
+    {
+      boost::archive::binary_oarchive archive(content);
+      archive                        &key;
+      parts(archive);
+    }
+    out << content.str();
   }
 
 
@@ -60,8 +67,8 @@ namespace Contact
                          "run without --restart");
       }
     if (!is_of_this_run)
-      throw InputError("the restart file belongs to other parameters, or to "
-                       "another number of processes",
+      throw InputError("the restart file belongs to other parameters, to "
+                       "another mesh or another number of processes",
                        file.string(),
                        "set what was set before, or run without --restart");
   }

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <regex>
 
+#include "all_ranks.h"
 #include "files.h"
 #include "vertex_fields.h"
 
@@ -149,7 +150,7 @@ namespace Contact
 
   void ResultFiles::remove_increments() const
   {
-    const std::regex                   name("(bodies|contact)_[0-9.]+p?vtu");
+    const std::regex name("(bodies|contact)_[0-9.]+p?vtu|restart\\.bin");
     std::vector<std::filesystem::path> found;
     if (rank() == 0)
       for (const auto &file : std::filesystem::directory_iterator(directory))
@@ -242,8 +243,10 @@ namespace Contact
       return name + (n_ranks > 1 ? "." + Utilities::int_to_string(r, 4) : "") +
              ".vtu";
     };
-    write_file(directory / piece(rank()),
-               [&](std::ostream &out) { data_out.write_vtu(out); });
+    on_all_ranks(discretization.communicator, [&]() {
+      write_file(directory / piece(rank()),
+                 [&](std::ostream &out) { data_out.write_vtu(out); });
+    });
     if (n_ranks > 1)
       write_first(name + ".pvtu", [&](std::ostream &out) {
         std::vector<std::string> pieces;

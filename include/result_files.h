@@ -33,7 +33,8 @@ namespace Contact
     ResultFiles(const std::filesystem::path &directory,
                 const Discretization        &discretization);
 
-    /// Remove the increments of an earlier run, unless it is gone on with.
+    /// Remove the increments of an earlier run that is not gone on with, and
+    /// what it left to go on from.
     void remove_increments() const;
 
     /**

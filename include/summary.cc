@@ -223,6 +223,11 @@ namespace Contact
 
   void write_summary(const RunSummary &summary, std::ostream &out)
   {
-    out << to_json(summary).dump(2) << '\n';
+    // Names of the user need not be UTF-8.
+    out << to_json(summary).dump(2,
+                                 ' ',
+                                 /*ensure_ascii=*/false,
+                                 Json::error_handler_t::replace)
+        << '\n';
   }
 } // namespace Contact

@@ -36,8 +36,9 @@ namespace Contact
             hull[2] +=
               (first.value[a] + (high - low) / 2 * first.first[a]) * x[a];
           }
-        boxes.emplace_back(std::vector<Point<2>>(hull.begin(), hull.end()));
-        entries.emplace_back(boxes.back(), e);
+        entries.emplace_back(Box(
+                               std::vector<Point<2>>(hull.begin(), hull.end())),
+                             e);
       }
     tree = pack_rtree(entries);
   }

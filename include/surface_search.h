@@ -67,7 +67,6 @@ namespace Contact
 
     const Surface                      &surface;
     std::vector<Point<2>>               positions;
-    std::vector<Box>                    boxes;
     RTree<std::pair<Box, unsigned int>> tree;
   };
 } // namespace Contact

@@ -184,6 +184,9 @@ expect "section in x and y" "$good" --set Solids/Symmetry=axisymmetric \
   --set "Probes/Hertz=" --set "Probes/Concentric cylinders=20, 50, 100, 1, 0"
 expect_entry "is no formula in x,y" "Boundary conditions/Traction y=Top_B: z"
 expect_entry "is no formula in x,y" "Boundary conditions/Body force x=Block: z"
+expect "no area" "$parameters/verification/sphere_on_plane.prm" \
+  --set "Boundary conditions/Spread force y=Axis: -1"
+expect "glued in nodes" "$parameters/ssnp154_a.prm" --set Contact/Tied=true
 expect_entry "no body" "Boundary conditions/Body force y=Top_B: 1"
 
 expect "two cases have the name" "$good" "$good"
@@ -210,6 +213,8 @@ expect_entry "Top_B" "Contact/Slave=Botom_C"
 expect "body 'Cylinder' against: displacement in y" "$good" \
   --set "Contact/Slave=" --set "Contact/Master=" --set "Probes/Hertz=" \
   --set "Contact/Excluded points=" --set "Boundary conditions/Tied y="
+expect "moved differently" "$parameters/verification/stack.prm" \
+  --set "Boundary conditions/Displacement x=Axis: 0, Top_3: 1"
 launcher=
 
 # Bodies that nothing holds

@@ -88,6 +88,9 @@ compare "adaptive levels, degree 1, large displacement" nested.prm \
   --set Refinement/Levels=4 --set Refinement/Strategy=adaptive \
   --set Element/Degree=1 --set "Element/Centre node=bound" \
   --set "Solids/Kinematics=large displacement"
+compare "8 nodes, body forces, three zones" verification/stack.prm \
+  --set Element/Degree=2 --set Mesh/Refinements=2 \
+  --set "Boundary conditions/Body force y=One: -0.1; Two: -0.2; Three: -0.3"
 processes='1 2 3 4'
 compare "triangles and quadrangles, nodal rule, friction" ssnp154_c.prm \
   --set Solution/System=condensed

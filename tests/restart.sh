@@ -119,6 +119,16 @@ grep -q 'can not be written' full.log || fail "full disk: no message"
 run full --restart || fail "full disk: --restart ends with $?"
 compare full
 
+# What is written to go on from does.
+rm -rf full
+mkdir -p "full/$name"
+ln -s /dev/full "full/$name/restart.bin.part"
+status=0
+run full || status=$?
+[ "$status" -eq 2 ] && grep -q 'restart.bin' full.log ||
+  fail "full disk, restart file: exit status $status instead of 2"
+[ ! -e "full/$name/restart.bin" ] || fail "full disk: half a restart file"
+
 # Other parameters are not gone on with.
 echo "other parameters:"
 run other & pid=$!
