@@ -542,7 +542,7 @@ namespace Contact
                     << ", the last one is at " << step.from << ": "
                     << failure.what();
             load_factor = step.from;
-            if (is_last_level() && !step.starts_increment && step.from > 0)
+            if (is_last_level() && !step.starts_increment)
               output_increment(step.increment, /*is_complete=*/false);
             throw NotConverged(message.str());
           }
@@ -1683,7 +1683,7 @@ namespace Contact
 // What the exit status says is in print_help().
 namespace
 {
-  // The name of the run on the mesh refined once.
+  // The same case on the mesh refined once, by which errors are estimated.
   Contact::Parameters::All refined_case(const Contact::Parameters::All &coarse)
   {
     Contact::Parameters::All finer = coarse;
@@ -1738,7 +1738,9 @@ namespace
 
   // A process that no launcher has started as one of several talks to nobody:
   // without Open MPI's daemon and network it starts in half the time. What the
-  // environment says comes first.
+  // environment says comes first. It needs no directory for its session,
+  // either: all such processes would share one, and remove it from under each
+  // other.
   void spare_network_of_single_process()
   {
     for (const char *launched :
@@ -1746,6 +1748,7 @@ namespace
       if (std::getenv(launched) != nullptr)
         return;
     setenv("OMPI_MCA_ess_singleton_isolated", "1", /*overwrite=*/0);
+    setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
     setenv("OMPI_MCA_pml", "ob1", 0);
     setenv("OMPI_MCA_btl", "self", 0);
     setenv("OMPI_MCA_osc", "^ucx", 0);
