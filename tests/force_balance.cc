@@ -79,35 +79,11 @@ namespace
 
 
 
-  /// The forces that the points of contact exert, from their definition.
-  Vector<double> contact_forces(const ContactModel &model)
-  {
-    Vector<double> forces(model.n_dofs());
-    for (const ContactPoint &point : model.interface.points)
-      {
-        const ContactState now =
-          model.interface.state(point, model.solution, model.start);
-        const Traction t = model.interface.traction(point,
-                                                    point.decision,
-                                                    now.p_trial,
-                                                    now.q_trial,
-                                                    true);
-        for (unsigned int a = 0; a < point.n_nodes; ++a)
-          for (unsigned int i = 0; i < 2; ++i)
-            forces[point.dofs[a][i]] +=
-              point.weight * point.C[a] *
-              (t.p * point.normal[i] + t.q * point.tangent[i]);
-      }
-    return forces;
-  }
-
-
-
   /// What the supports exert; and what is left elsewhere has to vanish.
   Vector<double> reactions(const ContactModel &model, const double magnitude)
   {
     Vector<double> reactions = model.elasticity->forces(model.solution, 1);
-    reactions -= contact_forces(model);
+    reactions -= model.contact_forces();
     double left = 0;
     for (unsigned int i = 0; i < reactions.size(); ++i)
       if (!model.discretization.is_fixed(i))

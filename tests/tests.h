@@ -401,6 +401,27 @@ namespace Tests
       return solve(load_factor, moving_geometry, moving_geometry);
     }
 
+    /// The forces that the points of contact exert, from their definition.
+    Vector<double> contact_forces() const
+    {
+      Vector<double> forces(n_dofs());
+      for (const ContactPoint &point : interface.points)
+        {
+          const ContactState now = interface.state(point, solution, start);
+          const Traction     t   = interface.traction(point,
+                                                point.decision,
+                                                now.p_trial,
+                                                now.q_trial,
+                                                true);
+          for (unsigned int a = 0; a < point.n_nodes; ++a)
+            for (unsigned int i = 0; i < 2; ++i)
+              forces[point.dofs[a][i]] +=
+                point.weight * point.C[a] *
+                (t.p * point.normal[i] + t.q * point.tangent[i]);
+        }
+      return forces;
+    }
+
     ContactInterface interface;
     Vector<double>   solution, start;
 
