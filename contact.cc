@@ -104,12 +104,14 @@
 #include "errors.h"
 #include "exact_solution.h"
 #include "files.h"
+#include "force_scale.h"
 #include "free_motions.h"
 #include "interruption.h"
 #include "invariants.h"
 #include "ledger.h"
 #include "load_steps.h"
 #include "newton_guard.h"
+#include "pairing_guard.h"
 #include "parameters.h"
 #include "probes.h"
 #include "refinement.h"
@@ -164,8 +166,9 @@ namespace Contact
     /// Where a Newton step has led to.
     struct Outcome
     {
-      double       residual  = 0;
-      unsigned int n_changes = 0; // points that changed their minds
+      double       force     = 0; // norm of the residual [N per mm]
+      double       residual  = 0; // the same by the force scale [-]
+      unsigned int n_changes = 0; // points that changed their status
       VolumeRatio  volume;        // the smallest
     };
 
@@ -181,7 +184,6 @@ namespace Contact
     void        recover_multipliers();
     double      assemble_forces_of_contact();
     double      residual_norm() const;
-    void        update_reference_force();
     double      newton_tolerance() const;
     bool        update_solution(const double residual,
                                 const double last_residual,
@@ -254,8 +256,14 @@ namespace Contact
     Vector<double>            start;
     std::vector<ContactPoint> points_at_start;
 
+    // The displacements under which the points were paired, and whether these
+    // pairs stay, see PairingGuard.
+    Vector<double> paired_at;
+    bool           pairing_is_frozen = false;
+
     // What nothing holds by itself in this increment.
     std::vector<FreeMotion> softly_held;
+    std::size_t             n_held_at_start = 0;
 
     // Nested iteration: the level, and on the level before the solutions and
     // the states of the surface after each increment.
@@ -263,11 +271,11 @@ namespace Contact
     std::vector<Vector<double>>                              level_solutions;
     std::vector<std::vector<ContactInterface::SurfaceState>> level_states;
 
-    double load_factor     = 0;
-    double reference_force = 0;
+    double load_factor = 0;
 
-    // Whether an increment has shown what forces there are.
-    bool reference_is_known = false;
+    // What residuals are compared with, in the present state.
+    std::unique_ptr<ForceScale> force_scale;
+    double                      reference_force = 0;
 
     // At the vertices, if somebody has asked for them since the last increment.
     std::vector<SymmetricTensor<2, 3>> stresses;
@@ -359,6 +367,9 @@ namespace Contact
     // A body that nothing holds would show as a singular matrix much later.
     make_linear_system();
     pair_bodies();
+    force_scale = std::make_unique<ForceScale>(*discretization,
+                                               *elasticity,
+                                               interface.get());
     if (interface)
       interface->initialize_status(solution);
     check_supports(*discretization, interface.get());
@@ -405,9 +416,7 @@ namespace Contact
     start.reinit(n_unknowns);
     system_rhs.reinit(n_unknowns);
     update.reinit(summary.n_displacements);
-    reference_force    = elasticity->dead_loads.whole();
-    reference_is_known = false;
-    invariants         = std::make_unique<InvariantCheck>(*discretization,
+    invariants = std::make_unique<InvariantCheck>(*discretization,
                                                   *elasticity,
                                                   interface.get(),
                                                   parameters.solution);
@@ -418,7 +427,7 @@ namespace Contact
   void ContactProblem::make_linear_system()
   {
     TimerOutput::Scope scope(timer, "setup");
-    if (!parameters.is_condensed())
+    if (!parameters.is_condensed(summary.n_displacements))
       {
         saddle_point = std::make_unique<SaddlePointSystem>(*discretization,
                                                            *elasticity,
@@ -530,7 +539,8 @@ namespace Contact
           {
             give_up_increment(failure.what());
             // What only contact held may have come loose on the way.
-            if (hold_what_is_free(nullptr))
+            hold_what_is_free(nullptr);
+            if (softly_held.size() > n_held_at_start)
               continue;
             if (steps.cut())
               {
@@ -547,7 +557,7 @@ namespace Contact
             throw NotConverged(message.str());
           }
         check_invariants();
-        steps.accept();
+        steps.accept(summary.increments.back().newton_iterations);
         softly_held.clear();
 
         if (is_last_level() && step.ends_increment)
@@ -603,8 +613,14 @@ namespace Contact
       discretization->constrain_update(solution, load_factor);
     if (interface) // supports alone do not change
       hold_what_is_free(interface.get());
+    n_held_at_start = softly_held.size();
 
     solve_with_soft_hold();
+
+    // Where a body is that has lost its contact, no equation says: it could
+    // have gone anywhere on the way.
+    if (interface && hold_what_is_free(interface.get()))
+      throw NotConverged("a body has lost the contact that held it");
 
     if (interface)
       {
@@ -618,9 +634,8 @@ namespace Contact
     for (const auto &[name, definition] : parameters.probes.probes)
       if (!is_stress(definition[0]))
         record.probes[name] = probe(definition);
-    record.converged   = true;
-    reference_is_known = reference_is_known || reference_force > 0;
-    update_reference_force();
+    record.converged = true;
+    force_scale->accept(reference_force);
     screen << "  converged: " << record.newton_iterations << " Newton steps, "
            << record.friction_iterations << " friction turns, "
            << record.geometry_iterations << " geometry turns" << std::endl;
@@ -793,7 +808,7 @@ namespace Contact
       {
         double last_increment = largest_change(start);
         // Rigid motions to the first touch are no measure.
-        if (turn > 1 && !softly_held.empty() && reference_force > 0)
+        if (turn > 1 && !softly_held.empty())
           last_increment =
             std::min(last_increment,
                      2 * elasticity->strain_energy(solution) / reference_force);
@@ -824,7 +839,7 @@ namespace Contact
         configuration.sadd(1 - part, part, solution);
       }
     throw NotConverged(
-      "the geometry loop ends with a change of " + std::to_string(change) +
+      "the geometry loop ends with a change of " + brief(change) +
       " after " + std::to_string(parameters.solution.max_geometry_iterations) +
       " turns");
   }
@@ -871,7 +886,7 @@ namespace Contact
       }
     throw NotConverged(
       "the friction loop ends with a change of the bound of " +
-      std::to_string(change) + " after " +
+      brief(change) + " after " +
       std::to_string(parameters.solution.max_friction_iterations) + " turns");
   }
 
@@ -882,8 +897,8 @@ namespace Contact
   // @sect4{ContactProblem::solve_newton}
   //
   // Newton's method on displacements, multipliers and decisions together. It
-  // has converged when no point changes its mind and the residual, forces and
-  // constraints, is small against the forces.
+  // has converged when the residual, forces and constraints, is small against
+  // the forces, under the status that each point has in the present state.
   //
   // In the loops around it, from turn to turn little changes, and a
   // factorization may serve for several steps. It is kept while it reduces the
@@ -899,6 +914,12 @@ namespace Contact
     unsigned int          n_single      = 0;
     bool                  one_at_a_time = false;
     bool                  search        = true;
+    PairingGuard          pairing(parameters.solution.geometry_tolerance);
+    const auto            way = [&]() {
+      return interface->largest_change(solution, start);
+    };
+    const bool follows = geometry_follows() && pairs_each_step();
+    pairing_is_frozen  = false;
     for (unsigned int step = 0;; ++step)
       {
         stop_if_interrupted(communicator);
@@ -908,13 +929,25 @@ namespace Contact
         print_step(step, now.residual, now.n_changes);
         if (step > 0)
           now = shorten_step(now, guard, last, last_decisions);
-        guard.advance(now.residual);
-        if (now.n_changes == 0 && !discretization->update_is_prescribed() &&
-            now.residual <= newton_tolerance())
+        const bool progress = guard.advance(now.force) || now.n_changes > 0;
+        if (step > 0 && follows)
+          pairing.advance(interface->largest_change(solution, last),
+                          way(),
+                          progress);
+        // After a step the residual is that under the new status of all points:
+        // a point may change it for ever where pressure and gap both vanish.
+        const bool status_is_new = step > 0 && !one_at_a_time;
+        if ((status_is_new || now.n_changes == 0) &&
+            !discretization->update_is_prescribed() &&
+            now.residual <= newton_tolerance() &&
+            (!follows ||
+             pairing.accepts(interface->largest_change(solution, paired_at),
+                             way())))
           return;
+        pairing_is_frozen = follows && pairing.is_frozen();
         if (step >= max_steps + n_single)
           throw NotConverged("Newton's method ends with the residual " +
-                             std::to_string(now.residual) + " after " +
+                             brief(now.residual) + " after " +
                              std::to_string(step) + " steps" +
                              changes_since(last_decisions));
 
@@ -926,7 +959,8 @@ namespace Contact
             screen << "      the active set cycles, now one point at a time "
                       "changes:"
                    << changes_since(last_decisions) << std::endl;
-            n_single = interface->points.size();
+            if (condensed)
+              n_single = interface->points.size();
           }
 
         last = solution;
@@ -960,13 +994,11 @@ namespace Contact
   ContactProblem::Outcome ContactProblem::evaluate(const bool after_a_step,
                                                    const bool one_at_a_time)
   {
-    if (geometry_follows() && pairs_each_step())
+    if (geometry_follows() && pairs_each_step() && !pairing_is_frozen)
       pair_bodies();
 
     Outcome outcome;
     outcome.volume = assemble_forces_of_bodies();
-    if (after_a_step && !reference_is_known)
-      update_reference_force();
     if (interface)
       {
         if (condensed && after_a_step)
@@ -985,7 +1017,13 @@ namespace Contact
         if (after_a_step && one_at_a_time)
           interface->decide_one(solution, start, linearization.moving_bound);
       }
-    outcome.residual = assemble_forces_of_contact();
+    outcome.force    = assemble_forces_of_contact();
+    reference_force  = force_scale->in(solution,
+                                      start,
+                                      load_factor,
+                                      newton_tolerance(),
+                                      linearization.moving_bound);
+    outcome.residual = outcome.force / reference_force;
     return outcome;
   }
 
@@ -1009,9 +1047,8 @@ namespace Contact
     const unsigned int max_halvings = 6;
     Outcome            now          = outcome;
     for (unsigned int n = 0;
-         n < max_halvings &&
-         (!is_a_state(now) ||
-          (now.n_changes == 0 && !guard.accepts(now.residual)));
+         n < max_halvings && (!is_a_state(now) || (now.n_changes == 0 &&
+                                                   !guard.accepts(now.force)));
          ++n)
       {
         solution.sadd(0.5, 0.5, last);
@@ -1052,6 +1089,7 @@ namespace Contact
   void ContactProblem::pair_bodies(const Vector<double> &configuration)
   {
     timer.enter_subsection("search");
+    paired_at = configuration;
     if (interface)
       ++counters().pairings;
     if (geometry_follows() && !configuration.all_zero())
@@ -1100,15 +1138,13 @@ namespace Contact
 
   // @sect4{ContactProblem::assemble_forces_of_contact}
   //
-  // Returns the norm of the whole residual relative to what forces there are.
+  // Returns the norm of the whole residual.
   double ContactProblem::assemble_forces_of_contact()
   {
     TimerOutput::Scope scope(timer, "residual");
     if (interface)
       interface->assemble(solution, start, linearization, system_rhs, nullptr);
-
-    const double norm = residual_norm();
-    return reference_force > 0 ? norm / reference_force : norm;
+    return residual_norm();
   }
 
 
@@ -1120,37 +1156,6 @@ namespace Contact
     for (unsigned int i = 0; i < discretization->dof_handler.n_dofs(); ++i)
       square += system_rhs[i] * system_rhs[i];
     return std::sqrt(square);
-  }
-
-
-
-  // @sect4{ContactProblem::update_reference_force}
-  //
-  // What is small against the forces is small: against the loads at their full
-  // values, or, where supports are moved, against the force F that does the
-  // work of deforming the bodies on the largest way d, 1/2 F d = strain energy.
-  // In the first increment this is looked at after each step; afterwards it
-  // only grows.
-  void ContactProblem::update_reference_force()
-  {
-    double moved = 0;
-    for (unsigned int i = 0; i < summary.n_displacements; ++i)
-      moved = std::max(moved, std::abs(solution[i]));
-    if (discretization->largest_prescribed() == 0 || moved == 0)
-      return;
-    double stiffest = 0;
-    for (const auto &body : mesh->bodies)
-      stiffest = std::max(stiffest, elasticity->young(body.second));
-    const double force = 2 * elasticity->strain_energy(solution) / moved;
-
-    // Bodies that nobody deforms: no more than their round-off can be asked
-    // for.
-    const double round_off = 1e3 * std::numeric_limits<double>::epsilon() *
-                             stiffest * moved / newton_tolerance();
-    reference_force = std::max(
-      {force,
-       round_off,
-       reference_is_known ? reference_force : elasticity->dead_loads.whole()});
   }
 
 
@@ -1270,6 +1275,7 @@ namespace Contact
     condensed.reset();
     elimination.reset();
     invariants.reset();
+    force_scale.reset();
     interface.reset();
     elasticity.reset();
     refine_and_carry_over(*mesh, *discretization, level_solutions);
@@ -1278,6 +1284,10 @@ namespace Contact
 
     ++level;
     make_linear_system();
+    pair_bodies();
+    force_scale = std::make_unique<ForceScale>(*discretization,
+                                               *elasticity,
+                                               interface.get());
     screen << "Level " << level << ": "
            << mesh->triangulation.n_global_active_cells() << " cells, "
            << summary.n_displacements << " displacements, "
@@ -1604,8 +1614,8 @@ namespace Contact
         const Vector<double> b = interface->bounds();
         bounds.assign(b.begin(), b.end());
       }
-    archive &steps &values &decisions &bounds &reference_force
-      &reference_is_known &*invariants &summary.increments &*files;
+    archive &steps &values &decisions &bounds &*force_scale &*invariants
+      &summary.increments &*files;
     if (!Archive::is_loading::value)
       return;
 

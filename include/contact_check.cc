@@ -160,7 +160,9 @@ namespace Contact
   {
     const bool   undeformed = parameters.geometry == "undeformed";
     const double geometry_tolerance =
-      parameters.geometry == "fixed point" ? parameters.geometry_tolerance : 0;
+      parameters.geometry == "Newton" || undeformed
+        ? 0.
+        : parameters.geometry_tolerance;
 
     double d = 0; // the largest displacement of this increment
     for (unsigned int i = 0; i < u_start.size(); ++i)

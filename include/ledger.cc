@@ -132,13 +132,15 @@ namespace Contact
                          pairing(parameters.solution.geometry),
                          "Solution/Geometry"});
 
-    effects.push_back({"system",
-                       system,
-                       parameters.is_condensed() ? "multipliers eliminated"
-                                                 : "multipliers are unknowns",
-                       parameters.solution.linear_solver != "automatic"
-                         ? "Solution/Linear solver"
-                         : "Solution/System"});
+    effects.push_back(
+      {"system",
+       system,
+       parameters.is_condensed(discretization.dof_handler.n_dofs())
+         ? "multipliers eliminated"
+         : "multipliers are unknowns",
+       parameters.solution.linear_solver != "automatic"
+         ? "Solution/Linear solver"
+         : "Solution/System"});
     effects.push_back({"increments",
                        std::to_string(parameters.solution.n_increments),
                        "each starts from the last one",

@@ -47,7 +47,7 @@ namespace Contact
 
 
 
-  void LoadSteps::accept()
+  void LoadSteps::accept(const unsigned int n_newton_steps)
   {
     position += whole() >> depth;
     if (position == whole())
@@ -56,7 +56,8 @@ namespace Contact
         ++increment;
       }
     // A step of twice the length has to start where such steps do.
-    if (depth > 0 && position % (whole() >> (depth - 1)) == 0)
+    if (depth > 0 && n_newton_steps <= few_newton_steps &&
+        position % (whole() >> (depth - 1)) == 0)
       --depth;
   }
 

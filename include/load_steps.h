@@ -13,8 +13,10 @@ namespace Contact
   /**
    * The way of the load factor t from 0 to 1: equal increments, as planned. A
    * step that does not converge is cut in half and tried again, up to a given
-   * depth; after a success steps double again, as far as they still end where
-   * an increment does. Every increment of the plan is reached exactly.
+   * depth. After a step that took few Newton steps the next one is twice as
+   * long, if it still ends where an increment does; a step that was hard is
+   * followed by one of the same length. Every increment of the plan is reached
+   * exactly.
    */
   class LoadSteps
   {
@@ -38,8 +40,8 @@ namespace Contact
     /// The step to try now.
     Step next() const;
 
-    /// It converged: go on behind it.
-    void accept();
+    /// It converged after so many Newton steps: go on behind it.
+    void accept(const unsigned int n_newton_steps);
 
     /// It did not: half of it next. Returns false, and changes nothing, if it
     /// is not to be cut any further.
@@ -50,6 +52,10 @@ namespace Contact
     {
       archive &increment &position &depth;
     }
+
+    /// Above, a step was hard: half of the 16 after which implicit codes
+    /// commonly give up.
+    static constexpr unsigned int few_newton_steps = 8;
 
   private:
     /// Positions within an increment and lengths of steps are counted in the

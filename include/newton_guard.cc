@@ -14,16 +14,20 @@ namespace Contact
   {
     return std::isfinite(residual) &&
            (residuals.empty() ||
+            n_uphill < patience ||
             residual <= *std::max_element(residuals.begin(), residuals.end()));
   }
 
 
 
-  void NewtonGuard::advance(const double residual)
+  bool NewtonGuard::advance(const double residual)
   {
     residuals.push_back(residual);
     if (residuals.size() > memory)
       residuals.pop_front();
+    n_uphill = residual < best ? 0 : n_uphill + 1;
+    best     = std::min(best, residual);
+    return n_uphill == 0;
   }
 
 
@@ -31,12 +35,16 @@ namespace Contact
   void NewtonGuard::forget()
   {
     residuals.clear();
+    best     = std::numeric_limits<double>::max();
+    n_uphill = 0;
   }
 
 
 
   bool NewtonGuard::one_at_a_time(const unsigned int n_changes)
   {
+    if (n_changes == 0)
+      return false;
     if (n_changes < fewest)
       {
         fewest   = n_changes;

@@ -19,13 +19,19 @@ namespace Contact
    * set is looked for it need not fall in every step, so that the line search
    * is not monotone (Grippo, Lampariello and Lucidi, SIAM J. Numer. Anal. 23,
    * 1986): a step is too long if the residual rises above the largest of the
-   * last five steps.
+   * last five steps. Nor has it where a slender body turns: the first step
+   * stretches it, and the ones behind it take that back. So full steps are
+   * taken for a while even if they lead uphill (the watchdog technique, R. M.
+   * Chamberlain, M. J. D. Powell, C. Lemarechal and H. C. Pedersen, Math. Prog.
+   * Study 16, 1982): the line search begins when ten steps in a row have not
+   * come below the smallest residual so far. Residuals are forces, not
+   * relative to a scale, which may change from step to step.
    *
-   * Cycles: all points change their decisions at once, as long as fewer and
+   * Cycles: all points change their status at once, as long as fewer and
    * fewer want to. If their number has not come below its minimum for ten
-   * steps, one point at a time changes, until it has: the safeguarded block
-   * pivoting of Portugal, Judice and Vicente (Math. Comp. 63, 1994), finite for
-   * every uniquely solvable linear problem.
+   * steps in which points change at all, one point at a time changes, until it
+   * has: the safeguarded block pivoting of Portugal, Judice and Vicente (Math.
+   * Comp. 63, 1994), finite for every uniquely solvable linear problem.
    */
   class NewtonGuard
   {
@@ -33,8 +39,8 @@ namespace Contact
     /// Whether a step may end with this residual.
     bool accepts(const double residual) const;
 
-    /// A step has ended with this residual.
-    void advance(const double residual);
+    /// A step has ended with this residual: returns whether it is the smallest.
+    bool advance(const double residual);
 
     /// Forget the residuals: the next step starts a new problem, as one that
     /// moves supports does.
@@ -49,6 +55,8 @@ namespace Contact
     static constexpr unsigned int patience = 10; // steps without progress
 
     std::deque<double> residuals;
+    double             best     = std::numeric_limits<double>::max();
+    unsigned int       n_uphill = 0; // steps since the best one
     unsigned int       fewest   = std::numeric_limits<unsigned int>::max();
     unsigned int       n_wasted = 0;
   };

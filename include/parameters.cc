@@ -92,7 +92,7 @@ namespace Contact
 
 
 
-    bool All::is_condensed() const
+    bool All::is_condensed(const std::size_t n_displacements) const
     {
       if (solution.system != "automatic")
         return solution.system == "condensed";
@@ -100,16 +100,20 @@ namespace Contact
         return solution.linear_solver != "UMFPACK";
       if (refinement.n_levels > 0 || n_ranks > 1)
         return true;
-      const auto zones = this->zones();
-      return std::all_of(zones.begin(),
-                         zones.end(),
-                         [](const Contact &zone) {
-                           return zone.has_point_per_multiplier();
-                         }) &&
-             (zones.empty() ||
-              std::any_of(zones.begin(), zones.end(), [](const Contact &zone) {
-                return zone.rule == "mortar" || zone.tied;
-              }));
+      const auto zones    = this->zones();
+      const auto all_have = [&](const auto &property) {
+        return std::all_of(zones.begin(), zones.end(), property);
+      };
+      if (all_have([](const Contact &zone) { return zone.tied; }))
+        return true;
+
+      // Beyond, a sparse direct solver of the saddle point takes too much time
+      // and memory.
+      const bool is_large = n_displacements > 100000;
+      return (is_large || solution.friction == "each step") &&
+             solution.geometry != "Newton" && all_have([](const Contact &zone) {
+               return zone.has_point_per_multiplier();
+             });
     }
   } // namespace Parameters
 

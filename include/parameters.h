@@ -167,7 +167,7 @@ namespace Contact
       std::map<std::string, std::vector<double>> obstacle;
 
       /// "nodal", "Gauss" or "mortar".
-      std::string  rule           = "Gauss";
+      std::string  rule           = "mortar";
       unsigned int n_gauss_points = 3;
 
       /// Points of the slave surface that carry no contact point.
@@ -227,12 +227,12 @@ namespace Contact
       unsigned int max_cuts     = 6; // of an increment to half
 
       /// "undeformed", "fixed point", "each step" or "Newton".
-      std::string  geometry                = "fixed point";
+      std::string  geometry                = "each step";
       double       geometry_tolerance      = 1e-3;
       unsigned int max_geometry_iterations = 30;
 
       /// "fixed point", "each step" or "Newton".
-      std::string  friction                = "fixed point";
+      std::string  friction                = "Newton";
       double       friction_tolerance      = 1e-10;
       unsigned int max_friction_iterations = 60;
 
@@ -361,8 +361,9 @@ namespace Contact
       /// Go on behind the last increment of an interrupted run.
       bool restart = false;
 
-      /// Whether the multipliers are eliminated from the linear system.
-      bool is_condensed() const;
+      /// Whether the multipliers are eliminated from the linear system, of a
+      /// mesh with so many displacements; 0: as far as the entries tell.
+      bool is_condensed(const std::size_t n_displacements = 0) const;
 
       void add_parameters(ParameterHandler &prm);
 

@@ -49,16 +49,17 @@ namespace Contact
                         "[-]; undeformed: not at all, as theories of small "
                         "displacements have it (kinematics small strain); "
                         "fixed point: in a loop of their own; each step: "
-                        "renewed before each Newton step; Newton: with the "
-                        "displacements, in the tangent as well (rules nodal "
-                        "and Gauss, saddle point system).",
+                        "renewed before each Newton step, until these move "
+                        "the surfaces by less than the geometry tolerance; "
+                        "Newton: with the displacements, in the tangent as "
+                        "well (rules nodal and Gauss, saddle point system).",
                         geometry_loop);
       prm.add_parameter(
         "Geometry tolerance",
         geometry_tolerance,
-        "Largest change of a displacement in one turn of the geometry loop, "
-        "relative to the largest displacement of the increment before that "
-        "turn [-]; > 0. The first turn is never accepted.");
+        "Largest change of a displacement behind the last pairing, relative to "
+        "the largest displacement of the increment [-]; > 0. The first turn of "
+        "a geometry loop is never accepted.");
       prm.add_parameter("Max geometry iterations",
                         max_geometry_iterations,
                         "Turns of the geometry loop before giving up [-].",
@@ -98,11 +99,11 @@ namespace Contact
         system,
         "The linear system [-]; saddle point: with the "
         "multipliers; condensed: without, symmetric positive "
-        "definite, for the rules nodal and mortar; automatic: "
-        "condensed for the rule mortar and for glued surfaces, "
-        "with several levels, with several processes, with another solver than "
-        "UMFPACK and without contact, otherwise saddle "
-        "point.",
+        "definite without friction, for the rules nodal and mortar; "
+        "automatic: condensed without contact and for glued surfaces, with "
+        "several levels, with several processes, with another solver than "
+        "UMFPACK, and with more than 100000 displacements for the rules nodal "
+        "and mortar, otherwise saddle point.",
         Patterns::Selection("automatic|saddle point|"
                             "condensed"));
       prm.add_parameter("Linear solver",
