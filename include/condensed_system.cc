@@ -24,35 +24,16 @@ namespace Contact
                                    TimerOutput            &timer)
     : discretization(discretization)
     , elasticity(elasticity)
-    , interface(interface)
     , elimination(elimination)
     , timer(timer)
     , owned(discretization.dof_handler.locally_owned_dofs())
+    , couplings(discretization, interface)
     , solver(DefiniteSolver::create(solver_name,
                                     solver_name == "AMG"
                                       ? rigid_modes()
                                       : DefiniteSolver::Modes()))
   {
-    if (interface != nullptr)
-      for (const auto &zone : interface->zones)
-        if (zone->master)
-          collect_neighbors(*zone->master);
     collect_interface();
-  }
-
-
-
-  void CondensedSystem::collect_neighbors(const Surface &master)
-  {
-    for (const Surface::Edge &edge : master.edges)
-      for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
-        for (unsigned int b = 0; b < master.n_nodes_per_edge(); ++b)
-          for (unsigned int c = 0; c < 2; ++c)
-            {
-              const NodeDoFs &around = master.nodes[edge.nodes[b]].dofs;
-              neighbors_on_master[master.nodes[edge.nodes[a]].dofs[c]]
-                .insert(around.begin(), around.end());
-            }
   }
 
 
@@ -135,69 +116,37 @@ namespace Contact
 
   void CondensedSystem::update_pattern()
   {
-    if (has_pattern && pattern_serves())
+    if (has_pattern && couplings.serve())
       return;
     TimerOutput::Scope scope(timer, "setup");
+    couplings.make();
     make_pattern();
   }
 
 
 
-  bool CondensedSystem::pattern_serves() const
+  // The lines of now, and a pattern that has room for them.
+  void CondensedSystem::eliminate(const Vector<double> &solution,
+                                  const Vector<double> &u_start)
   {
-    if (interface == nullptr)
-      return true;
-    for (unsigned int q = 0; q < interface->points.size(); ++q)
-      {
-        const ContactPoint &point = interface->points[q];
-        for (unsigned int a = 1; a < point.n_nodes; ++a)
-          if (!std::binary_search(provided[q].begin(),
-                                  provided[q].end(),
-                                  point.dofs[a][0]))
-            return false;
-      }
-    return true;
-  }
-
-
-
-  // The nodes of the point, and on the master those of one more edge to either
-  // side: the bodies may slide a little before a new pattern is due.
-  CondensedSystem::Dofs
-  CondensedSystem::reachable_master_dofs(const ContactPoint &point) const
-  {
-    std::set<types::global_dof_index> dofs;
-    for (unsigned int a = 1; a < point.n_nodes; ++a)
-      for (const auto dof : point.dofs[a])
-        {
-          dofs.insert(dof);
-          if (const auto around = neighbors_on_master.find(dof);
-              around != neighbors_on_master.end())
-            dofs.insert(around->second.begin(), around->second.end());
-        }
-    return Dofs(dofs.begin(), dofs.end());
+    {
+      TimerOutput::Scope scope(timer, "assembly");
+      elimination.make(solution, u_start, interface_dofs);
+    }
+    if (!couplings.add_missing(elimination))
+      return;
+    TimerOutput::Scope scope(timer, "setup");
+    make_pattern();
+    elimination.make(solution, u_start, interface_dofs);
   }
 
 
 
   void CondensedSystem::make_pattern()
   {
-    const auto &dof_handler = discretization.dof_handler;
-    const auto  n           = dof_handler.n_dofs();
-
-    // What each slave unknown may be coupled with.
-    std::map<types::global_dof_index, Dofs> partners;
-    std::set<types::global_dof_index>       all;
-    provided.clear();
-    if (interface != nullptr)
-      for (const ContactPoint &point : interface->points)
-        {
-          provided.push_back(reachable_master_dofs(point));
-          for (const auto dof : point.dofs[0])
-            partners[dof] = provided.back();
-          all.insert(point.dofs[0].begin(), point.dofs[0].end());
-          all.insert(provided.back().begin(), provided.back().end());
-        }
+    const auto                       &dof_handler = discretization.dof_handler;
+    const auto                        n           = dof_handler.n_dofs();
+    std::set<types::global_dof_index> touched     = couplings.all();
 
     // One rank has all rows, which is said by none.
     IndexSet   rows;
@@ -206,33 +155,27 @@ namespace Contact
     if (is_distributed)
       {
         rows = DoFTools::extract_locally_relevant_dofs(dof_handler);
-        rows.add_indices(all.begin(), all.end());
+        rows.add_indices(touched.begin(), touched.end());
         rows.compress();
       }
 
     DynamicSparsityPattern pattern(n, n, rows);
     elasticity.add_couplings(pattern);
 
-    const auto                       &base = discretization.constraints;
-    std::set<types::global_dof_index> touched;
+    const auto &base = discretization.constraints;
     for (const unsigned int c : interface_cells)
       {
         const Dofs &cell_dofs = elasticity.dofs_of_cell(c);
         std::set<types::global_dof_index> coupled(cell_dofs.begin(),
                                                   cell_dofs.end());
-        const auto add_partners = [&](const types::global_dof_index dof) {
-          const auto found = partners.find(dof);
-          if (found != partners.end())
-            coupled.insert(found->second.begin(), found->second.end());
-        };
         for (const auto dof : cell_dofs)
           {
-            add_partners(dof);
+            couplings.add_partners(dof, coupled);
             if (const auto *entries = base.get_constraint_entries(dof))
               for (const auto &entry : *entries)
                 {
                   coupled.insert(entry.first);
-                  add_partners(entry.first);
+                  couplings.add_partners(entry.first, coupled);
                 }
           }
         base.add_entries_local_to_global(Dofs(coupled.begin(), coupled.end()),
@@ -244,7 +187,6 @@ namespace Contact
       pattern.add(i, i);
 
     const MPI_Comm communicator = discretization.communicator;
-    touched.insert(all.begin(), all.end());
     for (const auto &of_rank :
          Utilities::MPI::all_gather(communicator,
                                     Dofs(touched.begin(), touched.end())))
@@ -275,9 +217,9 @@ namespace Contact
     Vector<double> rhs(owned.size());
     std::copy_n(residual.begin(), rhs.size(), rhs.begin());
     bool is_new = true;
+    eliminate(solution, u_start);
     {
       TimerOutput::Scope scope(timer, "assembly");
-      elimination.make(solution, u_start, interface_dofs);
       elimination.condense(rhs);
       is_new = assemble(solution, rhs);
     }

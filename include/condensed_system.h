@@ -8,8 +8,8 @@
 
 #include <deal.II/base/timer.h>
 
-#include "contact_elimination.h"
 #include "definite_solver.h"
+#include "interface_couplings.h"
 
 namespace Contact
 {
@@ -63,9 +63,8 @@ namespace Contact
 
     void collect_interface();
     void make_pattern();
-    bool pattern_serves() const;
-    void collect_neighbors(const Surface &master);
-    Dofs reachable_master_dofs(const ContactPoint &point) const;
+    void eliminate(const Vector<double> &solution,
+                   const Vector<double> &u_start);
 
     /// Returns whether the matrix is another one than before.
     bool assemble(const Vector<double> &solution, Vector<double> &rhs);
@@ -76,23 +75,18 @@ namespace Contact
 
     DefiniteSolver::Modes rigid_modes() const;
 
-    const Discretization   &discretization;
-    const Elasticity       &elasticity;
-    const ContactInterface *interface;
-    ContactElimination     &elimination;
-    TimerOutput            &timer;
-    const IndexSet          owned;
+    const Discretization &discretization;
+    const Elasticity     &elasticity;
+    ContactElimination   &elimination;
+    TimerOutput          &timer;
+    const IndexSet        owned;
 
     /// The cells that see the active set, and the others.
     std::vector<unsigned int> interface_cells, bulk_cells;
 
-    /// Of each point, the unknowns of the master that the pattern provides for.
-    std::vector<Dofs> provided;
-    Dofs              interface_dofs;
-
-    /// Of the unknowns on masters those of the edges around them.
-    std::map<types::global_dof_index, std::set<types::global_dof_index>>
-      neighbors_on_master;
+    /// What the pattern provides for, and all unknowns at the interface.
+    InterfaceCouplings couplings;
+    Dofs               interface_dofs;
 
     DefiniteSolver::Matrix           matrix;
     std::vector<double>              assembled_lines; // their signature

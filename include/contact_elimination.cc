@@ -199,16 +199,19 @@ namespace Contact
           entry.second *= factor;
       }
 
-    const auto users = users_of_slave_dofs.equal_range(dof);
-    for (auto user = users.first; user != users.second; ++user)
-      substitute(contact_lines.at(user->second), dof, line);
+    std::set<types::global_dof_index> users;
+    if (const auto found = users_of_slave_dofs.find(dof);
+        found != users_of_slave_dofs.end())
+      {
+        users = std::move(found->second);
+        users_of_slave_dofs.erase(found);
+      }
+    for (const auto user : users)
+      substitute(contact_lines.at(user), dof, line);
+    users.insert(dof);
     for (const auto &entry : line.entries)
       if (slave_dofs.count(entry.first) > 0)
-        {
-          users_of_slave_dofs.emplace(entry.first, dof);
-          for (auto user = users.first; user != users.second; ++user)
-            users_of_slave_dofs.emplace(entry.first, user->second);
-        }
+        users_of_slave_dofs[entry.first].insert(users.begin(), users.end());
     contact_lines[dof] = line;
   }
 
@@ -225,6 +228,17 @@ namespace Contact
           rhs[dof] += coefficient * rhs[line];
         rhs[line] = 0;
       }
+  }
+
+
+
+  void ContactElimination::for_each_entry(
+    const std::function<void(const types::global_dof_index line,
+                             const types::global_dof_index dof)> &visit) const
+  {
+    for (const auto line : eliminated)
+      for (const auto &entry : *lines.get_constraint_entries(line))
+        visit(line, entry.first);
   }
 
 

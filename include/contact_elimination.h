@@ -6,6 +6,7 @@
 #ifndef contact_contact_elimination_h
 #define contact_contact_elimination_h
 
+#include <functional>
 #include <set>
 
 #include "contact_interface.h"
@@ -51,6 +52,12 @@ namespace Contact
     {
       return lines;
     }
+
+    /// Call @p visit with each eliminated unknown and each one that moves it.
+    void for_each_entry(
+      const std::function<void(const types::global_dof_index line,
+                               const types::global_dof_index dof)> &visit)
+      const;
 
     /// All that the eliminated matrix depends on, as numbers.
     std::vector<double> signature() const;
@@ -99,7 +106,7 @@ namespace Contact
     std::map<types::global_dof_index, Line> contact_lines;
 
     /// Slave unknowns that are in the lines of others.
-    std::multimap<types::global_dof_index, types::global_dof_index>
+    std::map<types::global_dof_index, std::set<types::global_dof_index>>
       users_of_slave_dofs;
   };
 } // namespace Contact
