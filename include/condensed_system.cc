@@ -27,6 +27,7 @@ namespace Contact
     , elimination(elimination)
     , timer(timer)
     , owned(discretization.dof_handler.locally_owned_dofs())
+    , eliminable(elimination.slave_dofs)
     , couplings(discretization, interface)
     , solver(DefiniteSolver::create(solver_name,
                                     solver_name == "AMG"
@@ -90,16 +91,18 @@ namespace Contact
   // the active set, too.
   void CondensedSystem::collect_interface()
   {
+    interface_cells.clear();
+    bulk_cells.clear();
     const auto &base    = discretization.constraints;
     const auto  sees_it = [&](const types::global_dof_index dof) {
-      if (elimination.slave_dofs.count(dof) > 0 || discretization.is_moved(dof))
+      if (eliminable.count(dof) > 0 || discretization.is_moved(dof))
         return true;
       const auto *entries = base.get_constraint_entries(dof);
       return entries != nullptr &&
              std::any_of(entries->begin(),
                          entries->end(),
                          [&](const auto &entry) {
-                           return elimination.slave_dofs.count(entry.first) > 0;
+                           return eliminable.count(entry.first) > 0;
                          });
     };
     for (unsigned int c = 0; c < elasticity.n_cells(); ++c)
@@ -133,11 +136,26 @@ namespace Contact
       TimerOutput::Scope scope(timer, "assembly");
       elimination.make(solution, u_start, interface_dofs);
     }
-    if (!couplings.add_missing(elimination))
+    const bool misses_cells    = add_eliminable();
+    const bool misses_partners = couplings.add_missing(elimination);
+    if (!misses_cells && !misses_partners)
       return;
     TimerOutput::Scope scope(timer, "setup");
+    if (misses_cells)
+      collect_interface();
     make_pattern();
     elimination.make(solution, u_start, interface_dofs);
+  }
+
+
+
+  // What is eliminated beside the slave nodes, which shows in the lines only.
+  bool CondensedSystem::add_eliminable()
+  {
+    bool is_more = false;
+    for (const auto dof : elimination.eliminated_dofs())
+      is_more = eliminable.insert(dof).second || is_more;
+    return is_more;
   }
 
 

@@ -62,6 +62,7 @@ namespace Contact
     using Dofs = std::vector<types::global_dof_index>;
 
     void collect_interface();
+    bool add_eliminable();
     void make_pattern();
     void eliminate(const Vector<double> &solution,
                    const Vector<double> &u_start);
@@ -80,6 +81,9 @@ namespace Contact
     ContactElimination   &elimination;
     TimerOutput          &timer;
     const IndexSet        owned;
+
+    /// What has been eliminated or may be.
+    std::set<types::global_dof_index> eliminable;
 
     /// The cells that see the active set, and the others.
     std::vector<unsigned int> interface_cells, bulk_cells;
