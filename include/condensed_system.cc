@@ -29,10 +29,7 @@ namespace Contact
     , owned(discretization.dof_handler.locally_owned_dofs())
     , eliminable(elimination.slave_dofs)
     , couplings(discretization, interface)
-    , solver(DefiniteSolver::create(solver_name,
-                                    solver_name == "AMG"
-                                      ? rigid_modes()
-                                      : DefiniteSolver::Modes()))
+    , solver_name(solver_name)
   {
     collect_interface();
   }
@@ -216,12 +213,17 @@ namespace Contact
                                                  owned,
                                                  communicator,
                                                  rows);
-    solver->release();
+    for (Solver &solver : solvers)
+      {
+        if (solver.solver)
+          solver.solver->release();
+        solver.pattern_is_new = true;
+      }
+    current = nullptr;
     matrix.clear();
     matrix.reinit(owned, owned, pattern, communicator);
     tangents_are_known = false;
     has_pattern        = true;
-    pattern_is_new     = true;
   }
 
 
@@ -241,20 +243,17 @@ namespace Contact
       elimination.condense(rhs);
       is_new = assemble(solution, rhs);
     }
-    if (is_new || !solver_has_matrix)
+    if (is_new || current == nullptr)
       {
         TimerOutput::Scope scope(timer, "factorization");
-        solver_has_matrix = false;
-        solver->set_matrix(matrix, pattern_is_new);
-        pattern_is_new    = false;
-        solver_has_matrix = true;
+        give_matrix_to_solver();
       }
 
     TimerOutput::Scope     scope(timer, "solution");
     const MPI_Comm         communicator = discretization.communicator;
     DefiniteSolver::Vector b(owned, communicator), x(owned, communicator);
     const auto            &base  = discretization.constraints;
-    const auto            &lines = elimination.constraints();
+    const auto            &lines = elimination.test_constraints();
     unsigned int           row   = 0;
     for (const auto i : owned)
       b.begin()[row++] =
@@ -264,12 +263,12 @@ namespace Contact
     // tolerance might open and close for ever, and nothing move.
     const double       size = b.l2_norm();
     const unsigned int n_iterations =
-      solver->solve(b,
-                    tolerance > 0
-                      ? std::min(tolerance,
-                                 std::max(0.1 * size, 1e-3 * tolerance))
-                      : 1e-6 * size,
-                    x);
+      current->solve(b,
+                     tolerance > 0
+                       ? std::min(tolerance,
+                                  std::max(0.1 * size, 1e-3 * tolerance))
+                       : 1e-6 * size,
+                     x);
 
     // Everybody gets everything, first what is solved for, then what follows.
     row = 0;
@@ -281,6 +280,27 @@ namespace Contact
     discretization.share(rhs);
     std::copy_n(rhs.begin(), rhs.size(), update.begin());
     return n_iterations;
+  }
+
+
+
+  // Each kind of matrix has a solver of its own, made when the first one comes.
+  void CondensedSystem::give_matrix_to_solver()
+  {
+    current            = nullptr;
+    const bool kind    = elimination.is_symmetric();
+    Solver    &of_kind = solvers[kind ? 0 : 1];
+    if (!of_kind.solver)
+      {
+        const auto modes =
+          solver_name == "AMG" ? rigid_modes() : DefiniteSolver::Modes();
+        of_kind.solver =
+          kind ? DefiniteSolver::create(solver_name, modes)
+               : DefiniteSolver::create_unsymmetric(solver_name, modes);
+      }
+    of_kind.solver->set_matrix(matrix, of_kind.pattern_is_new);
+    of_kind.pattern_is_new = false;
+    current                = of_kind.solver.get();
   }
 
 
@@ -301,19 +321,22 @@ namespace Contact
     // With what the eliminated unknowns are to move by themselves: -K h.
     Vector<double> moved_forces(rhs.size()), h, force;
     const auto    &constraints = elimination.constraints();
+    const auto    &tested      = elimination.test_constraints();
     for (unsigned int k = 0; k < interface_cells.size(); ++k)
       {
         const Dofs &dofs = elasticity.dofs_of_cell(interface_cells[k]);
         const FullMatrix<double> &tangent = interface_tangents[k];
-        if (is_new)
+        if (is_new && elimination.is_symmetric())
           constraints.distribute_local_to_global(tangent, dofs, matrix);
+        else if (is_new)
+          add_unsymmetric(tangent, dofs);
 
         h.reinit(dofs.size());
         force.reinit(dofs.size());
         for (unsigned int i = 0; i < dofs.size(); ++i)
           h[i] = -constraints.get_inhomogeneity(dofs[i]);
         tangent.vmult(force, h);
-        constraints.distribute_local_to_global(force, dofs, moved_forces);
+        tested.distribute_local_to_global(force, dofs, moved_forces);
       }
     if (is_new)
       matrix.compress(VectorOperation::add);
@@ -323,6 +346,24 @@ namespace Contact
                         moved_forces);
     rhs += moved_forces;
     return is_new;
+  }
+
+
+
+  // Rows by the virtual displacements, columns by the displacements; what is
+  // constrained gets a diagonal as large as with the symmetric matrix.
+  void CondensedSystem::add_unsymmetric(const FullMatrix<double> &tangent,
+                                        const Dofs               &dofs)
+  {
+    const auto &tested = elimination.test_constraints();
+    tested.distribute_local_to_global(tangent,
+                                      dofs,
+                                      elimination.constraints(),
+                                      dofs,
+                                      matrix);
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      if (tested.is_constrained(dofs[i]))
+        matrix.add(dofs[i], dofs[i], std::abs(tangent(i, i)));
   }
 
 

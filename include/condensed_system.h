@@ -19,7 +19,8 @@ namespace Contact
    * The linear system of a Newton step without multipliers: the active points
    * are eliminated, see ContactElimination. It is symmetric and positive
    * definite, with friction as well: where a node slips, the shear is a load (a
-   * step of Tresca's problem).
+   * step of Tresca's problem). If its bound moves with the pressure, the matrix
+   * is unsymmetric as long as a point slips, and Newton's method exact.
    *
    * Only cells at the slave nodes see the active set: their tangents are kept
    * beside the matrix of all others. Linear bodies have them all once on a
@@ -70,6 +71,8 @@ namespace Contact
     /// Returns whether the matrix is another one than before.
     bool assemble(const Vector<double> &solution, Vector<double> &rhs);
     void assemble_tangents(const Vector<double> &solution);
+    void add_unsymmetric(const FullMatrix<double> &tangent, const Dofs &dofs);
+    void give_matrix_to_solver();
     void restore_interface_rows();
     void for_interface_rows(
       const std::function<void(const int n, double *values)> &visit);
@@ -99,10 +102,16 @@ namespace Contact
     bool                             has_pattern        = false;
     bool                             tangents_are_known = false;
     unsigned int                     tangent_version    = 0;
-    bool                             pattern_is_new     = true; // to the solver
-    bool                             solver_has_matrix  = false;
 
-    std::unique_ptr<DefiniteSolver> solver;
+    /// For symmetric matrices and for the others.
+    struct Solver
+    {
+      std::unique_ptr<DefiniteSolver> solver; // when it is first needed
+      bool                            pattern_is_new = true;
+    };
+    const std::string     solver_name;
+    std::array<Solver, 2> solvers;
+    DefiniteSolver       *current = nullptr; // who has the matrix
   };
 } // namespace Contact
 
