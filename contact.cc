@@ -444,7 +444,9 @@ namespace Contact
         DefiniteSolver::choose(summary.n_displacements,
                                Utilities::MPI::n_mpi_processes(communicator));
     elimination =
-      std::make_unique<ContactElimination>(*discretization, interface.get());
+      std::make_unique<ContactElimination>(*discretization,
+                                           interface.get(),
+                                           linearization.moving_bound);
     condensed   = std::make_unique<CondensedSystem>(*discretization,
                                                   *elasticity,
                                                   interface.get(),

@@ -24,35 +24,14 @@ namespace Contact
                                    TimerOutput            &timer)
     : discretization(discretization)
     , elasticity(elasticity)
-    , interface(interface)
     , elimination(elimination)
     , timer(timer)
     , owned(discretization.dof_handler.locally_owned_dofs())
-    , solver(DefiniteSolver::create(solver_name,
-                                    solver_name == "AMG"
-                                      ? rigid_modes()
-                                      : DefiniteSolver::Modes()))
+    , eliminable(elimination.slave_dofs)
+    , couplings(discretization, interface)
+    , solver_name(solver_name)
   {
-    if (interface != nullptr)
-      for (const auto &zone : interface->zones)
-        if (zone->master)
-          collect_neighbors(*zone->master);
     collect_interface();
-  }
-
-
-
-  void CondensedSystem::collect_neighbors(const Surface &master)
-  {
-    for (const Surface::Edge &edge : master.edges)
-      for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
-        for (unsigned int b = 0; b < master.n_nodes_per_edge(); ++b)
-          for (unsigned int c = 0; c < 2; ++c)
-            {
-              const NodeDoFs &around = master.nodes[edge.nodes[b]].dofs;
-              neighbors_on_master[master.nodes[edge.nodes[a]].dofs[c]]
-                .insert(around.begin(), around.end());
-            }
   }
 
 
@@ -109,16 +88,18 @@ namespace Contact
   // the active set, too.
   void CondensedSystem::collect_interface()
   {
+    interface_cells.clear();
+    bulk_cells.clear();
     const auto &base    = discretization.constraints;
     const auto  sees_it = [&](const types::global_dof_index dof) {
-      if (elimination.slave_dofs.count(dof) > 0 || discretization.is_moved(dof))
+      if (eliminable.count(dof) > 0 || discretization.is_moved(dof))
         return true;
       const auto *entries = base.get_constraint_entries(dof);
       return entries != nullptr &&
              std::any_of(entries->begin(),
                          entries->end(),
                          [&](const auto &entry) {
-                           return elimination.slave_dofs.count(entry.first) > 0;
+                           return eliminable.count(entry.first) > 0;
                          });
     };
     for (unsigned int c = 0; c < elasticity.n_cells(); ++c)
@@ -135,69 +116,52 @@ namespace Contact
 
   void CondensedSystem::update_pattern()
   {
-    if (has_pattern && pattern_serves())
+    if (has_pattern && couplings.serve())
       return;
     TimerOutput::Scope scope(timer, "setup");
+    couplings.make();
     make_pattern();
   }
 
 
 
-  bool CondensedSystem::pattern_serves() const
+  // The lines of now, and a pattern that has room for them.
+  void CondensedSystem::eliminate(const Vector<double> &solution,
+                                  const Vector<double> &u_start)
   {
-    if (interface == nullptr)
-      return true;
-    for (unsigned int q = 0; q < interface->points.size(); ++q)
-      {
-        const ContactPoint &point = interface->points[q];
-        for (unsigned int a = 1; a < point.n_nodes; ++a)
-          if (!std::binary_search(provided[q].begin(),
-                                  provided[q].end(),
-                                  point.dofs[a][0]))
-            return false;
-      }
-    return true;
+    {
+      TimerOutput::Scope scope(timer, "assembly");
+      elimination.make(solution, u_start, interface_dofs);
+    }
+    const bool misses_cells    = add_eliminable();
+    const bool misses_partners = couplings.add_missing(elimination);
+    if (!misses_cells && !misses_partners)
+      return;
+    TimerOutput::Scope scope(timer, "setup");
+    if (misses_cells)
+      collect_interface();
+    make_pattern();
+    elimination.make(solution, u_start, interface_dofs);
   }
 
 
 
-  // The nodes of the point, and on the master those of one more edge to either
-  // side: the bodies may slide a little before a new pattern is due.
-  CondensedSystem::Dofs
-  CondensedSystem::reachable_master_dofs(const ContactPoint &point) const
+  // What is eliminated beside the slave nodes, which shows in the lines only.
+  bool CondensedSystem::add_eliminable()
   {
-    std::set<types::global_dof_index> dofs;
-    for (unsigned int a = 1; a < point.n_nodes; ++a)
-      for (const auto dof : point.dofs[a])
-        {
-          dofs.insert(dof);
-          if (const auto around = neighbors_on_master.find(dof);
-              around != neighbors_on_master.end())
-            dofs.insert(around->second.begin(), around->second.end());
-        }
-    return Dofs(dofs.begin(), dofs.end());
+    bool is_more = false;
+    for (const auto dof : elimination.eliminated_dofs())
+      is_more = eliminable.insert(dof).second || is_more;
+    return is_more;
   }
 
 
 
   void CondensedSystem::make_pattern()
   {
-    const auto &dof_handler = discretization.dof_handler;
-    const auto  n           = dof_handler.n_dofs();
-
-    // What each slave unknown may be coupled with.
-    std::map<types::global_dof_index, Dofs> partners;
-    std::set<types::global_dof_index>       all;
-    provided.clear();
-    if (interface != nullptr)
-      for (const ContactPoint &point : interface->points)
-        {
-          provided.push_back(reachable_master_dofs(point));
-          for (const auto dof : point.dofs[0])
-            partners[dof] = provided.back();
-          all.insert(point.dofs[0].begin(), point.dofs[0].end());
-          all.insert(provided.back().begin(), provided.back().end());
-        }
+    const auto                       &dof_handler = discretization.dof_handler;
+    const auto                        n           = dof_handler.n_dofs();
+    std::set<types::global_dof_index> touched     = couplings.all();
 
     // One rank has all rows, which is said by none.
     IndexSet   rows;
@@ -206,33 +170,27 @@ namespace Contact
     if (is_distributed)
       {
         rows = DoFTools::extract_locally_relevant_dofs(dof_handler);
-        rows.add_indices(all.begin(), all.end());
+        rows.add_indices(touched.begin(), touched.end());
         rows.compress();
       }
 
     DynamicSparsityPattern pattern(n, n, rows);
     elasticity.add_couplings(pattern);
 
-    const auto                       &base = discretization.constraints;
-    std::set<types::global_dof_index> touched;
+    const auto &base = discretization.constraints;
     for (const unsigned int c : interface_cells)
       {
         const Dofs &cell_dofs = elasticity.dofs_of_cell(c);
         std::set<types::global_dof_index> coupled(cell_dofs.begin(),
                                                   cell_dofs.end());
-        const auto add_partners = [&](const types::global_dof_index dof) {
-          const auto found = partners.find(dof);
-          if (found != partners.end())
-            coupled.insert(found->second.begin(), found->second.end());
-        };
         for (const auto dof : cell_dofs)
           {
-            add_partners(dof);
+            couplings.add_partners(dof, coupled);
             if (const auto *entries = base.get_constraint_entries(dof))
               for (const auto &entry : *entries)
                 {
                   coupled.insert(entry.first);
-                  add_partners(entry.first);
+                  couplings.add_partners(entry.first, coupled);
                 }
           }
         base.add_entries_local_to_global(Dofs(coupled.begin(), coupled.end()),
@@ -244,7 +202,6 @@ namespace Contact
       pattern.add(i, i);
 
     const MPI_Comm communicator = discretization.communicator;
-    touched.insert(all.begin(), all.end());
     for (const auto &of_rank :
          Utilities::MPI::all_gather(communicator,
                                     Dofs(touched.begin(), touched.end())))
@@ -256,12 +213,17 @@ namespace Contact
                                                  owned,
                                                  communicator,
                                                  rows);
-    solver->release();
+    for (Solver &solver : solvers)
+      {
+        if (solver.solver)
+          solver.solver->release();
+        solver.pattern_is_new = true;
+      }
+    current = nullptr;
     matrix.clear();
     matrix.reinit(owned, owned, pattern, communicator);
     tangents_are_known = false;
     has_pattern        = true;
-    pattern_is_new     = true;
   }
 
 
@@ -275,26 +237,23 @@ namespace Contact
     Vector<double> rhs(owned.size());
     std::copy_n(residual.begin(), rhs.size(), rhs.begin());
     bool is_new = true;
+    eliminate(solution, u_start);
     {
       TimerOutput::Scope scope(timer, "assembly");
-      elimination.make(solution, u_start, interface_dofs);
       elimination.condense(rhs);
       is_new = assemble(solution, rhs);
     }
-    if (is_new || !solver_has_matrix)
+    if (is_new || current == nullptr)
       {
         TimerOutput::Scope scope(timer, "factorization");
-        solver_has_matrix = false;
-        solver->set_matrix(matrix, pattern_is_new);
-        pattern_is_new    = false;
-        solver_has_matrix = true;
+        give_matrix_to_solver();
       }
 
     TimerOutput::Scope     scope(timer, "solution");
     const MPI_Comm         communicator = discretization.communicator;
     DefiniteSolver::Vector b(owned, communicator), x(owned, communicator);
     const auto            &base  = discretization.constraints;
-    const auto            &lines = elimination.constraints();
+    const auto            &lines = elimination.test_constraints();
     unsigned int           row   = 0;
     for (const auto i : owned)
       b.begin()[row++] =
@@ -304,12 +263,12 @@ namespace Contact
     // tolerance might open and close for ever, and nothing move.
     const double       size = b.l2_norm();
     const unsigned int n_iterations =
-      solver->solve(b,
-                    tolerance > 0
-                      ? std::min(tolerance,
-                                 std::max(0.1 * size, 1e-3 * tolerance))
-                      : 1e-6 * size,
-                    x);
+      current->solve(b,
+                     tolerance > 0
+                       ? std::min(tolerance,
+                                  std::max(0.1 * size, 1e-3 * tolerance))
+                       : 1e-6 * size,
+                     x);
 
     // Everybody gets everything, first what is solved for, then what follows.
     row = 0;
@@ -321,6 +280,27 @@ namespace Contact
     discretization.share(rhs);
     std::copy_n(rhs.begin(), rhs.size(), update.begin());
     return n_iterations;
+  }
+
+
+
+  // Each kind of matrix has a solver of its own, made when the first one comes.
+  void CondensedSystem::give_matrix_to_solver()
+  {
+    current            = nullptr;
+    const bool kind    = elimination.is_symmetric();
+    Solver    &of_kind = solvers[kind ? 0 : 1];
+    if (!of_kind.solver)
+      {
+        const auto modes =
+          solver_name == "AMG" ? rigid_modes() : DefiniteSolver::Modes();
+        of_kind.solver =
+          kind ? DefiniteSolver::create(solver_name, modes)
+               : DefiniteSolver::create_unsymmetric(solver_name, modes);
+      }
+    of_kind.solver->set_matrix(matrix, of_kind.pattern_is_new);
+    of_kind.pattern_is_new = false;
+    current                = of_kind.solver.get();
   }
 
 
@@ -341,19 +321,22 @@ namespace Contact
     // With what the eliminated unknowns are to move by themselves: -K h.
     Vector<double> moved_forces(rhs.size()), h, force;
     const auto    &constraints = elimination.constraints();
+    const auto    &tested      = elimination.test_constraints();
     for (unsigned int k = 0; k < interface_cells.size(); ++k)
       {
         const Dofs &dofs = elasticity.dofs_of_cell(interface_cells[k]);
         const FullMatrix<double> &tangent = interface_tangents[k];
-        if (is_new)
+        if (is_new && elimination.is_symmetric())
           constraints.distribute_local_to_global(tangent, dofs, matrix);
+        else if (is_new)
+          add_unsymmetric(tangent, dofs);
 
         h.reinit(dofs.size());
         force.reinit(dofs.size());
         for (unsigned int i = 0; i < dofs.size(); ++i)
           h[i] = -constraints.get_inhomogeneity(dofs[i]);
         tangent.vmult(force, h);
-        constraints.distribute_local_to_global(force, dofs, moved_forces);
+        tested.distribute_local_to_global(force, dofs, moved_forces);
       }
     if (is_new)
       matrix.compress(VectorOperation::add);
@@ -363,6 +346,24 @@ namespace Contact
                         moved_forces);
     rhs += moved_forces;
     return is_new;
+  }
+
+
+
+  // Rows by the virtual displacements, columns by the displacements; what is
+  // constrained gets a diagonal as large as with the symmetric matrix.
+  void CondensedSystem::add_unsymmetric(const FullMatrix<double> &tangent,
+                                        const Dofs               &dofs)
+  {
+    const auto &tested = elimination.test_constraints();
+    tested.distribute_local_to_global(tangent,
+                                      dofs,
+                                      elimination.constraints(),
+                                      dofs,
+                                      matrix);
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      if (tested.is_constrained(dofs[i]))
+        matrix.add(dofs[i], dofs[i], std::abs(tangent(i, i)));
   }
 
 

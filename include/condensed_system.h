@@ -8,8 +8,8 @@
 
 #include <deal.II/base/timer.h>
 
-#include "contact_elimination.h"
 #include "definite_solver.h"
+#include "interface_couplings.h"
 
 namespace Contact
 {
@@ -19,7 +19,8 @@ namespace Contact
    * The linear system of a Newton step without multipliers: the active points
    * are eliminated, see ContactElimination. It is symmetric and positive
    * definite, with friction as well: where a node slips, the shear is a load (a
-   * step of Tresca's problem).
+   * step of Tresca's problem). If its bound moves with the pressure, the matrix
+   * is unsymmetric as long as a point slips, and Newton's method exact.
    *
    * Only cells at the slave nodes see the active set: their tangents are kept
    * beside the matrix of all others. Linear bodies have them all once on a
@@ -62,37 +63,37 @@ namespace Contact
     using Dofs = std::vector<types::global_dof_index>;
 
     void collect_interface();
+    bool add_eliminable();
     void make_pattern();
-    bool pattern_serves() const;
-    void collect_neighbors(const Surface &master);
-    Dofs reachable_master_dofs(const ContactPoint &point) const;
+    void eliminate(const Vector<double> &solution,
+                   const Vector<double> &u_start);
 
     /// Returns whether the matrix is another one than before.
     bool assemble(const Vector<double> &solution, Vector<double> &rhs);
     void assemble_tangents(const Vector<double> &solution);
+    void add_unsymmetric(const FullMatrix<double> &tangent, const Dofs &dofs);
+    void give_matrix_to_solver();
     void restore_interface_rows();
     void for_interface_rows(
       const std::function<void(const int n, double *values)> &visit);
 
     DefiniteSolver::Modes rigid_modes() const;
 
-    const Discretization   &discretization;
-    const Elasticity       &elasticity;
-    const ContactInterface *interface;
-    ContactElimination     &elimination;
-    TimerOutput            &timer;
-    const IndexSet          owned;
+    const Discretization &discretization;
+    const Elasticity     &elasticity;
+    ContactElimination   &elimination;
+    TimerOutput          &timer;
+    const IndexSet        owned;
+
+    /// What has been eliminated or may be.
+    std::set<types::global_dof_index> eliminable;
 
     /// The cells that see the active set, and the others.
     std::vector<unsigned int> interface_cells, bulk_cells;
 
-    /// Of each point, the unknowns of the master that the pattern provides for.
-    std::vector<Dofs> provided;
-    Dofs              interface_dofs;
-
-    /// Of the unknowns on masters those of the edges around them.
-    std::map<types::global_dof_index, std::set<types::global_dof_index>>
-      neighbors_on_master;
+    /// What the pattern provides for, and all unknowns at the interface.
+    InterfaceCouplings couplings;
+    Dofs               interface_dofs;
 
     DefiniteSolver::Matrix           matrix;
     std::vector<double>              assembled_lines; // their signature
@@ -101,10 +102,16 @@ namespace Contact
     bool                             has_pattern        = false;
     bool                             tangents_are_known = false;
     unsigned int                     tangent_version    = 0;
-    bool                             pattern_is_new     = true; // to the solver
-    bool                             solver_has_matrix  = false;
 
-    std::unique_ptr<DefiniteSolver> solver;
+    /// For symmetric matrices and for the others.
+    struct Solver
+    {
+      std::unique_ptr<DefiniteSolver> solver; // when it is first needed
+      bool                            pattern_is_new = true;
+    };
+    const std::string     solver_name;
+    std::array<Solver, 2> solvers;
+    DefiniteSolver       *current = nullptr; // who has the matrix
   };
 } // namespace Contact
 

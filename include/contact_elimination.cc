@@ -5,84 +5,94 @@
 
 #include "contact_elimination.h"
 
-#include <deal.II/lac/full_matrix.h>
+#include <limits>
+#include <sstream>
 
 #include "counters.h"
 #include "errors.h"
+#include "multiplier_recovery.h"
 
 namespace Contact
 {
   namespace
   {
-    /// What holds a slave node can not be eliminated with it: the node would
-    /// hold the master.
-    [[noreturn]] void refuse_held(const ContactPoint &point,
-                                  const std::string  &how)
+    /// An unknown of its own node is the pivot of a point if no coefficient of
+    /// the equation is a hundred times as large: two of sixteen digits may be
+    /// lost.
+    const double smallest_of_own = 1e-2;
+
+    /// What is left of an equation that follows from others is round-off: of
+    /// the same sums in another order, and of the pairing.
+    const double smallest_of_any = 1e-8;
+
+
+
+    std::string place(const ContactPoint &point)
     {
-      throw InputError("the node of the slave at (" +
-                         std::to_string(point.X[0][0]) + ", " +
-                         std::to_string(point.X[0][1]) +
-                         ") is held by a support " + how,
-                       "Boundary conditions, Contact/Slave",
-                       "exchange slave and master, set 'Rule = mortar', or "
-                       "'System = saddle point'");
+      std::ostringstream text;
+      text << "the node of the slave at (" << point.X[0][0] << ", "
+           << point.X[0][1] << ")";
+      return text.str();
+    }
+
+
+
+    /// The round-off of a gap [mm].
+    double round_off(const ContactPoint &point)
+    {
+      double largest = 0;
+      for (const Point<2> &X : point.X)
+        largest = std::max(largest, X.norm());
+      return 1e3 * std::numeric_limits<double>::epsilon() * largest;
     }
   } // namespace
 
 
 
   ContactElimination::ContactElimination(const Discretization   &discretization,
-                                         const ContactInterface *interface)
+                                         const ContactInterface *interface,
+                                         const bool              moving_bound)
     : discretization(discretization)
     , interface(interface)
+    , moving_bound(moving_bound)
+    , rows(slave_dofs)
+    , test_rows(slave_dofs)
   {
-    if (interface == nullptr)
-      return;
-    for (const ContactPoint &point : interface->points)
-      slave_dofs.insert(point.dofs[0].begin(), point.dofs[0].end());
-    if (interface->zones.size() > 1)
-      check_zones();
+    if (interface != nullptr)
+      for (const ContactPoint &point : interface->points)
+        slave_dofs.insert(point.dofs[0].begin(), point.dofs[0].end());
   }
 
 
 
-  // The force on a slave node that is eliminated tells the traction of one
-  // point only.
-  void ContactElimination::check_zones() const
-  {
-    std::map<types::global_dof_index, const ContactZone *> zone_of_slave;
-    const auto refuse = [](const Surface::Node &node, const ContactZone &zone) {
-      throw InputError("the node at (" + std::to_string(node.X[0]) + ", " +
-                         std::to_string(node.X[1]) +
-                         ") is on the slave of one zone and on a surface of "
-                         "another one",
-                       "section 'Contact" +
-                         (zone.name.empty() ? "" : " " + zone.name) + "'",
-                       "let the surfaces end before they meet, or set 'System "
-                       "= saddle point'");
-    };
-    for (const auto &zone : interface->zones)
-      for (const Surface::Node &node : zone->slave.nodes)
-        if (!zone_of_slave.emplace(node.dofs[0], zone.get()).second)
-          refuse(node, *zone);
-    for (const auto &zone : interface->zones)
-      if (zone->master)
-        for (const Surface::Node &node : zone->master->nodes)
-          if (zone_of_slave.count(node.dofs[0]) > 0)
-            refuse(node, *zone);
-  }
-
-
-
-  void ContactElimination::add_base_line(const types::global_dof_index dof)
+  void ContactElimination::add_base_lines(const Dofs &surroundings,
+                                          AffineConstraints<double> &to) const
   {
     const auto &base = discretization.constraints;
-    if (!base.is_constrained(dof) || lines.is_constrained(dof))
-      return;
-    lines.add_line(dof);
-    if (const auto *entries = base.get_constraint_entries(dof))
-      lines.add_entries(dof, *entries);
-    lines.set_inhomogeneity(dof, base.get_inhomogeneity(dof));
+    for (const auto dof : surroundings)
+      if (base.is_constrained(dof))
+        {
+          to.add_line(dof);
+          if (const auto *entries = base.get_constraint_entries(dof))
+            to.add_entries(dof, *entries);
+          to.set_inhomogeneity(dof, base.get_inhomogeneity(dof));
+        }
+  }
+
+
+
+  void
+  ContactElimination::add_contact_lines(const RowElimination      &rows,
+                                        AffineConstraints<double> &to) const
+  {
+    for (const auto &[dof, line] : rows.lines())
+      {
+        to.add_line(dof);
+        to.set_inhomogeneity(dof, line.constant);
+        for (const auto &[other, coefficient] : line.entries)
+          to.add_entry(dof, other, coefficient);
+      }
+    to.close();
   }
 
 
@@ -92,138 +102,252 @@ namespace Contact
                                 const Dofs           &surroundings)
   {
     lines.clear();
+    test_lines.clear();
     eliminated.clear();
-    contact_lines.clear();
-    users_of_slave_dofs.clear();
+    rows.clear();
+    test_rows.clear();
+    contradicting    = nullptr;
+    largest_conflict = 0;
 
-    for (const auto dof : surroundings)
-      add_base_line(dof);
+    // What slips with a moving bound makes the matrix unsymmetric.
+    symmetric = true;
+    if (interface != nullptr && moving_bound)
+      for (const ContactPoint &point : interface->points)
+        if (point.decision.slip_direction != 0 &&
+            interface->zone(point).law.coulomb_coefficient > 0)
+          symmetric = false;
+
+    add_base_lines(surroundings, lines);
     if (interface != nullptr)
       for (const ContactPoint &point : interface->points)
         if (point.decision.status != Status::open)
+          eliminate_point(point, interface->state(point, solution, u_start));
+
+    add_contact_lines(rows, lines);
+    for (const auto &line : rows.lines())
+      eliminated.push_back(line.first);
+    if (!symmetric)
+      {
+        add_base_lines(surroundings, test_lines);
+        for (const auto dof : surroundings)
+          if (test_lines.is_constrained(dof))
+            test_lines.set_inhomogeneity(dof, 0);
+        add_contact_lines(test_rows, test_lines);
+      }
+  }
+
+
+
+  // Where a point sticks, normal and tangent span both coordinates.
+  void ContactElimination::eliminate_point(const ContactPoint &point,
+                                           const ContactState &now)
+  {
+    if (point.decision.status == Status::stick)
+      {
+        ++counters().tangential_rows;
+        for (unsigned int i = 0; i < 2; ++i)
           {
-            const ContactState now = interface->state(point, solution, u_start);
-            if (point.decision.status == Status::stick)
-              add_stick_lines(point, now.gap, now.slip);
-            else
-              add_normal_line(point, now.gap);
+            const Row row = equation(point,
+                                     Point<2>::unit_vector(i),
+                                     -(now.gap * point.normal[i] +
+                                       now.slip * point.tangent[i]));
+            eliminate(point, row, row);
           }
-
-    for (const auto &[dof, line] : contact_lines)
-      {
-        eliminated.push_back(dof);
-        lines.add_line(dof);
-        lines.set_inhomogeneity(dof, line.constant);
-        for (const auto &[other, coefficient] : line.entries)
-          lines.add_entry(dof, other, coefficient);
+        return;
       }
-    lines.close();
+    const Row row = equation(point, point.normal, -now.gap);
+    eliminate(point,
+              row,
+              symmetric
+                ? row
+                : equation(point, force_direction(point, now.p_trial), 0));
   }
 
 
 
-  void ContactElimination::add_normal_line(const ContactPoint &point,
-                                           const double        gap)
+  // What is tied to another unknown is replaced by that. What is held stays in
+  // the equation: it has a line of its own.
+  ContactElimination::Row
+  ContactElimination::equation(const ContactPoint &point,
+                               const Tensor<1, 2> &direction,
+                               const double        constant) const
   {
-    const auto fixed = [&](const unsigned int i) {
-      return discretization.is_fixed(point.dofs[0][i]);
-    };
-    const unsigned int i =
-      fixed(0) ||
-          (!fixed(1) && std::abs(point.normal[1]) >= std::abs(point.normal[0]))
-        ? 1
-        : 0;
-    if (fixed(i))
-      refuse_held(point, "in both directions");
-    const double scale = point.C[0] * point.normal[i];
-    const auto   dof   = point.dofs[0][i];
-
-    Line line;
-    line.constant = -gap / scale;
+    const auto &base = discretization.constraints;
+    Row         row;
+    row.constant = constant;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
-      for (unsigned int j = 0; j < 2; ++j)
-        if (point.dofs[a][j] != dof && point.normal[j] != 0)
-          line.entries[point.dofs[a][j]] -=
-            point.C[a] * point.normal[j] / scale;
-    eliminate(dof, line);
-  }
-
-
-
-  void ContactElimination::add_stick_lines(const ContactPoint &point,
-                                           const double        gap,
-                                           const double        slip)
-  {
-    ++counters().tangential_rows;
-    for (unsigned int i = 0; i < 2; ++i)
-      {
-        if (discretization.is_fixed(point.dofs[0][i]))
-          refuse_held(point, "and sticks");
-        Line line;
-        line.constant =
-          -(gap * point.normal[i] + slip * point.tangent[i]) / point.C[0];
-        for (unsigned int a = 1; a < point.n_nodes; ++a)
-          line.entries[point.dofs[a][i]] -= point.C[a] / point.C[0];
-        eliminate(point.dofs[0][i], line);
-      }
-  }
-
-
-
-  // Where the mortar rule faces the master in part, points see the nodes of
-  // each other: Gauss' elimination, of few lines.
-  void ContactElimination::eliminate(const types::global_dof_index dof,
-                                     Line                          line)
-  {
-    const auto substitute =
-      [](Line &in, const types::global_dof_index what, const Line &by) {
-        const double c = in.entries.at(what);
-        in.entries.erase(what);
-        in.constant += c * by.constant;
-        for (const auto &[other, coefficient] : by.entries)
-          in.entries[other] += c * coefficient;
-      };
-
-    const auto entries = line.entries;
-    for (const auto &entry : entries)
-      if (const auto known = contact_lines.find(entry.first);
-          known != contact_lines.end())
-        substitute(line, entry.first, known->second);
-
-    if (const auto own = line.entries.find(dof); own != line.entries.end())
-      {
-        const double factor = 1 / (1 - own->second);
-        line.entries.erase(own);
-        line.constant *= factor;
-        for (auto &entry : line.entries)
-          entry.second *= factor;
-      }
-
-    const auto users = users_of_slave_dofs.equal_range(dof);
-    for (auto user = users.first; user != users.second; ++user)
-      substitute(contact_lines.at(user->second), dof, line);
-    for (const auto &entry : line.entries)
-      if (slave_dofs.count(entry.first) > 0)
+      for (unsigned int i = 0; i < 2; ++i)
         {
-          users_of_slave_dofs.emplace(entry.first, dof);
-          for (auto user = users.first; user != users.second; ++user)
-            users_of_slave_dofs.emplace(entry.first, user->second);
+          const Dof    dof = point.dofs[a][i];
+          const double c   = point.C[a] * direction[i];
+          if (c == 0)
+            continue;
+          const auto *entries = base.get_constraint_entries(dof);
+          if (entries == nullptr || entries->empty())
+            row.entries[dof] += c;
+          else
+            {
+              row.constant -= c * base.get_inhomogeneity(dof);
+              for (const auto &entry : *entries)
+                row.entries[entry.first] += c * entry.second;
+            }
         }
-    contact_lines[dof] = line;
+    return row;
   }
 
 
 
-  // The transpose of the elimination: the force on an eliminated unknown goes
-  // to those that move it.
+  Tensor<1, 2> ContactElimination::force_direction(const ContactPoint &point,
+                                                   const double p_trial) const
+  {
+    return point.normal +
+           point.decision.slip_direction *
+             interface->zone(point).law.bound_derivative(p_trial) *
+             point.tangent;
+  }
+
+
+
+  void ContactElimination::eliminate(const ContactPoint &point,
+                                     Row                 row,
+                                     Row                 test_row)
+  {
+    const double size    = row.largest();
+    bool         is_held = true;
+    for (const auto &entry : row.entries)
+      is_held =
+        is_held && discretization.constraints.is_constrained(entry.first);
+
+    rows.reduce(row);
+    if (!symmetric)
+      test_rows.reduce(test_row);
+    const Dof dof =
+      pivot(point, row, symmetric ? row : test_row, smallest_of_any * size);
+    if (dof == numbers::invalid_dof_index)
+      {
+        drop(point, row, is_held);
+        return;
+      }
+    rows.eliminate(dof, row);
+    if (!symmetric)
+      {
+        test_row.constant = 0;
+        test_rows.eliminate(dof, test_row);
+      }
+  }
+
+
+
+  // A pivot has to serve both equations: what counts is its smaller part in the
+  // largest coefficient of either.
+  ContactElimination::Dof ContactElimination::pivot(const ContactPoint &point,
+                                                    const Row          &row,
+                                                    const Row   &test_row,
+                                                    const double smallest) const
+  {
+    const auto is_free = [this](const Dof dof) {
+      return !discretization.constraints.is_constrained(dof);
+    };
+    const auto largest_free = [&](const Row &of) {
+      double largest = 0;
+      for (const auto &[dof, coefficient] : of.entries)
+        if (is_free(dof))
+          largest = std::max(largest, std::abs(coefficient));
+      return largest;
+    };
+    const double largest = largest_free(row), of_test = largest_free(test_row);
+    if (largest <= smallest || of_test <= smallest)
+      return numbers::invalid_dof_index;
+    const auto share = [&](const Dof dof) {
+      return is_free(dof) ? std::min(std::abs(row[dof]) / largest,
+                                     std::abs(test_row[dof]) / of_test)
+                          : 0.;
+    };
+
+    const auto [x, y] = point.dofs[0];
+    const Dof own     = share(y) >= share(x) ? y : x;
+    if (share(own) >= smallest_of_own)
+      return own;
+    Dof best = own;
+    for (const auto &entry : row.entries)
+      if (share(entry.first) > share(best))
+        best = entry.first;
+    return share(best) > smallest_of_any ? best : numbers::invalid_dof_index;
+  }
+
+
+
+  // An equation that follows from others says nothing, if it does not say the
+  // contrary. Where supports hold all, no pressure helps against penetration;
+  // else the points may decide otherwise in the next step.
+  void ContactElimination::drop(const ContactPoint &point,
+                                const Row          &row,
+                                const bool          is_held)
+  {
+    double left = -row.constant;
+    for (const auto &[dof, coefficient] : row.entries)
+      left += coefficient * discretization.constraints.get_inhomogeneity(dof);
+    if (std::abs(left) <= round_off(point))
+      return;
+    if (is_held && left < 0)
+      {
+        std::ostringstream text;
+        text << place(point)
+             << " is over-constrained: supports hold it and what it faces, and "
+                "move them "
+             << -left
+             << " mm into each other; let the supports end before the contact "
+                "surfaces, or name the node in Contact/Excluded points";
+        throw NotConverged(text.str());
+      }
+    if (std::abs(left) > largest_conflict)
+      {
+        largest_conflict = std::abs(left);
+        contradicting    = &point;
+      }
+  }
+
+
+
+  std::string ContactElimination::contradiction() const
+  {
+    if (contradicting == nullptr)
+      return "";
+    std::ostringstream text;
+    text << "; " << place(*contradicting)
+         << " is over-constrained: what it has to do contradicts other points "
+            "and supports by "
+         << largest_conflict
+         << " mm; exchange slave and master, or let the supports or the "
+            "surfaces end before they meet";
+    return text.str();
+  }
+
+
+
   void ContactElimination::condense(Vector<double> &rhs) const
   {
     for (const auto line : eliminated)
       {
         for (const auto &[dof, coefficient] :
-             *lines.get_constraint_entries(line))
+             *test_constraints().get_constraint_entries(line))
           rhs[dof] += coefficient * rhs[line];
         rhs[line] = 0;
+      }
+  }
+
+
+
+  void ContactElimination::for_each_entry(
+    const std::function<void(const Dof line, const Dof dof)> &visit) const
+  {
+    for (const auto line : eliminated)
+      {
+        for (const auto &entry : *lines.get_constraint_entries(line))
+          visit(line, entry.first);
+        if (!symmetric)
+          for (const auto &entry : *test_lines.get_constraint_entries(line))
+            visit(line, entry.first);
       }
   }
 
@@ -233,16 +357,21 @@ namespace Contact
   std::vector<double> ContactElimination::signature() const
   {
     std::vector<double> signature;
-    for (const auto line : eliminated)
-      {
-        signature.push_back(line);
-        for (const auto &[dof, coefficient] :
-             *lines.get_constraint_entries(line))
-          {
-            signature.push_back(dof);
-            signature.push_back(coefficient);
-          }
-      }
+    const auto          add = [&](const AffineConstraints<double> &of) {
+      for (const auto line : eliminated)
+        {
+          signature.push_back(line);
+          for (const auto &[dof, coefficient] :
+               *of.get_constraint_entries(line))
+            {
+              signature.push_back(dof);
+              signature.push_back(coefficient);
+            }
+        }
+    };
+    add(lines);
+    if (!symmetric)
+      add(test_lines);
     return signature;
   }
 
@@ -262,74 +391,15 @@ namespace Contact
 
 
 
-  // The forces of the bodies on the slave nodes are
-  //   sum over the points of w C_k (p n + q t) = f_k.
-  // Most points see no slave node but their own; the others are solved for
-  // together.
-  std::vector<Tensor<1, 2>>
-  ContactElimination::tractions(const Vector<double> &residual) const
-  {
-    const auto                                     &points = interface->points;
-    std::map<types::global_dof_index, unsigned int> point_of_dof;
-    for (unsigned int q = 0; q < points.size(); ++q)
-      if (points[q].decision.status != Status::open)
-        point_of_dof[points[q].dofs[0][0]] = q;
-
-    std::vector<Tensor<1, 2>> tractions(points.size());
-    std::set<unsigned int>    coupled;
-    for (const auto &[dof, q] : point_of_dof)
-      {
-        for (unsigned int i = 0; i < 2; ++i)
-          tractions[q][i] = -residual[points[q].dofs[0][i]] /
-                            (points[q].weight * points[q].C[0]);
-        for (unsigned int a = 1; a < points[q].n_slave_nodes; ++a)
-          if (const auto other = point_of_dof.find(points[q].dofs[a][0]);
-              other != point_of_dof.end())
-            coupled.insert({q, other->second});
-      }
-    if (coupled.empty())
-      return tractions;
-
-    const std::vector<unsigned int> set(coupled.begin(), coupled.end());
-    FullMatrix<double>              shares(set.size(), set.size());
-    for (unsigned int k = 0; k < set.size(); ++k)
-      for (unsigned int l = 0; l < set.size(); ++l)
-        for (unsigned int a = 0; a < points[set[l]].n_slave_nodes; ++a)
-          if (points[set[l]].dofs[a] == points[set[k]].dofs[0])
-            shares(k, l) += points[set[l]].weight * points[set[l]].C[a];
-    shares.gauss_jordan();
-    for (unsigned int k = 0; k < set.size(); ++k)
-      {
-        tractions[set[k]] = Tensor<1, 2>();
-        for (unsigned int l = 0; l < set.size(); ++l)
-          for (unsigned int i = 0; i < 2; ++i)
-            tractions[set[k]][i] -=
-              shares(k, l) * residual[points[set[l]].dofs[0][i]];
-      }
-    return tractions;
-  }
-
-
-
   void ContactElimination::recover_pressures(const Vector<double> &residual,
                                              Vector<double> &solution) const
   {
-    const auto tractions = this->tractions(residual);
+    const auto tractions =
+      MultiplierRecovery(discretization, *interface, eliminated, moving_bound)
+        .tractions(residual);
     for (unsigned int k = 0; k < tractions.size(); ++k)
-      {
-        const ContactPoint &point = interface->points[k];
-        double &p = solution[interface->normal_index(point.multipliers[0])];
-        p         = 0;
-        if (point.decision.status == Status::open)
-          continue;
-        // Where a support takes a part of the force, the component that is
-        // free tells the whole.
-        double free = 0;
-        for (unsigned int i = 0; i < 2; ++i)
-          if (!discretization.is_fixed(point.dofs[0][i]))
-            free += point.normal[i] * point.normal[i];
-        p = tractions[k] * point.normal / free;
-      }
+      solution[interface->normal_index(interface->points[k].multipliers[0])] =
+        tractions[k].p;
   }
 
 
@@ -339,17 +409,22 @@ namespace Contact
   {
     if (interface->n_multipliers() == interface->n_normal_multipliers())
       return;
-    const auto tractions = this->tractions(residual);
+    const auto tractions =
+      MultiplierRecovery(discretization, *interface, eliminated, moving_bound)
+        .tractions(residual);
     for (unsigned int k = 0; k < tractions.size(); ++k)
       {
         const ContactPoint &point = interface->points[k];
-        if (interface->zone(point).law.is_frictionless())
+        const FrictionLaw  &law   = interface->zone(point).law;
+        if (law.is_frictionless())
           continue;
+        const double bound =
+          moving_bound ? law.bound(tractions[k].p) : point.tresca_bound;
         double &q = solution[interface->tangential_index(point.multipliers[0])];
         if (point.decision.status == Status::stick)
-          q = tractions[k] * point.tangent;
+          q = tractions[k].q;
         else if (point.decision.slip_direction != 0)
-          q = point.decision.slip_direction * point.tresca_bound;
+          q = point.decision.slip_direction * bound;
         else
           q = 0;
       }

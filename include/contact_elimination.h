@@ -6,9 +6,10 @@
 #ifndef contact_contact_elimination_h
 #define contact_contact_elimination_h
 
-#include <set>
+#include <functional>
 
 #include "contact_interface.h"
+#include "row_elimination.h"
 
 namespace Contact
 {
@@ -18,39 +19,80 @@ namespace Contact
    * The active points as constraints on the displacements, for rules whose
    * points belong to one slave node each (nodal, mortar).
    *
-   * An active point says where the slave node goes when the master nodes go
-   * somewhere; with the coefficients C_a of the point, C_0 that of its own
-   * node, gap g and slip s,
-   *   C_0 n . du_0 = -g - sum_(a>0) C_a n . du_a,
-   *   C_0 t . du_0 = -s - sum_(a>0) C_a t . du_a      if it sticks.
-   * A sticking node is eliminated, of a slipping one the component along n,
-   * through the coordinate in which n is larger. The multipliers follow from
-   * the forces of the bodies on the slave nodes k,
-   *   sum over the points of w C_k (p n + q t) = forces on k.
-   * This is the way of step-42, with any normal and a deformable master.
+   * With the coefficients C_a of a point, its gap g and slip s, the Newton
+   * update du has to fulfil
+   *   n . sum_a C_a du_a = -g,
+   *   t . sum_a C_a du_a = -s      if it sticks
+   * (there both are written by coordinates). These equations are solved by
+   * Gauss' elimination. The pivot is an unknown of the point's own slave node,
+   * that with the larger coefficient after substitution of what is known. Where
+   * a support or another point has taken it (two normals at one node, a slave
+   * that is the master of another one, a slave node that is held), another
+   * unknown of the equation serves. An equation without one follows from
+   * others: it is dropped. This is the way of step-42, with any normal and a
+   * deformable master.
+   *
+   * A slipping point whose bound moves with the pressure, q = s bound(p),
+   * exerts per unit of pressure a force along m = n + s bound'(p) t, while its
+   * constraint is along n. The virtual displacements under which the pressures
+   * do no work are then others than the displacements: they fulfil
+   *   m . sum_a C_a v_a = 0
+   * and are eliminated by the same pivots into lines of their own. The
+   * condensed matrix is unsymmetric, as that of the saddle point is, and the
+   * Newton step the same.
    */
   class ContactElimination
   {
   public:
-    using Dofs = std::vector<types::global_dof_index>;
+    using Dof  = types::global_dof_index;
+    using Dofs = std::vector<Dof>;
 
-    /// @p interface may be null: then there is nothing to eliminate.
+    /// @p interface may be null: then there is nothing to eliminate. With
+    /// @p moving_bound the bound of the shear traction moves with the pressure
+    /// within a Newton step.
     ContactElimination(const Discretization   &discretization,
-                       const ContactInterface *interface);
+                       const ContactInterface *interface,
+                       const bool              moving_bound = false);
 
-    /// The unknowns of the slave nodes of all points.
-    std::set<types::global_dof_index> slave_dofs;
+    /// The unknowns of the slave nodes of all points: those that are eliminated
+    /// as a rule.
+    std::set<Dof> slave_dofs;
 
-    /// Make the constraints of the present decisions, together with those that
-    /// Discretization puts on the unknowns @p surroundings.
+    /**
+     * Make the constraints of the present decisions, together with those that
+     * Discretization puts on the unknowns @p surroundings. Throws NotConverged
+     * where a point penetrates and supports leave none of its unknowns free.
+     */
     void make(const Vector<double> &solution,
               const Vector<double> &u_start,
               const Dofs           &surroundings);
 
+    /// Of the displacements, and of the virtual ones.
     const AffineConstraints<double> &constraints() const
     {
       return lines;
     }
+
+    const AffineConstraints<double> &test_constraints() const
+    {
+      return symmetric ? lines : test_lines;
+    }
+
+    /// Whether both are the same, and so the matrix symmetric.
+    bool is_symmetric() const
+    {
+      return symmetric;
+    }
+
+    /// What is eliminated by the points, in the order of the unknowns.
+    const Dofs &eliminated_dofs() const
+    {
+      return eliminated;
+    }
+
+    /// Call @p visit with each eliminated unknown and each one that moves it.
+    void for_each_entry(
+      const std::function<void(const Dof line, const Dof dof)> &visit) const;
 
     /// All that the eliminated matrix depends on, as numbers.
     std::vector<double> signature() const;
@@ -64,43 +106,55 @@ namespace Contact
 
     /**
      * Set the multipliers in @p solution from @p residual, minus the residual
-     * of the bodies alone, under the decisions and bounds the points have now.
+     * of the bodies alone, under the decisions and bounds the points have now,
+     * and the lines of the last make(). See MultiplierRecovery.
      */
     void recover_pressures(const Vector<double> &residual,
                            Vector<double>       &solution) const;
     void recover_shears(const Vector<double> &residual,
                         Vector<double>       &solution) const;
 
+    /// Where the last equations contradict each other: for the message of a
+    /// Newton's method that does not converge. Else empty.
+    std::string contradiction() const;
+
   private:
-    /// No surface of a zone may share a node with the slave of another one.
-    void check_zones() const;
+    using Row = RowElimination::Row;
 
-    /// u_dof = constant + sum of entries.
-    struct Line
-    {
-      std::map<types::global_dof_index, double> entries;
-      double                                    constant = 0;
-    };
+    void add_base_lines(const Dofs                &surroundings,
+                        AffineConstraints<double> &to) const;
+    void add_contact_lines(const RowElimination      &rows,
+                           AffineConstraints<double> &to) const;
+    void eliminate_point(const ContactPoint &point, const ContactState &now);
+    void eliminate(const ContactPoint &point, Row row, Row test_row);
+    void drop(const ContactPoint &point, const Row &row, const bool is_held);
 
-    void add_base_line(const types::global_dof_index dof);
-    void add_normal_line(const ContactPoint &point, const double gap);
-    void add_stick_lines(const ContactPoint &point,
-                         const double        gap,
-                         const double        slip);
-    void eliminate(const types::global_dof_index dof, Line line);
+    /// The equation along @p direction: its part on the displacements.
+    Row equation(const ContactPoint &point,
+                 const Tensor<1, 2> &direction,
+                 const double        constant) const;
 
-    std::vector<Tensor<1, 2>> tractions(const Vector<double> &residual) const;
+    /// m = n + s bound'(p) t.
+    Tensor<1, 2> force_direction(const ContactPoint &point,
+                                 const double        p_trial) const;
+
+    Dof pivot(const ContactPoint &point,
+              const Row          &row,
+              const Row          &test_row,
+              const double        smallest) const;
 
     const Discretization   &discretization;
     const ContactInterface *interface;
+    const bool              moving_bound;
 
-    AffineConstraints<double>               lines;
-    Dofs                                    eliminated;
-    std::map<types::global_dof_index, Line> contact_lines;
+    AffineConstraints<double> lines, test_lines;
+    Dofs                      eliminated;
+    RowElimination            rows, test_rows;
+    bool                      symmetric = true;
 
-    /// Slave unknowns that are in the lines of others.
-    std::multimap<types::global_dof_index, types::global_dof_index>
-      users_of_slave_dofs;
+    /// The point of the worst of the contradicting equations, and by how much.
+    const ContactPoint *contradicting    = nullptr;
+    double              largest_conflict = 0; // [mm]
   };
 } // namespace Contact
 

@@ -6,15 +6,18 @@
 #include "definite_solver.h"
 
 #include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_gmres.h>
 #include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_solver.h>
 
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_MultiVector.h>
 #include <Teuchos_ParameterList.hpp>
+#include <array>
 #include <cholmod.h>
 #include <cmath>
 #include <sstream>
+#include <umfpack.h>
 
 #include "counters.h"
 #include "errors.h"
@@ -132,6 +135,92 @@ namespace Contact
 
 
 
+    /// UMFPACK on the compressed rows, which are the columns of the transpose.
+    /// The analysis is kept as long as the pattern stands.
+    class Umfpack : public DefiniteSolver
+    {
+    public:
+      Umfpack()
+      {
+        umfpack_di_defaults(control.data());
+        // Newton's method corrects what round-off leaves.
+        control[UMFPACK_IRSTEP] = 0;
+      }
+
+      void set_matrix(const Matrix &matrix, const bool new_pattern) override
+      {
+        columns    = std::make_unique<Columns>(matrix);
+        int status = UMFPACK_OK;
+        if (symbolic == nullptr || new_pattern)
+          {
+            ++counters().symbolic_factorizations;
+            void *handle = nullptr;
+            status       = umfpack_di_symbolic(columns->n,
+                                         columns->n,
+                                         columns->starts,
+                                         columns->rows,
+                                         columns->values,
+                                         &handle,
+                                         control.data(),
+                                         nullptr);
+            symbolic =
+              Handle(handle, [](void *p) { umfpack_di_free_symbolic(&p); });
+          }
+        numeric.reset();
+        if (status == UMFPACK_OK)
+          {
+            ++counters().numeric_factorizations;
+            void *handle = nullptr;
+            status       = umfpack_di_numeric(columns->starts,
+                                        columns->rows,
+                                        columns->values,
+                                        symbolic.get(),
+                                        &handle,
+                                        control.data(),
+                                        nullptr);
+            numeric =
+              Handle(handle, [](void *p) { umfpack_di_free_numeric(&p); });
+          }
+        if (status != UMFPACK_OK)
+          throw NotConverged(
+            status == UMFPACK_WARNING_singular_matrix
+              ? "the matrix is singular: a body can move without resistance"
+              : "UMFPACK failed with status " + std::to_string(status) +
+                  "; set Solution/Linear solver = AMG if it lacked memory");
+      }
+
+      // It looks at the matrix with the next solve.
+      void release() override
+      {
+        numeric.reset();
+      }
+
+      unsigned int solve(const Vector &b, const double, Vector &x) override
+      {
+        ++counters().linear_solves;
+        umfpack_di_solve(UMFPACK_At,
+                         columns->starts,
+                         columns->rows,
+                         columns->values,
+                         x.begin(),
+                         b.begin(),
+                         numeric.get(),
+                         control.data(),
+                         nullptr);
+        return 1;
+      }
+
+    private:
+      using Handle = std::unique_ptr<void, void (*)(void *)>;
+
+      std::array<double, UMFPACK_CONTROL> control;
+      std::unique_ptr<Columns>            columns;
+      Handle                              symbolic{nullptr, nullptr};
+      Handle                              numeric{nullptr, nullptr};
+    };
+
+
+
     /// A direct solver of the Amesos package.
     class Mumps : public DefiniteSolver
     {
@@ -176,7 +265,8 @@ namespace Contact
 
 
     /**
-     * Conjugate gradients with smoothed aggregation. A hierarchy is kept, also
+     * Conjugate gradients, or GMRES where the matrix is unsymmetric, with
+     * smoothed aggregation. A hierarchy is kept, also
      * for a matrix with other values, until it has become clearly worse than
      * it was when it was new: a constraint more or less costs the conjugate
      * gradients about one iteration.
@@ -184,8 +274,9 @@ namespace Contact
     class Multigrid : public DefiniteSolver
     {
     public:
-      explicit Multigrid(const Modes &modes)
+      Multigrid(const Modes &modes, const bool symmetric)
         : modes(modes)
+        , symmetric(symmetric)
       {
       }
 
@@ -218,8 +309,9 @@ namespace Contact
               }
             std::ostringstream residual;
             residual << control.last_value();
-            throw NotConverged("conjugate gradients with AMG stall at the "
-                               "residual " +
+            throw NotConverged((symmetric ? "conjugate gradients" : "GMRES") +
+                               std::string(" with AMG stall at the "
+                                           "residual ") +
                                residual.str() + " N/mm (rings: N) after " +
                                std::to_string(max_iterations) +
                                " iterations; set Solution/Linear solver = "
@@ -241,7 +333,14 @@ namespace Contact
       {
         ++counters().linear_solves;
         x = 0;
-        SolverCG<Vector>(control).solve(*matrix, x, b, preconditioner);
+        if (symmetric)
+          SolverCG<Vector>(control).solve(*matrix, x, b, preconditioner);
+        else // the residual of the system itself is what is measured
+          SolverGMRES<Vector>(
+            control,
+            SolverGMRES<Vector>::AdditionalData(/*max_n_tmp_vectors=*/102,
+                                                /*right_preconditioning=*/true))
+            .solve(*matrix, x, b, preconditioner);
       }
 
       void build()
@@ -272,6 +371,7 @@ namespace Contact
       static constexpr unsigned int max_iterations = 500;
 
       const Modes                       modes;
+      const bool                        symmetric;
       std::vector<double>               null_space;
       const Matrix                     *matrix = nullptr;
       TrilinosWrappers::PreconditionAMG preconditioner;
@@ -289,7 +389,20 @@ namespace Contact
       return std::make_unique<Cholmod>();
     if (name == "MUMPS")
       return std::make_unique<Mumps>();
-    return std::make_unique<Multigrid>(modes);
+    return std::make_unique<Multigrid>(modes, /*symmetric=*/true);
+  }
+
+
+
+  std::unique_ptr<DefiniteSolver>
+  DefiniteSolver::create_unsymmetric(const std::string &name,
+                                     const Modes       &modes)
+  {
+    if (name == "CHOLMOD")
+      return std::make_unique<Umfpack>();
+    if (name == "MUMPS")
+      return std::make_unique<Mumps>();
+    return std::make_unique<Multigrid>(modes, /*symmetric=*/false);
   }
 
 

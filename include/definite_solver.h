@@ -18,7 +18,8 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * A solver for symmetric positive definite systems, distributed by rows.
+   * A solver for symmetric positive definite systems, distributed by rows, or
+   * for the unsymmetric ones that friction with a moving bound makes of them.
    * What can be kept from one matrix to the next is its own business.
    */
   class DefiniteSolver
@@ -38,6 +39,14 @@ namespace Contact
      */
     static std::unique_ptr<DefiniteSolver> create(const std::string &name,
                                                   const Modes       &modes);
+
+    /**
+     * The counterpart for unsymmetric matrices: UMFPACK for "CHOLMOD", "MUMPS",
+     * which takes both, and for "AMG" the same multigrid in GMRES: only the
+     * rows at the interface are unsymmetric.
+     */
+    static std::unique_ptr<DefiniteSolver>
+    create_unsymmetric(const std::string &name, const Modes &modes);
 
     /**
      * What "automatic" stands for. In two dimensions CHOLMOD is as fast as AMG

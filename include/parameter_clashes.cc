@@ -160,11 +160,6 @@ namespace Contact
         clash("The condensed system does not know how projections move.",
               {"Solution/Geometry", system},
               "set 'Geometry = each step'");
-      if (is_frictional && solution.friction == "Newton")
-        clash("With the bound in the tangent the condensed system would not be "
-              "symmetric.",
-              {"Solution/Friction", system},
-              "set 'Friction = each step'");
     }
   } // namespace Parameters
 } // namespace Contact
