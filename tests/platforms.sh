@@ -2,8 +2,9 @@
 # The same digits with every deal.II that Debian has: in a chroot of each release,
 # with nothing in it but what ./run installs, modelings A to G and, without
 # --cases, the tests of the Release build; then a table of what was there, what
-# passed, and how far the results are from those of the first release.
-#   platforms.sh [--cases] DIRECTORY [RELEASE...]
+# passed, and how far the results are from those of the first release. --table:
+# only the table, of what earlier calls left in DIRECTORY.
+#   platforms.sh [--cases | --table] DIRECTORY [RELEASE...]
 # RELEASE: bookworm, trixie and sid without. As root, with debootstrap and some
 # 5 GB in DIRECTORY for each; where a chroot is there already, it is used again.
 # What is tested is the last commit. Mirrors and proxies are those of this
@@ -13,11 +14,13 @@ set -eu
 
 here=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 reference=${REFERENCE_DIRECTORY:-$here/../shared/reference}
-tests=yes
-if [ "${1-}" = --cases ]; then
-  tests=no
-  shift
-fi
+what=all
+case "${1-}" in
+  --cases | --table)
+    what=${1#--}
+    shift
+    ;;
+esac
 if [ $# -eq 0 ]; then
   sed -n '2,/^# SPDX/{/SPDX/d;s/^# \{0,1\}//p;}' "$0"
   exit 2
@@ -33,8 +36,8 @@ mirror() {
   for site in $(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' |
                 sort -u); do
     if /usr/lib/apt/apt-helper download-file "$site/dists/$1/Release" \
-         "$directory/Release" >/dev/null 2>&1 &&
-       grep -qx 'Label: Debian' "$directory/Release"; then
+         "$directory/$1.Release" >/dev/null 2>&1 &&
+       grep -qx 'Label: Debian' "$directory/$1.Release"; then
       echo "$site"
       return
     fi
@@ -94,16 +97,18 @@ on() {
   # shellcheck disable=SC2016
   inside "$1" 'dpkg-query -W -f "\${source:Upstream-Version} " libdeal.ii-dev \
     libtrilinos-ml-dev; g++ -dumpfullversion' >"$directory/$1.cases.versions"
-  [ $tests = yes ] || return 0
+  [ $what = all ] || return 0
   status=0
   inside "$1" './run test release' >"$directory/$1.tests.log" 2>&1 || status=$?
   echo "$status" >"$directory/$1.tests.status"
 }
 
-for release in "$@"; do
-  echo "$release ..." >&2
-  on "$release"
-done
+if [ $what != table ]; then
+  for release in "$@"; do
+    echo "$release ..." >&2
+    on "$release"
+  done
+fi
 
 exec python3 - "$directory" "$@" <<'PYTHON'
 import glob, json, pathlib, re, sys
