@@ -97,13 +97,13 @@ on() {
   # shellcheck disable=SC2016
   inside "$1" 'dpkg-query -W -f "\${source:Upstream-Version} " libdeal.ii-dev \
     libtrilinos-ml-dev; g++ -dumpfullversion' >"$directory/$1.cases.versions"
-  [ $what = all ] || return 0
+  [ "$what" = all ] || return 0
   status=0
   inside "$1" './run test release' >"$directory/$1.tests.log" 2>&1 || status=$?
   echo "$status" >"$directory/$1.tests.status"
 }
 
-if [ $what != table ]; then
+if [ "$what" != table ]; then
   for release in "$@"; do
     echo "$release ..." >&2
     on "$release"
