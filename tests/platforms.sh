@@ -71,6 +71,7 @@ inside() {
     ${https_proxy:+"https_proxy=$https_proxy"} \
     unshare --mount --pid --fork --kill-child sh -c '
       mount -t proc proc "$0/proc" && mount --rbind /dev "$0/dev" &&
+      mount --rbind /sys "$0/sys" &&
       exec chroot "$0" sh -c "cd /root/contact && $1"' "$directory/$1" "$2"
 }
 
