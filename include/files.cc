@@ -70,6 +70,19 @@ namespace Contact
 
 
 
+  void skip_byte_order_mark(std::istream &text)
+  {
+    const std::string mark = "\xEF\xBB\xBF";
+    std::string       begin(mark.size(), ' ');
+    text.read(begin.data(), begin.size());
+    if (text && begin == mark)
+      return;
+    text.clear();
+    text.seekg(0);
+  }
+
+
+
   unsigned int checksum(const std::filesystem::path &file)
   {
     std::ifstream      in(file, std::ios::binary);

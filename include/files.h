@@ -32,6 +32,12 @@ namespace Contact
 
 
 
+  /// Go to the first character of a text, past the byte-order mark of UTF-8
+  /// (EF BB BF) that some editors write in front of it.
+  void skip_byte_order_mark(std::istream &text);
+
+
+
   /// The CRC-32 of a file, by which another content is another file.
   unsigned int checksum(const std::filesystem::path &file);
 

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "errors.h"
+#include "files.h"
 
 namespace Contact
 {
@@ -44,6 +45,7 @@ namespace Contact
                          "check the name and the permissions of the file; a "
                          "relative name is relative to the parameter file, "
                          "with --set to the working directory");
+      skip_byte_order_mark(input);
     }
 
     /// Go to the next line; false at the end of the file.

@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "errors.h"
+#include "files.h"
 #include "words.h"
 
 namespace Contact
@@ -86,6 +87,7 @@ namespace Contact
     if (main_file.empty())
       main_file = file.string();
     open_files.push_back({path, section, {}});
+    skip_byte_order_mark(in);
     if (file.extension() == ".json")
       read_json(in, file);
     else

@@ -4,12 +4,14 @@
 
     convert.py [--bodies NAME,NAME] IN OUT.msh
 
-IN is a MED file (Code_Aster, Salome) or of any format that meshio reads. Groups
-keep their names: groups of faces become bodies, groups of lines the parts of
-their boundaries, point elements and groups of one node the named points. Every
-face needs one body; --bodies says which groups of faces are bodies where
-others overlap with them. Elements of first and second order keep their nodes.
-Exit status: 0, or 2 if IN can not be converted.
+IN is a MED file (Code_Aster, Salome; 2.2 to 4) or of any format that meshio
+reads. Groups keep their names: groups of faces become bodies, groups of lines
+the parts of their boundaries, point elements and groups of one node the named
+points. Every face needs one body; --bodies says which groups of faces are
+bodies where others overlap with them. Elements of first and second order keep
+their nodes, but contact takes the corners alone: what is round is reported,
+with the circle for Mesh/Arcs where a group is one, and with a note on stderr
+where it becomes straight. Exit status: 0, or 2 if IN can not be converted.
 
 For Debian's Python with python3-h5py (MED) and python3-meshio (the others).
 """
@@ -17,6 +19,7 @@ For Debian's Python with python3-h5py (MED) and python3-meshio (the others).
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -80,39 +83,63 @@ def only(group, what: str, path: Path):
 
 
 def read_families(families) -> dict[int, list[str]]:
-    """Number of a family -> its groups, names of 80 characters each."""
+    """Number of a family -> its groups, names of 80 characters each: a row for
+    each of them, before version 3 one after the other."""
     found = {}
     for family in families.values():
-        rows = family["GRO/NOM"][()] if "GRO" in family else ()
+        names = []
+        if "GRO" in family:
+            text = family["GRO/NOM"][()].tobytes()
+            names = [text[80 * i:80 * i + 80]
+                     for i in range(int(family["GRO"].attrs["NBR"]))]
         found[int(family.attrs["NUM"])] = [
-            bytes(int(c) & 255 for c in row).split(b"\0")[0].decode(
-                errors="replace").strip() for row in rows]
+            name.split(b"\0")[0].decode(errors="replace").strip()
+            for name in names]
     return found
 
 
+def check_version(file, path: Path) -> None:
+    """The layout that is read is that of 2.2 and later."""
+    if "INFOS_GENERALES" not in file:
+        raise BadMesh("the file says no version of MED", str(path),
+                      "write it again, as MED 3 or 4")
+    version = [int(file["INFOS_GENERALES"].attrs[name]) for name in
+               ("MAJ", "MIN")]
+    if not [2, 2] <= version < [5, 0]:
+        raise BadMesh("MED {}.{} is not read, only 2.2 to 4".format(*version),
+                      str(path), "convert it to MED 3 or 4: medimport IN OUT "
+                      "(of Debian's libmed-tools) does so with older files")
+
+
 def read_med(path: Path) -> Mesh:
-    """A MED file is an HDF5 file, its layout that of MED-fichier 2 to 4. An
-    element or node has one family, a family several groups."""
+    """A MED file is an HDF5 file, its layout that of MED-fichier 2.2 to 4. An
+    element or node has one family, a family several groups. Before version 3
+    families stand with the mesh, ESP (the number of coordinates) may be
+    missing, and lines may stand as edges of faces."""
     try:
         import h5py
     except ImportError:
         raise BadMesh("h5py is missing", sys.executable,
                       "apt-get install python3-h5py") from None
     with h5py.File(path, "r") as file:
+        check_version(file, path)
         data = only(file["ENS_MAA"], "meshes", path)
         name = data.name.split("/")[-1]
         families = data["FAS"] if "FAS" in data else file["FAS/" + name]
-        space = int(data.attrs["ESP"])
         if "NOE" not in data:  # since version 3 a mesh has time steps
             data = only(data, "time steps of the mesh", path)
 
-        mesh = Mesh(data["NOE/COO"][()].reshape(space, -1).T.tolist())
+        # All of the first coordinate, all of the second, ...
+        n = int(data["NOE/COO"].attrs["NBR"])
+        mesh = Mesh(data["NOE/COO"][()].reshape(-1, n).T.tolist())
         names = read_families(families.get("NOEUD", {}))
         for node, family in enumerate(data["NOE"].get("FAM", ())):
             for group in names.get(int(family), ()):
                 mesh.node_groups.setdefault(group, []).append(node)
         names = read_families(families.get("ELEME", {}))
-        for kind, block in data["MAI"].items():
+        blocks = [block for kinds in ("MAI", "FAC", "ARE") if kinds in data
+                  for block in data[kinds].items()]
+        for kind, block in blocks:
             n = int(block["NOD"].attrs["NBR"])
             groups = [names.get(int(f), ()) for f in block.get("FAM", [0] * n)]
             mesh.add(MED_TYPES.get(kind, kind),
@@ -221,6 +248,111 @@ def check(mesh: Mesh, path: Path, bodies: list[str]) -> None:
                           "turn it into a plane of constant z")
 
 
+# ------------------------------------------------------- sides that are round
+
+@dataclass
+class Side:
+    """A side of second order: its ends, and the node between them."""
+    ends: list[int]
+    middle: int
+    off: float  # distance of the node from the middle of the ends
+
+
+def round_sides(mesh: Mesh) -> list[Side]:
+    """The sides between a body and what is not this body whose node between the
+    ends is not in their middle. Others than these can be straight without any
+    change of a body."""
+    bodies: dict[frozenset[int], list[set[str]]] = {}
+    sides = {}
+    for face in (e for e in mesh.elements if e.dimension == 2):
+        n = 3 if face.kind.startswith("triangle") else 4
+        for i in range(n):
+            ends = [face.nodes[i], face.nodes[(i + 1) % n]]
+            bodies.setdefault(frozenset(ends), []).append(face.groups)
+            if len(face.nodes) >= 2 * n:
+                sides[frozenset(ends)] = (ends, face.nodes[n + i])
+
+    # As exact as sides and coordinates with nine digits are.
+    size = max(abs(c) for point in mesh.points for c in point)
+    found = []
+    for key, (ends, middle) in sides.items():
+        if len(bodies[key]) == 2 and bodies[key][0] == bodies[key][1]:
+            continue
+        a, b, c = (mesh.points[node] for node in (*ends, middle))
+        off = math.dist(c, [(x + y) / 2 for x, y in zip(a, b)])
+        if off > 1e-6 * math.dist(a, b) + 1e-9 * size:
+            found.append(Side(ends, middle, off))
+    return found
+
+
+def circle(points) -> tuple[float, float, float] | None:
+    """Centre and radius of the circle that all the points are on, with the
+    tolerance of Mesh/Arcs."""
+    a = points[0]
+    b = max(points, key=lambda p: math.dist(p, a))
+
+    def area(p) -> float:
+        return abs((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]))
+
+    c = max(points, key=area)
+    if area(c) == 0:
+        return None
+    # The perpendicular bisectors of a b and of a c meet in the centre.
+    (ux, uy), (vx, vy) = ((p[0] - a[0], p[1] - a[1]) for p in (b, c))
+    u, v, d = ux * ux + uy * uy, vx * vx + vy * vy, 2 * (ux * vy - uy * vx)
+    x, y = a[0] + (u * vy - v * uy) / d, a[1] + (v * ux - u * vx) / d
+    radius = math.dist((x, y), a[:2])
+    if all(abs(math.dist((x, y), p[:2]) - radius) <= 1e-5 * radius
+           for p in points):
+        return x, y, radius
+    return None
+
+
+def report_round_sides(mesh: Mesh) -> None:
+    """The program takes the corners of elements alone, and boundaries that are
+    arcs of circles from Mesh/Arcs. Prints the circles of the groups that can be
+    given so, and which sides become straight."""
+    groups: dict[frozenset[int], set[str]] = {}
+    nodes: dict[str, set[int]] = {}
+    for line in (e for e in mesh.elements if e.dimension == 1):
+        groups.setdefault(frozenset(line.nodes[:2]), set()).update(line.groups)
+        for name in line.groups:
+            nodes.setdefault(name, set()).update(line.nodes)
+    circles = {}
+    lost: dict[str, list[Side]] = {}
+    for side in round_sides(mesh):
+        names = sorted(groups.get(frozenset(side.ends), ()))
+        for name in set(names) - set(circles):
+            circles[name] = circle([mesh.points[i] for i in sorted(nodes[name])])
+        if not any(circles[name] for name in names):
+            why = (f"in the group '{names[0]}', which is not one circle"
+                   if names else "in no group of lines")
+            lost.setdefault(why, []).append(side)
+
+    for name, found in sorted(circles.items()):
+        if found:
+            print(f"round: {name}; it stays so with Mesh/Arcs = {name}: "
+                  + ", ".join(f"{c:.9g}" if abs(c) > 1e-9 * found[2] else "0"
+                              for c in found))
+    for why, straight in lost.items():
+        print_lost_sides(mesh, why, straight)
+
+
+def print_lost_sides(mesh: Mesh, why: str, sides: list[Side]) -> None:
+    n_shown = 10
+    sides.sort(key=lambda side: -side.off)
+    print(f"note: {len(sides)} round sides become straight, {why}: their middle "
+          f"nodes are left out, by up to {sides[0].off:.3g}. To keep an arc, "
+          "put all of it, and nothing else, in a group for Mesh/Arcs.",
+          file=sys.stderr)
+    for side in sides[:n_shown]:
+        a, b = (", ".join(f"{c:g}" for c in mesh.points[node][:2])
+                for node in side.ends)
+        print(f"  from ({a}) to ({b}): {side.off:.3g}", file=sys.stderr)
+    if len(sides) > n_shown:
+        print(f"  and {len(sides) - n_shown} more", file=sys.stderr)
+
+
 def write(mesh: Mesh, path: Path) -> None:
     """MSH 2.2, where an element stands once for each of its groups."""
     names = sorted({(e.dimension, name) for e in mesh.elements
@@ -267,6 +399,7 @@ def main() -> None:
     name_points(mesh)
     check(mesh, arguments.input, bodies)
     write(mesh, arguments.output)
+    report_round_sides(mesh)
     describe(mesh)
 
 

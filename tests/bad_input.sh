@@ -82,6 +82,18 @@ expect "1 <= n <= 2" e.json
 head -c 200000 /dev/zero | tr '\0' '[' >f.json
 expect "inside each other" f.json
 
+# A byte-order mark, as editors write it, is no part of a text.
+printf '\357\273\277include marked_too.prm\n' >marked.prm
+printf '\357\273\277subsection Element\n set Degree = 3\nend\n' >marked_too.prm
+expect "marked_too.prm:2" marked.prm
+printf '\357\273\277{"Element":\n {"Degree": 3}}' >marked.json
+expect "marked.json:2" marked.json
+{
+  printf '\357\273\277'
+  cat "$meshes/ssnp154.msh"
+} >marked.msh
+expect "Top_B" "$good" --set Mesh/File=marked.msh --set Contact/Slave=Botom_C
+
 # Meshes
 expect_entry "missing.msh" "Mesh/File=missing.msh"
 head -c 5000 "$meshes/ssnp154.msh" >truncated.msh

@@ -6,22 +6,26 @@ Proves that meshes/convert.py keeps what a MED file says: the cylinder on the
 block, written as MED by the library of that format (MED-fichier) with linear
 elements, with 6 and 8 nodes, and with 7 and 9, gives the results of the own
 mesh file. A point is a group of one node as well as a point element, elements
-are in two groups, and a group of faces overlaps with the bodies. Besides, that
-an Abaqus file keeps its names, and what is said of a mesh that is no use. Where the
+are in two groups, and a group of faces overlaps with the bodies. A file of
+version 2.3, by the same library, gives them as well. Besides, that an Abaqus file
+keeps its names, what is said of round sides that become straight, and of a mesh
+that is no use. Where the
 reference mesh is at hand, which is Code_Aster's, that it gives the published
 values on its way through MED as well.
 
 Usage: convert.py CONTACT PARAMETERS MESHES
 """
 
+import ctypes
 import json
+import math
 import os
 import pathlib
 import subprocess
 import sys
 
 try:
-    import h5py  # noqa: F401, the converter's
+    import h5py
     import meshio
     from med.medenum import (MED_ACC_CREAT, MED_CARTESIAN, MED_CELL,
                              MED_FULL_INTERLACE, MED_NODAL, MED_NODE, MED_NO_DT,
@@ -184,6 +188,46 @@ def second_order(points, elements, with_centre):
     return points, raised
 
 
+def write_med_2(path, points, elements, node_groups, types):
+    """As write_med, but a file of version 2.3 by the calls that the library has
+    for it: lines as edges of faces, three coordinates, no dimension of space."""
+    path.unlink(missing_ok=True)
+    library = ctypes.CDLL("libmedC.so.11")
+    library.MEDouvrir.restype = ctypes.c_int64
+    file = ctypes.c_int64(library.MEDouvrir(str(path).encode(), 3))  # create
+    cell, edge, node, no_interlace, nodal = 0, 2, 3, 0, 0
+
+    def call(name, *arguments):
+        assert getattr(library, name)(file, b"mesh", *arguments) >= 0, name
+
+    def numbers(values):
+        return (ctypes.c_int * len(values))(*values)
+
+    call("MEDmaaCr", 2, 0, b"of 2.3")
+    coordinates = [x for point in points for x in (*point, 7.)]
+    call("MEDcoordEcr", 3, (ctypes.c_double * len(coordinates))(*coordinates),
+         no_interlace, len(points), 0, b" " * 48, b"mm" + b" " * 46)
+    nodes, cells = Families(1), Families(-1)
+    call("MEDfamEcr", numbers([nodes.number(node_groups.get(i, ()))
+                               for i in range(len(points))]),
+         len(points), node, 0)
+    for kind, entries in elements.items():
+        entity = edge if kind == "line" else cell
+        call("MEDconnEcr", 2, numbers([n + 1 for ends, _ in entries
+                                       for n in ends]), no_interlace,
+             len(entries), entity, types[kind], nodal)
+        call("MEDfamEcr", numbers([cells.number(groups)
+                                   for _, groups in entries]),
+             len(entries), entity, types[kind])
+    del nodes.numbers[frozenset()]
+    for groups, number in [*nodes.numbers.items(), *cells.numbers.items()]:
+        call("MEDfamCr", ctypes.create_string_buffer(b"FAM_%d" % number, 64),
+             number, numbers([0]), numbers([0]), b"", 0,
+             "".join(f"{name:<80}" for name in sorted(groups)).encode(),
+             len(groups))
+    library.MEDfermer(file)
+
+
 def convert(*arguments):
     return subprocess.run([sys.executable, CONVERTER, *arguments], text=True,
                           capture_output=True)
@@ -230,6 +274,61 @@ def reference_mesh(contact, med, msh):
           run.stdout + run.stderr)
 
 
+def ring(n, quarter_only):
+    """Half a ring, 10 to 20, of 2 n quadrangles of 8 nodes. The group Bore is all
+    of the inner arc, or a quarter of it; Outside is the outer arc with the end
+    on the right, which is straight."""
+    points, index = [], {}
+
+    def node(radius, step):  # steps of half a side
+        if (radius, step) not in index:
+            index[radius, step] = len(points)
+            angle = math.pi * step / (4 * n)
+            points.append([radius * math.cos(angle), radius * math.sin(angle)])
+        return index[radius, step]
+
+    quads, lines = [], []
+    for s in range(0, 4 * n, 2):
+        quads.append(([node(10, s), node(20, s), node(20, s + 2),
+                       node(10, s + 2), node(15, s), node(20, s + 1),
+                       node(15, s + 2), node(10, s + 1)], ["Ring"]))
+        lines.append(([node(20, s), node(20, s + 2), node(20, s + 1)],
+                      ["Outside"]))
+        if s < 2 * n or not quarter_only:
+            lines.append(([node(10, s), node(10, s + 2), node(10, s + 1)],
+                          ["Bore"]))
+    lines.append(([node(10, 0), node(20, 0), node(15, 0)], ["Outside"]))
+    return points, {"quad": quads, "line": lines}
+
+
+def round_sides(med, msh):
+    """What is said of sides that become straight."""
+    n = 8
+    for quarter_only in (False, True):
+        points, elements = ring(n, quarter_only)
+        write_med(med, points, elements, {}, QUADRATIC)
+        run = convert(med, msh)
+        which = "a quarter" if quarter_only else "all"
+        check(f"round, {which} in a group: converted", run.returncode == 0,
+              run.stderr)
+        check(f"round, {which} in a group: its circle",
+              "Mesh/Arcs = Bore: 0, 0, 10\n" in run.stdout, run.stdout)
+        # From the middle of a chord to its circle.
+        rises = [r * (1 - math.cos(math.pi / (4 * n))) for r in (20, 10)]
+        notes = [line for line in run.stderr.splitlines() if "note: " in line]
+        check(f"round, {which} in a group: the group with a straight line",
+              f"{2 * n} round sides" in notes[0] and "'Outside'" in notes[0]
+              and f"by up to {rises[0]:.3g}." in notes[0], run.stderr)
+        check(f"round, {which} in a group: sides of no group",
+              len(notes) == 1 + quarter_only and
+              (not quarter_only or f"{n} round sides" in notes[1]
+               and "in no group" in notes[1]
+               and f"by up to {rises[1]:.3g}." in notes[1]), run.stderr)
+        check(f"round, {which} in a group: where",
+              ("from (-3.82683, 9.2388) to (-1.9509, 9.80785): 0.0482"
+               in run.stderr) == quarter_only, run.stderr)
+
+
 def refuse(what, text, *arguments):
     run = convert(*arguments)
     check(what, run.returncode == 2 and text in run.stderr
@@ -258,6 +357,15 @@ def main():
               "'Several' of 2 nodes" in run.stdout, run.stdout)
         compare(contact, case, msh.absolute(), reference,
                 f"MED, {kind}: results of the own mesh")
+    write_med_2(med, points, elements, node_groups, LINEAR)
+    run = convert("--bodies", "Block,Cylinder", med, msh)
+    check("MED 2.3: converted", run.returncode == 0, run.stderr)
+    compare(contact, case, msh.absolute(), reference,
+            "MED 2.3: results of the own mesh")
+    with h5py.File(med, "r+") as file:
+        file["INFOS_GENERALES"].attrs["MIN"] = 1
+    refuse("MED 2.1", "MED 2.1 is not read", med, msh)
+    round_sides(med, msh)
     reference_mesh(contact, med, msh)
     refuse("overlapping groups", "--bodies", med, msh)
     refuse("an unknown body", "'Blok'", "--bodies", "Blok,Cylinder", med, msh)
