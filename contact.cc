@@ -852,7 +852,8 @@ namespace Contact
   //
   // Coulomb's friction as a fixed point over Tresca's: solve with frozen bounds
   // of the shear traction, update the bounds from the pressures, until they
-  // stay.
+  // stay. A body that friction alone holds would have nothing to hold it where
+  // no pressure is known: there it sticks in the first turn.
   void ContactProblem::solve_with_friction_loop()
   {
     if (!has_friction() || parameters.solution.friction != "fixed point" ||
@@ -863,6 +864,10 @@ namespace Contact
         solve_newton();
         return;
       }
+
+    if (!free_motions(*discretization, interface.get(), /*friction=*/false)
+           .empty())
+      interface->raise_unknown_bounds();
 
     double     change = 0;
     Relaxation relaxation;

@@ -232,6 +232,15 @@ namespace Contact
 
 
 
+  void ContactInterface::raise_unknown_bounds()
+  {
+    for (ContactPoint &point : points)
+      if (zone(point).law.coulomb_coefficient > 0 && point.tresca_bound == 0)
+        point.tresca_bound = std::numeric_limits<double>::max();
+  }
+
+
+
   Vector<double> ContactInterface::bounds() const
   {
     Vector<double> bounds(points.size());

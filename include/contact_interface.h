@@ -141,6 +141,10 @@ namespace Contact
     double update_bounds(const Vector<double> &solution,
                          const Vector<double> &u_start);
 
+    /// Let points whose bound follows a pressure that is not known yet stick
+    /// whatever their shear, until the bounds are updated.
+    void raise_unknown_bounds();
+
     /// The bounds of all points [MPa].
     Vector<double> bounds() const;
     void           set_bounds(const Vector<double> &bounds);

@@ -93,6 +93,7 @@ namespace Contact
 
 
     void hold_by_contact(const ContactInterface                     &interface,
+                         const bool                                  friction,
                          std::map<types::material_id, RigidMotions> &motions)
     {
       for (const ContactPoint &point : interface.points)
@@ -105,7 +106,7 @@ namespace Contact
 
           const auto hold = [&](const types::material_id body) {
             motions.at(body).hold(x, point.normal);
-            if (point.decision.status == Status::stick)
+            if (friction && point.decision.status == Status::stick)
               motions.at(body).hold(x, point.tangent);
           };
           const ContactZone &zone = interface.zone(point);
@@ -132,7 +133,8 @@ namespace Contact
 
 
   std::vector<FreeMotion> free_motions(const Discretization   &discretization,
-                                       const ContactInterface *interface)
+                                       const ContactInterface *interface,
+                                       const bool              friction)
   {
     auto motions = make_motions(discretization);
     hold_by_supports(discretization, motions);
@@ -140,7 +142,7 @@ namespace Contact
       motion.second.held =
         Utilities::MPI::sum(motion.second.held, discretization.communicator);
     if (interface != nullptr)
-      hold_by_contact(*interface, motions);
+      hold_by_contact(*interface, friction, motions);
 
     std::vector<FreeMotion> free;
     for (const auto &[body, rigid] : motions)

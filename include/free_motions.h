@@ -28,13 +28,14 @@ namespace Contact
   /**
    * Of every body that something could move without resistance, one such rigid
    * motion: supports and ties hold it, and, unless @p interface is null, its
-   * points in contact along their normals and where they stick along their
-   * tangents as well. Each resisted direction is a row over the three rigid
+   * points in contact along their normals and, with @p friction, where they
+   * stick along their tangents as well. Each resisted direction is a row over the three rigid
    * motions of the body; what is free is in the null space of the sum of the
    * rows' squares.
    */
   std::vector<FreeMotion> free_motions(const Discretization   &discretization,
-                                       const ContactInterface *interface);
+                                       const ContactInterface *interface,
+                                       const bool friction = true);
 
   /**
    * Check that every body is held, or can come to be: by supports, or by

@@ -237,7 +237,7 @@ namespace Contact
       unsigned int max_friction_iterations = 60;
 
       double       newton_tolerance      = 1e-8;
-      unsigned int max_newton_iterations = 40;
+      unsigned int max_newton_iterations = 25;
 
       /// Of iterative solvers, relative to the residual of the Newton step.
       double linear_tolerance = 1e-3;
