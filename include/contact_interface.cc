@@ -104,6 +104,19 @@ namespace Contact
 
 
 
+  double ContactInterface::pressure(
+    const std::vector<std::pair<unsigned int, double>> &multipliers,
+    const Vector<double>                               &solution) const
+  {
+    double sum = 0;
+    for (const auto &[k, factor] : multipliers)
+      sum += factor * solution[normal_index(k)];
+    // What is continued may not pull.
+    return multipliers.size() > 1 ? std::max(0., sum) : sum;
+  }
+
+
+
   bool ContactInterface::pair(const Vector<double> &u)
   {
     bool changed = false;

@@ -97,6 +97,11 @@ namespace Contact
     types::global_dof_index
     tangential_index(const unsigned int multiplier) const;
 
+    /// What ContactZone::pressure_at says, in a solution [MPa].
+    double
+    pressure(const std::vector<std::pair<unsigned int, double>> &multipliers,
+             const Vector<double> &solution) const;
+
     /**
      * Pair all points with the master in the configuration @p u. Returns
      * whether a point changed its master edge: then the matrix couples other

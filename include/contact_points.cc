@@ -84,6 +84,17 @@ namespace Contact
 
 
 
+  void ContactPoint::remove_node(const unsigned int n)
+  {
+    --n_nodes;
+    dofs.erase(dofs.begin() + n);
+    X.erase(X.begin() + n);
+    for (auto *values : {&C, &C1, &C2})
+      values->erase(values->begin() + n);
+  }
+
+
+
   bool tangential_row_is_void(const ContactPoint   &point,
                               const Discretization &discretization)
   {
@@ -142,6 +153,18 @@ namespace Contact
             slave.reference_jacobian(slave.edges[e],
                                      EdgeShape(slave.degree, centroids[a]));
         }
+
+    // On an axis at degree 2 the integral vanishes. The node has a gap all the
+    // same, and may take a force: as if on the half of the edge next to it the
+    // pressure were linear.
+    for (ContactPoint &point : points)
+      if (point.weight <=
+          1e-12 * slave.reference_jacobian(slave.edges[point.slave_edge],
+                                           EdgeShape(slave.degree, 0)))
+        point.weight =
+          0.5 * slave.reference_jacobian(slave.edges[point.slave_edge],
+                                         EdgeShape(slave.degree,
+                                                   point.slave_xi * 2. / 3));
     return points;
   }
 
@@ -180,32 +203,124 @@ namespace Contact
 
 
 
+  NormalCone
+  directions_of(const ContactPoint                                    &point,
+                const Surface                                         &slave,
+                const std::vector<Surface::PerEdgeNode<Tensor<1, 2>>> &normals)
+  {
+    const auto     &edge = slave.edges[point.slave_edge];
+    const EdgeShape shape(slave.degree, point.slave_xi);
+    Tensor<1, 2>    n;
+    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+      n += shape.value[a] * normals[point.slave_edge][a];
+    n /= n.norm();
+
+    NormalCone directions{n, n};
+    if (point.slave_xi == -1)
+      {
+        directions.at_end = edge.begins_surface;
+        if (!edge.begins_surface)
+          directions.first = normals[edge.previous][1];
+      }
+    else if (point.slave_xi == 1)
+      {
+        directions.at_end = edge.ends_surface;
+        if (!edge.ends_surface)
+          directions.last = normals[edge.next][0];
+      }
+    return directions;
+  }
+
+
+
+  namespace
+  {
+    /// The master side of a point at its foot on an edge. Returns the tangent.
+    Tensor<1, 2> add_master(ContactPoint         &point,
+                            const Surface        &master,
+                            const unsigned int    edge,
+                            const double          xi,
+                            const Vector<double> &u)
+    {
+      const EdgeShape shape(master.degree, xi);
+      Tensor<1, 2>    along;
+      for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
+        {
+          const unsigned int node = master.edges[edge].nodes[a];
+          point.add_node(master.nodes[node],
+                         -shape.value[a],
+                         -shape.first[a],
+                         -shape.second[a]);
+          along += shape.first[a] * master.position(node, u);
+        }
+      return along;
+    }
+
+
+
+    /// The edge that the vertex at the foot belongs to as well, and which has
+    /// another direction.
+    unsigned int other_edge(const Projection    &projection,
+                            const SurfaceSearch &search)
+    {
+      if (projection.twin == numbers::invalid_unsigned_int)
+        return projection.twin;
+      const double side = projection.xi > 0 ? 1 : -1;
+      // Of unit normals; less is round-off.
+      return (search.normal(projection.edge, side) -
+              search.normal(projection.twin, -side))
+                   .norm() > 1e-8
+               ? projection.twin
+               : numbers::invalid_unsigned_int;
+    }
+
+
+
+    /// The foot at the vertex of two edges: the sum of their tangents, whose
+    /// nodes come in the order of the chain.
+    Tensor<1, 2> add_vertex(ContactPoint         &point,
+                            const Surface        &master,
+                            const unsigned int    other,
+                            const Vector<double> &u)
+    {
+      const double side = point.master_xi > 0 ? 1 : -1;
+      point.master_xi   = side;
+      Tensor<1, 2> along =
+        add_master(point, master, point.master_edge, side, u);
+
+      const unsigned int n_before = point.n_nodes;
+      along += add_master(point, master, other, -side, u);
+      // The vertex is in both.
+      const unsigned int at_first = point.n_slave_nodes + (side > 0 ? 1 : 0);
+      const unsigned int at_other = n_before + (side > 0 ? 0 : 1);
+      point.C1[at_first] += point.C1[at_other];
+      point.remove_node(at_other);
+      return along;
+    }
+  } // namespace
+
+
+
   void pair_with_master(ContactPoint         &point,
+                        const NormalCone     &directions,
                         const Surface        &master,
                         const SurfaceSearch  &search,
                         const Discretization &discretization,
                         const Vector<double> &u)
   {
-    const Point<2>   x          = slave_position(point, u);
-    const Projection projection = search.closest_point(x);
-    point.facing                = !projection.off_the_end;
-    point.master_edge           = projection.edge;
-    point.master_xi             = projection.xi;
-    point.foot_is_clipped       = projection.clipped;
+    const Projection projection =
+      search.closest_facing(slave_position(point, u), directions);
+    point.facing      = !projection.off_the_end;
+    point.master_edge = projection.edge;
+    point.master_xi   = projection.xi;
 
-    const auto     &edge = master.edges[projection.edge];
-    const EdgeShape shape(master.degree, projection.xi);
-    Tensor<1, 2>    along;
     point.keep_nodes(point.n_slave_nodes);
-    for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
-      {
-        const unsigned int node = edge.nodes[a];
-        point.add_node(master.nodes[node],
-                       -shape.value[a],
-                       -shape.first[a],
-                       -shape.second[a]);
-        along += shape.first[a] * master.position(node, u);
-      }
+    const unsigned int other     = other_edge(projection, search);
+    const bool         at_vertex = other != numbers::invalid_unsigned_int;
+    const Tensor<1, 2> along =
+      at_vertex ? add_vertex(point, master, other, u)
+                : add_master(point, master, projection.edge, projection.xi, u);
+    point.foot_is_clipped = projection.clipped || at_vertex;
 
     // The body lies to the left of the edge: n is along, turned by -90
     // degrees, and along is n turned by +90.

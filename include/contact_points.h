@@ -119,6 +119,9 @@ namespace Contact
     /// Forget the nodes from the number @p n on.
     void keep_nodes(const unsigned int n);
 
+    /// Forget one node.
+    void remove_node(const unsigned int n);
+
     Tensor<1, 2> normal, tangent;
     double       metric = 1; // |d x_m / d xi| [mm]
 
@@ -126,7 +129,7 @@ namespace Contact
     Point<2>     foot;
     Tensor<1, 2> foot_curvature;
 
-    // Over a corner of the master the foot stays at the corner.
+    // Over a vertex of the master the foot stays there.
     bool foot_is_clipped = false;
 
     // A tangential row that says no more than the normal one is dropped: so
@@ -156,7 +159,8 @@ namespace Contact
    * the integral of its shape function (trapezoidal and Simpson's rule; of
    * rings, times the circumference where the shape function has its centroid,
    * which is exact on straight edges); the constraint is collocated. Without
-   * the nodes in @p excluded.
+   * the nodes in @p excluded. On an axis at degree 2 the integral vanishes:
+   * what holds the node there is a force, with a weight for its units only.
    */
   std::vector<ContactPoint>
   make_nodal_points(const Surface                &slave,
@@ -178,11 +182,20 @@ namespace Contact
   bool tangential_row_is_void(const ContactPoint   &point,
                               const Discretization &discretization);
 
+  /// Where a point of the slave looks, by the normals of Surface::edge_normals.
+  NormalCone
+  directions_of(const ContactPoint                                    &point,
+                const Surface                                         &slave,
+                const std::vector<Surface::PerEdgeNode<Tensor<1, 2>>> &normals);
+
   /**
-   * Pair a point with the closest point of the master in the configuration
-   * @p u, and keep coordinate, normal and tangent there.
+   * Pair a point that looks in these directions with the closest point of the
+   * master in the configuration @p u, and keep coordinate, normal and tangent
+   * there. At a vertex that belongs to two edges alike the tangent is the sum
+   * of those of both edges.
    */
   void pair_with_master(ContactPoint         &point,
+                        const NormalCone     &directions,
                         const Surface        &master,
                         const SurfaceSearch  &search,
                         const Discretization &discretization,

@@ -33,6 +33,79 @@ namespace Contact
                           parameters.master,
                           parameters.section() + "/Master");
     }
+
+
+
+    /// The connected parts of the mesh that a surface has lines of.
+    std::set<unsigned int> parts_of(const Surface &surface)
+    {
+      std::set<unsigned int> parts;
+      for (const Surface::Edge &edge : surface.edges)
+        parts.insert(edge.part);
+      return parts;
+    }
+
+
+
+    /// The lines of a surface that are on one of these parts.
+    std::string lines_on(const Surface                &surface,
+                         const std::set<unsigned int> &parts)
+    {
+      const auto at = [&](const unsigned int node) {
+        const Point<2> &X = surface.nodes[node].X;
+        return "(" + std::to_string(X[0]) + ", " + std::to_string(X[1]) + ")";
+      };
+      const unsigned int n_named = 3;
+      std::string        names;
+      unsigned int       n = 0;
+      for (const Surface::Edge &edge : surface.edges)
+        if (parts.count(edge.part) > 0 && n++ < n_named)
+          names += (n > 1 ? ", " : "") + at(edge.nodes[0]) + " to " +
+                   at(edge.nodes[1]);
+      return names + (n > n_named
+                        ? " and " + std::to_string(n - n_named) + " more"
+                        : "");
+    }
+
+
+
+    /**
+     * A body does not touch itself: its own lines would be the closest. Two
+     * surfaces of one and the same part, the lips of a slit, are meant to
+     * touch.
+     */
+    void refuse_own_lines(const Surface             &slave,
+                          const Surface             &master,
+                          const Discretization      &discretization,
+                          const Parameters::Contact &parameters)
+    {
+      const auto of_slave = parts_of(slave), of_master = parts_of(master);
+      std::set<unsigned int> common;
+      for (const unsigned int part : of_slave)
+        if (of_master.count(part) > 0)
+          common.insert(part);
+      if (common.empty() || (of_slave.size() == 1 && of_master.size() == 1))
+        return;
+
+      const bool     in_slave = of_slave.size() > 1;
+      const Surface &wrong    = in_slave ? slave : master;
+      const auto     edge     = std::find_if(wrong.edges.begin(),
+                                     wrong.edges.end(),
+                                     [&](const auto &edge) {
+                                       return common.count(edge.part) > 0;
+                                     });
+      throw InputError(
+        (in_slave ? "the slave '" + parameters.slave
+                  : "the master '" + parameters.master) +
+          "' has lines of a body that the " +
+          (in_slave ? "master '" + parameters.master
+                    : "slave '" + parameters.slave) +
+          "' belongs to, '" + discretization.mesh.body_name(edge->body) +
+          "': " + lines_on(wrong, common),
+        parameters.section() + (in_slave ? "/Slave" : "/Master"),
+        "take these lines out of the group: contact of a body with itself is "
+        "between two groups of that body alone");
+    }
   } // namespace
 
 
@@ -57,17 +130,20 @@ namespace Contact
     if (!master)
       obstacle = Obstacle::create(parameters.obstacle, section + "/Obstacle");
     else
-      for (const Surface::Node &a : slave.nodes)
-        for (const Surface::Node &b : master->nodes)
-          if (a.dofs == b.dofs)
-            throw InputError("slave '" + parameters.slave + "' and master '" +
-                               parameters.master +
-                               "' overlap: both have the "
-                               "node at (" +
-                               std::to_string(a.X[0]) + ", " +
-                               std::to_string(a.X[1]) + ")",
-                             section + "/Slave, " + section + "/Master",
-                             "name two surfaces without a common node");
+      {
+        for (const Surface::Node &a : slave.nodes)
+          for (const Surface::Node &b : master->nodes)
+            if (a.dofs == b.dofs)
+              throw InputError("slave '" + parameters.slave + "' and master '" +
+                                 parameters.master +
+                                 "' overlap: both have the "
+                                 "node at (" +
+                                 std::to_string(a.X[0]) + ", " +
+                                 std::to_string(a.X[1]) + ")",
+                               section + "/Slave, " + section + "/Master",
+                               "name two surfaces without a common node");
+        refuse_own_lines(slave, *master, discretization, parameters);
+      }
 
     for (const std::string &point : parameters.excluded_points)
       {
@@ -79,8 +155,8 @@ namespace Contact
             excluded.insert(i);
       }
     // Over a ring, the shape function of degree 2 of a node on the axis has the
-    // integral zero: no pressure there has a weight.
-    if (slave.degree == 2)
+    // integral zero: it has no dual function.
+    if (slave.degree == 2 && master && parameters.rule == "mortar")
       for (unsigned int i = 0; i < slave.nodes.size(); ++i)
         if (discretization.is_on_axis(slave.nodes[i].X))
           excluded.insert(i);
@@ -151,12 +227,17 @@ namespace Contact
       }
 
     const SurfaceSearch search(*master, u);
+    const auto          normals = slave.edge_normals(u);
     for (ContactPoint &point : points)
       {
-        const bool         was_paired = point.n_nodes > point.n_slave_nodes;
-        const unsigned int last_edge  = point.master_edge;
-        pair_with_master(point, *master, search, discretization, u);
-        changed = changed || !was_paired || point.master_edge != last_edge;
+        const auto old_dofs = point.dofs;
+        pair_with_master(point,
+                         directions_of(point, slave, normals),
+                         *master,
+                         search,
+                         discretization,
+                         u);
+        changed = changed || point.dofs != old_dofs;
       }
     return changed;
   }
@@ -170,6 +251,33 @@ namespace Contact
     return (master ? std::min(of_slave, elasticity.young(master->edges[0].body))
                    : of_slave) /
            slave.reference_length(point.slave_edge);
+  }
+
+
+
+  // A parabola over the radius whose slope vanishes on the axis.
+  std::vector<std::pair<unsigned int, double>>
+  ContactZone::pressure_at(const unsigned int node) const
+  {
+    const auto multiplier = [&](const unsigned int i) {
+      return multipliers.of_node[i];
+    };
+    const bool on_axis = slave.degree == 2 && parameters.rule != "Gauss" &&
+                         discretization.is_on_axis(slave.nodes[node].X);
+    if (on_axis)
+      for (const Surface::Edge &edge : slave.edges)
+        for (unsigned int a = 0; a < 2; ++a)
+          if (edge.nodes[a] == node)
+            {
+              const unsigned int middle = multiplier(edge.nodes[2]);
+              const unsigned int end    = multiplier(edge.nodes[1 - a]);
+              if (middle != numbers::invalid_unsigned_int &&
+                  end != numbers::invalid_unsigned_int)
+                return {{middle, 4. / 3}, {end, -1. / 3}};
+            }
+    if (multiplier(node) == numbers::invalid_unsigned_int)
+      return {};
+    return {{multiplier(node), 1.}};
   }
 
 

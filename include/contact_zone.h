@@ -78,6 +78,15 @@ namespace Contact
     /// Each multiplier belongs to one point: rules nodal and mortar.
     bool has_point_per_multiplier() const;
 
+    /**
+     * The normal multipliers that make the pressure at a node of the slave, and
+     * their factors; none if there is no pressure there. On an axis of symmetry
+     * at degree 2 no pressure at the node itself does work on the shape
+     * functions: there it is that of the neighbors, continued.
+     */
+    std::vector<std::pair<unsigned int, double>>
+    pressure_at(const unsigned int node) const;
+
     /// The undeformed place of a point [mm].
     Point<2> place(const ContactPoint &point) const;
 

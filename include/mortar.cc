@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Contact
 {
@@ -19,6 +20,28 @@ namespace Contact
 
     /// Coordinates of the nodes of an edge: first, last, middle.
     const std::array<double, 3> node_coordinates{{-1, 1, 0}};
+
+    /// The node that a point belongs to, by its number in the slave edge.
+    unsigned int node_in_edge(const ContactPoint &point)
+    {
+      return std::find(node_coordinates.begin(),
+                       node_coordinates.end(),
+                       point.slave_xi) -
+             node_coordinates.begin();
+    }
+
+
+
+    /// The key of the largest value.
+    unsigned int largest(const std::map<unsigned int, double> &values)
+    {
+      return std::max_element(values.begin(),
+                              values.end(),
+                              [](const auto &a, const auto &b) {
+                                return a.second < b.second;
+                              })
+        ->first;
+    }
   } // namespace
 
 
@@ -30,18 +53,19 @@ namespace Contact
     : slave(slave)
     , master(master)
     , discretization(discretization)
-    , carries(slave.nodes.size(), true)
+    , carries(slave.edges.size())
   {
     const Vector<double> at_rest(discretization.dof_handler.n_dofs());
-    const auto           normals = slave.normals(at_rest);
-    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
-      {
-        double free = 0;
-        for (unsigned int c = 0; c < 2; ++c)
-          if (!discretization.is_fixed(slave.nodes[i].dofs[c]))
-            free += normals[i][c] * normals[i][c];
-        carries[i] = free > 0.5 && excluded.count(i) == 0;
-      }
+    const auto           normals = slave.edge_normals(at_rest);
+    for (unsigned int e = 0; e < slave.edges.size(); ++e)
+      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+        {
+          const unsigned int node = slave.edges[e].nodes[a];
+          carries[e][a] =
+            excluded.count(node) == 0 &&
+            free_part(normals[e][a], slave.nodes[node], discretization)
+                .norm_square() > 0.5;
+        }
   }
 
 
@@ -57,7 +81,7 @@ namespace Contact
       for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
         {
           const unsigned int node = slave.edges[e].nodes[a];
-          if (!carries[node] || multipliers.of_node[node] != none)
+          if (!carries[e][a] || multipliers.of_node[node] != none)
             continue;
           multipliers.of_node[node] = multipliers.n_multipliers++;
 
@@ -104,39 +128,34 @@ namespace Contact
 
   unsigned int MortarRule::slave_node(const ContactPoint &point) const
   {
-    const auto        &nodes = slave.edges[point.slave_edge].nodes;
-    const unsigned int a     = std::find(node_coordinates.begin(),
-                                     node_coordinates.end(),
-                                     point.slave_xi) -
-                           node_coordinates.begin();
-    return nodes[a];
+    return slave.edges[point.slave_edge].nodes[node_in_edge(point)];
   }
 
 
 
-  // Where an edge faces the master in part, the nodes beyond the overlap have
-  // no dual function; if that would be all, the nearest one has.
+  // Where an edge faces the master in part, the nodes beyond the parts have no
+  // dual function; if that would be all, the nearest one has, or both if they
+  // are as near. On an edge of degree 2 with a hole, the integrals of its shape
+  // functions may be negative, those of linear ones are not: there the middle
+  // has one only if no end has.
   std::vector<unsigned int>
   MortarRule::carrying_nodes(const unsigned int   slave_edge,
                              const MortarOverlap &overlap) const
   {
-    const auto beyond = [&](const unsigned int a) {
-      const double xi = node_coordinates[a];
-      return std::max({0., overlap.low - xi, xi - overlap.high});
-    };
-
-    std::vector<unsigned int> nodes;
-    unsigned int              nearest = none;
+    std::vector<unsigned int> candidates, nodes;
+    double                    nearest = std::numeric_limits<double>::max();
     for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
-      if (carries[slave.edges[slave_edge].nodes[a]])
+      if (carries[slave_edge][a])
         {
-          if (beyond(a) < round_off)
-            nodes.push_back(a);
-          if (nearest == none || beyond(a) < beyond(nearest))
-            nearest = a;
+          candidates.push_back(a);
+          nearest = std::min(nearest, overlap.distance(node_coordinates[a]));
         }
-    if (nodes.empty() && nearest != none)
-      nodes.push_back(nearest);
+    for (const unsigned int a : candidates)
+      if (overlap.distance(node_coordinates[a]) <= nearest + round_off)
+        nodes.push_back(a);
+    const bool all_seen = overlap.parts.size() == 1 && nearest < round_off;
+    if (!all_seen && nodes.size() > 1 && nodes.back() == 2)
+      nodes.pop_back();
     return nodes;
   }
 
@@ -241,8 +260,69 @@ namespace Contact
                 of_node.master[m_edge.nodes[a]] += phi * foot.value[a];
                 of_node.shift[m_edge.nodes[a]] += phi * foot.first[a] / metric;
               }
+            add_normals(now, slave_edge, nodes[k], sample, phi, of_node);
           }
       }
+  }
+
+
+
+  void MortarRule::add_normals(const MortarSegments &now,
+                               const unsigned int    slave_edge,
+                               const unsigned int    a,
+                               const MortarSample   &sample,
+                               const double          phi,
+                               Integrals            &integrals) const
+  {
+    const auto     &edge = master.edges[sample.master_edge];
+    const EdgeShape foot(master.degree, sample.master_xi);
+    Tensor<1, 2>    normal;
+    double          turn_square = 0;
+    for (unsigned int b = 0; b < master.n_nodes_per_edge(); ++b)
+      {
+        normal += foot.value[b] * now.master_normals[sample.master_edge][b];
+        // Beyond a corner is another face, or none: that it is seen, its normal
+        // tells.
+        if (b == 2 || !(edge.corner[b] ||
+                        (b == 0 ? edge.begins_surface : edge.ends_surface)))
+          turn_square +=
+            std::abs(foot.value[b]) * std::pow(master.turns[edge.nodes[b]], 2);
+      }
+    const double size = std::abs(phi);
+    integrals.slave_normal += phi * now.slave_normals[slave_edge][a];
+    integrals.master_normal += phi * normal;
+    integrals.magnitude += size;
+    integrals.master_turn += size * turn_square;
+    integrals.master_square += size * normal.norm_square();
+    integrals.master_mean += size * normal;
+    integrals.master_edges[sample.master_edge] += size;
+  }
+
+
+
+  Tensor<1, 2> MortarRule::direction(const unsigned int node,
+                                     const Integrals   &integrals) const
+  {
+    const Tensor<1, 2> n_s =
+      integrals.slave_normal / integrals.slave_normal.norm();
+    // Flat, but for the digits of a mesh file [rad].
+    const double flat = 1e-3;
+    if (slave.turns[node] < flat || integrals.master_normal.norm() == 0)
+      return n_s;
+
+    // Of the master the turn between its nodes and what its normals differ by.
+    const double size = integrals.magnitude;
+    const double master_square =
+      (integrals.master_turn + integrals.master_square -
+       integrals.master_mean.norm_square() / size) /
+      size;
+    const Tensor<1, 2> n_m =
+      integrals.master_normal / integrals.master_normal.norm();
+    const Tensor<1, 2> n = free_part(std::max(0., master_square) * n_s +
+                                       std::pow(slave.turns[node], 2) * n_m,
+                                     slave.nodes[node],
+                                     discretization);
+    return n.norm_square() == 0 || n * n_s <= 0 ? n_s : n / n.norm();
   }
 
 
@@ -252,11 +332,13 @@ namespace Contact
                            ContactPoint         &point) const
   {
     const unsigned int node = slave_node(point);
-    point.normal            = now.normals[node];
-    point.tangent           = Tensor<1, 2>({-point.normal[1], point.normal[0]});
-    point.metric            = 1;
     point.facing            = integrals.weight > 0;
     point.weight            = integrals.weight;
+    point.normal            = point.facing
+                                ? direction(node, integrals)
+                                : now.slave_normals[point.slave_edge][node_in_edge(point)];
+    point.tangent           = Tensor<1, 2>({-point.normal[1], point.normal[0]});
+    point.metric            = 1;
     point.keep_nodes(0);
     if (!point.facing)
       {
@@ -268,6 +350,8 @@ namespace Contact
         point.n_slave_nodes = 1;
         return;
       }
+
+    point.master_edge = largest(integrals.master_edges);
 
     // The offset of the feet along the tangent, and how far a unit of shift
     // carries them.

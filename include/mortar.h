@@ -33,8 +33,20 @@ namespace Contact
    *
    * The integrals run over the segments of class MortarSegments.
    *
+   * The direction n_k is that of the surface which bends less: without friction
+   * a flat surface pushes along its own normal, whatever corner stands on it.
+   * With n_s, n_m the normals of slave and master, those of the master weighted
+   * by Phi_k, and b_s, b_m the angles by which the surfaces turn around the
+   * node,
+   *   n_k = b_m^2 n_s + b_s^2 n_m, normalized; n_s where the slave is flat.
+   * The b are those of the undeformed surfaces: the strains of flat ones must
+   * not decide. On smooth surfaces that touch, n_s and n_m are the same up to
+   * the error of the discretization.
+   *
    * Where this differs from the papers:
-   *  - At an edge that faces the master in part, and at nodes that carry no
+   *  - At a corner of the slave each edge is projected along its own normal.
+   *  - At an edge that faces the master in part or in several parts (the master
+   *    has holes, or several pieces), and at nodes that carry no
    *    multiplier (supported against the normal, or excluded), the dual
    *    functions of the edge are polynomials of a lower degree, as many as
    *    there are nodes left, that still sum up to one: a constant pressure is
@@ -69,13 +81,21 @@ namespace Contact
               const Vector<double>          &u) const;
 
   private:
-    /// Integrals of the dual function of one slave node.
+    /// Integrals over the dual function of one slave node.
     struct Integrals
     {
       double                         weight = 0; // D_k [mm]; of rings, [mm^2]
       std::map<unsigned int, double> slave;      // Phi_k N_a, by slave node
       std::map<unsigned int, double> master;     // Phi_k N_m, by master node
       std::map<unsigned int, double> shift; // Phi_k dN_m/ds, by master node
+
+      Tensor<1, 2> slave_normal, master_normal; // times Phi_k
+      double       magnitude     = 0;           // of |Phi_k|
+      double       master_turn   = 0; // |Phi_k| times the squared angle
+      double       master_square = 0; // |Phi_k| times normals squared
+      Tensor<1, 2> master_mean;       // |Phi_k| times normals
+
+      std::map<unsigned int, double> master_edges; // |Phi_k|, by edge
     };
 
     /// The nodes of an edge, by their number in it, that have a dual function.
@@ -97,6 +117,17 @@ namespace Contact
                         const MortarOverlap    &overlap,
                         std::vector<Integrals> &integrals) const;
 
+    void add_normals(const MortarSegments &now,
+                     const unsigned int    slave_edge,
+                     const unsigned int    a,
+                     const MortarSample   &sample,
+                     const double          phi,
+                     Integrals            &integrals) const;
+
+    /// The direction n_k of a node.
+    Tensor<1, 2> direction(const unsigned int node,
+                           const Integrals   &integrals) const;
+
     void fill_in(const MortarSegments &now,
                  const Integrals      &integrals,
                  ContactPoint         &point) const;
@@ -107,8 +138,9 @@ namespace Contact
     const Surface        &master;
     const Discretization &discretization;
 
-    /// Whether a slave node carries a multiplier.
-    std::vector<bool> carries;
+    /// Whether a node of a slave edge carries a multiplier, as that edge sees
+    /// it.
+    std::vector<Surface::PerEdgeNode<bool>> carries;
   };
 } // namespace Contact
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Contact
 {
@@ -47,11 +48,36 @@ namespace Contact
 
 
 
+  Tensor<1, 2> free_part(const Tensor<1, 2>   &direction,
+                         const Surface::Node  &node,
+                         const Discretization &discretization)
+  {
+    Tensor<1, 2> free = direction;
+    for (unsigned int c = 0; c < 2; ++c)
+      if (discretization.is_fixed(node.dofs[c]))
+        free[c] = 0;
+    return free;
+  }
+
+
+
+  double MortarOverlap::distance(const double xi) const
+  {
+    double nearest = std::numeric_limits<double>::max();
+    for (const Part &part : parts)
+      nearest =
+        std::min(nearest, std::max({0., part.low - xi, xi - part.high}));
+    return nearest;
+  }
+
+
+
   MortarSegments::MortarSegments(const Surface        &slave,
                                  const Surface        &master,
                                  const Discretization &discretization,
                                  const Vector<double> &u)
-    : normals(slave.normals(u))
+    : slave_normals(slave.edge_normals(u))
+    , master_normals(master.edge_normals(u))
     , slave(slave)
     , master(master)
     , search(master, u)
@@ -61,17 +87,28 @@ namespace Contact
     for (unsigned int i = 0; i < master.nodes.size(); ++i)
       master_x.push_back(master.position(i, u));
 
-    for (unsigned int i = 0; i < normals.size(); ++i)
-      {
-        Tensor<1, 2> free = -normals[i];
-        for (unsigned int c = 0; c < 2; ++c)
-          if (discretization.is_fixed(slave.nodes[i].dofs[c]))
-            free[c] = 0;
-        // Against a support the node carries no multiplier, and its own normal
-        // serves for the projection.
-        normals[i] =
-          free.norm_square() > 0.5 ? free / free.norm() : -normals[i];
-      }
+    for (unsigned int e = 0; e < slave.edges.size(); ++e)
+      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+        {
+          const auto   &node   = slave.nodes[slave.edges[e].nodes[a]];
+          Tensor<1, 2> &normal = slave_normals[e][a];
+          normal *= -1;
+          // Against a support the node carries no multiplier, and its own
+          // normal serves for the projection.
+          const auto free = free_part(normal, node, discretization);
+          if (free.norm_square() > 0.5)
+            normal = free / free.norm();
+        }
+
+    Tensor<1, 2> low = slave_x[0], high = low;
+    for (const auto *all : {&slave_x, &master_x})
+      for (const Tensor<1, 2> &x : *all)
+        for (unsigned int i = 0; i < 2; ++i)
+          {
+            low[i]  = std::min(low[i], x[i]);
+            high[i] = std::max(high[i], x[i]);
+          }
+    size = (high - low).norm();
   }
 
 
@@ -104,6 +141,18 @@ namespace Contact
 
 
 
+  Tensor<1, 2>
+  MortarSegments::slave_normal(const unsigned int           slave_edge,
+                               const std::array<double, 3> &shape) const
+  {
+    Tensor<1, 2> sum;
+    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+      sum += shape[a] * slave_normals[slave_edge][a];
+    return sum;
+  }
+
+
+
   double MortarSegments::slave_coordinate(const unsigned int  slave_edge,
                                           const Tensor<1, 2> &x) const
   {
@@ -111,101 +160,185 @@ namespace Contact
     return find_root(0, [&](const double xi) {
       const EdgeShape    shape(slave.degree, xi);
       const Tensor<1, 2> r = at(slave_x, edge, shape.value) - x;
-      const Tensor<1, 2> n = at(normals, edge, shape.value);
-      return std::make_pair(cross(r, n),
-                            cross(at(slave_x, edge, shape.first), n) +
-                              cross(r, at(normals, edge, shape.first)));
+      return std::make_pair(cross(r, slave_normal(slave_edge, shape.value)),
+                            cross(at(slave_x, edge, shape.first),
+                                  slave_normal(slave_edge, shape.value)) +
+                              cross(r, slave_normal(slave_edge, shape.first)));
     });
   }
 
 
 
-  // The normals at both ends of the slave edge meet the chain of the master in
-  // two edges; those from one to the other may be faced, and each cuts a
-  // segment out of the slave edge. The chains run in opposite directions.
+  // What is near is looked at first; further and further away, until all of
+  // the edge has a partner that nothing can hide.
   MortarOverlap MortarSegments::overlap(const unsigned int slave_edge) const
   {
-    const auto        &nodes = slave.edges[slave_edge].nodes;
-    const unsigned int last  = facing_edge(nodes[0]);
-    unsigned int       faced = facing_edge(nodes[1]);
+    const auto &ends  = slave.edges[slave_edge].nodes;
+    double      reach = 2 * (slave_x[ends[1]] - slave_x[ends[0]]).norm();
+    std::vector<Segment> found;
+    while (true)
+      {
+        found          = segments(slave_edge, candidates(slave_edge, reach));
+        double covered = 0, distance = 0;
+        for (const Segment &segment : found)
+          {
+            covered += segment.high - segment.low;
+            distance = std::max(distance, segment.distance);
+          }
+        if (reach >= size || (covered > 2 - round_off && distance < reach / 2))
+          break;
+        reach *= 4;
+      }
 
     MortarOverlap overlap;
-    for (unsigned int n = 0; n < master.edges.size() && faced != none; ++n)
-      {
-        add_segment(slave_edge, faced, overlap);
-        if (faced == last)
-          break;
-        faced = master.edges[faced].next;
-      }
+    for (const Segment &segment : found)
+      add_samples(slave_edge, segment, overlap);
     return overlap;
   }
 
 
 
-  // From the closest edge along the chain to the one that the normal meets, or
-  // to the end of the chain.
-  unsigned int MortarSegments::facing_edge(const unsigned int slave_node) const
+  std::vector<unsigned int>
+  MortarSegments::candidates(const unsigned int slave_edge,
+                             const double       reach) const
   {
-    const Tensor<1, 2> &x         = slave_x[slave_node];
-    const Tensor<1, 2> &n         = normals[slave_node];
-    unsigned int        candidate = search.closest_point(Point<2>(x)).edge;
-    int                 last_step = 0;
-    while (true)
+    const auto           &nodes = slave.edges[slave_edge].nodes;
+    std::vector<Point<2>> corners;
+    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+      for (const double side : {-1., 1.})
+        corners.emplace_back(slave_x[nodes[a]] +
+                             side * reach * slave_normals[slave_edge][a]);
+
+    // Of the edges near by those between the lines: not all on one side of all
+    // of them.
+    std::vector<unsigned int> candidates;
+    for (const unsigned int m : search.edges_in(BoundingBox<2>(corners)))
       {
-        const double xi       = foot_on_edge(x, n, candidate);
-        const int    step     = xi > 1 ? 1 : (xi < -1 ? -1 : 0);
-        const auto   neighbor = step == 0  ? none
-                                : step > 0 ? master.edges[candidate].next
-                                           : master.edges[candidate].previous;
-        if (neighbor == none || step == -last_step)
-          return candidate;
-        candidate = neighbor;
-        last_step = step;
+        bool left = false, right = false;
+        for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+          for (const Tensor<1, 2> &x : search.hull(m))
+            {
+              const double side =
+                cross(x - slave_x[nodes[a]], slave_normals[slave_edge][a]);
+              left  = left || side >= 0;
+              right = right || side <= 0;
+            }
+        if (left && right)
+          candidates.push_back(m);
       }
+    return candidates;
   }
 
 
 
-  void MortarSegments::add_segment(const unsigned int slave_edge,
-                                   const unsigned int master_edge,
+  // Lines from the nodes of the master cut the edge into intervals that face
+  // one edge each, or none.
+  std::vector<MortarSegments::Segment>
+  MortarSegments::segments(const unsigned int               slave_edge,
+                           const std::vector<unsigned int> &candidates) const
+  {
+    std::vector<double> cuts{-1, 1};
+    for (const unsigned int m : candidates)
+      for (unsigned int a = 0; a < 2; ++a)
+        cuts.push_back(std::max(
+          -1.,
+          std::min(1.,
+                   slave_coordinate(slave_edge,
+                                    master_x[master.edges[m].nodes[a]]))));
+    std::sort(cuts.begin(), cuts.end());
+
+    std::vector<Segment> segments;
+    for (unsigned int i = 1; i < cuts.size(); ++i)
+      {
+        // Shorter segments are round-off at nodes that face each other.
+        if (cuts[i] - cuts[i - 1] < round_off)
+          continue;
+        const auto [m, distance] =
+          partner(slave_edge, (cuts[i - 1] + cuts[i]) / 2, candidates);
+        if (m == none)
+          continue;
+        if (!segments.empty() && segments.back().master_edge == m &&
+            cuts[i - 1] - segments.back().high < round_off)
+          {
+            segments.back().high = cuts[i];
+            segments.back().distance =
+              std::max(segments.back().distance, distance);
+          }
+        else
+          segments.push_back({cuts[i - 1], cuts[i], m, distance});
+      }
+    return segments;
+  }
+
+
+
+  std::pair<unsigned int, double>
+  MortarSegments::partner(const unsigned int               slave_edge,
+                          const double                     xi,
+                          const std::vector<unsigned int> &candidates) const
+  {
+    struct Hit
+    {
+      unsigned int master_edge = none;
+      double       distance    = std::numeric_limits<double>::max();
+      bool         faces       = false;
+    };
+    Hit ahead, behind;
+
+    const EdgeShape shape(slave.degree, xi);
+    const auto      x = at(slave_x, slave.edges[slave_edge], shape.value);
+    auto            n = slave_normal(slave_edge, shape.value);
+    n /= n.norm();
+    const NormalCone direction{-n, -n};
+    for (const unsigned int m : candidates)
+      {
+        const double master_xi = foot_on_edge(x, n, m);
+        if (std::abs(master_xi) > 1)
+          continue;
+        const EdgeShape foot(master.degree, master_xi);
+        const auto      r = x - at(master_x, master.edges[m], foot.value);
+        // A line beside a parallel edge has no foot there.
+        if (std::abs(cross(r, n)) > 1e-8 * size)
+          continue;
+        Hit &hit = r * n >= 0 ? ahead : behind;
+        if (std::abs(r * n) < hit.distance)
+          hit = {m,
+                 std::abs(r * n),
+                 direction.faces(search.normal(m, master_xi))};
+      }
+    if (!behind.faces || (ahead.faces && ahead.distance <= behind.distance))
+      std::swap(ahead, behind);
+    return behind.faces ? std::make_pair(behind.master_edge, behind.distance)
+                        : std::make_pair(none, 0.);
+  }
+
+
+
+  void MortarSegments::add_samples(const unsigned int slave_edge,
+                                   const Segment     &segment,
                                    MortarOverlap     &overlap) const
   {
-    const auto  &s_edge = slave.edges[slave_edge];
-    const auto  &m_edge = master.edges[master_edge];
-    const double low =
-      std::max(-1., slave_coordinate(slave_edge, master_x[m_edge.nodes[1]]));
-    const double high =
-      std::min(1., slave_coordinate(slave_edge, master_x[m_edge.nodes[0]]));
-    // Shorter segments are round-off at nodes that face each other.
-    if (high - low < round_off)
-      return;
-
-    const QGauss<1>           quadrature(slave.degree + 2);
-    std::vector<MortarSample> samples;
+    const auto     &s_edge = slave.edges[slave_edge];
+    const double    length = segment.high - segment.low;
+    const QGauss<1> quadrature(slave.degree + 2);
     for (unsigned int q = 0; q < quadrature.size(); ++q)
       {
-        const double    xi = low + quadrature.point(q)[0] * (high - low);
+        const double    xi = segment.low + quadrature.point(q)[0] * length;
         const EdgeShape shape(slave.degree, xi);
-        const auto      x = at(slave_x, s_edge, shape.value);
-        const auto      n = at(normals, s_edge, shape.value);
-
-        const double    master_xi = foot_on_edge(x, n, master_edge);
-        const EdgeShape foot(master.degree, master_xi);
-        const auto      along = at(master_x, m_edge, foot.first);
-        // Back to back is not face to face.
-        if (cross(n, along) <= 0)
-          return;
-
-        samples.push_back({xi,
-                           quadrature.weight(q) * (high - low) *
-                             slave.reference_jacobian(s_edge, shape),
-                           master_edge,
-                           master_xi});
+        overlap.samples.push_back(
+          {xi,
+           quadrature.weight(q) * length *
+             slave.reference_jacobian(s_edge, shape),
+           segment.master_edge,
+           foot_on_edge(at(slave_x, s_edge, shape.value),
+                        slave_normal(slave_edge, shape.value),
+                        segment.master_edge)});
       }
-    overlap.samples.insert(overlap.samples.end(),
-                           samples.begin(),
-                           samples.end());
-    overlap.low  = std::min(overlap.low, low);
-    overlap.high = std::max(overlap.high, high);
+
+    if (!overlap.parts.empty() &&
+        segment.low - overlap.parts.back().high < round_off)
+      overlap.parts.back().high = segment.high;
+    else
+      overlap.parts.push_back({segment.low, segment.high});
   }
 } // namespace Contact

@@ -43,13 +43,16 @@ namespace Contact
     if (interface != nullptr)
       for (const auto &zone : interface->zones)
         for (unsigned int n = 0; n < zone->slave.nodes.size(); ++n)
-          if (const unsigned int k = zone->multipliers.of_node[n];
-              zone->slave.nodes[n].dofs == dofs &&
-              k != numbers::invalid_unsigned_int)
+          if (zone->slave.nodes[n].dofs == dofs)
             {
+              const auto pressure = zone->pressure_at(n);
+              if (pressure.empty())
+                continue;
               if (quantity == "pressure")
-                return solution[interface->normal_index(k)];
-              return zone->law.is_frictionless()
+                return interface->pressure(pressure, solution);
+              const unsigned int k = zone->multipliers.of_node[n];
+              return zone->law.is_frictionless() ||
+                         k == numbers::invalid_unsigned_int
                        ? 0.
                        : solution[interface->tangential_index(k)];
             }

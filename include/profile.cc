@@ -181,11 +181,11 @@ namespace Contact
       std::vector<unsigned int> node_of(interface.n_normal_multipliers());
       for (unsigned int n = 0; n < rows.size(); ++n)
         {
+          rows[n].pressure = interface.pressure(zone.pressure_at(n), solution);
           const unsigned int k = zone.multipliers.of_node[n];
           if (k == numbers::invalid_unsigned_int)
             continue;
-          node_of[k]       = n;
-          rows[n].pressure = solution[interface.normal_index(k)];
+          node_of[k] = n;
           if (!zone.law.is_frictionless())
             rows[n].shear = solution[interface.tangential_index(k)];
         }

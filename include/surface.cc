@@ -8,6 +8,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "errors.h"
@@ -21,15 +22,66 @@ namespace Contact
     {
       std::array<Surface::Node, 3> nodes;
       types::material_id           body;
+      unsigned int                 part;
 
       template<class Archive>
       void serialize(Archive &archive, const unsigned int)
       {
         for (Surface::Node &node : nodes)
           archive &node.dofs[0] & node.dofs[1] & node.X;
-        archive &body;
+        archive &body &part;
       }
     };
+
+
+
+    /// Of each cell of the coarse mesh, which every rank has, the connected
+    /// part of the mesh that it belongs to: a cell number that all of it share.
+    std::vector<unsigned int> connected_parts(const Triangulation<2> &mesh)
+    {
+      std::vector<unsigned int> root(mesh.n_cells(0));
+      std::iota(root.begin(), root.end(), 0);
+      const auto find = [&](unsigned int c) {
+        while (root[c] != c)
+          c = root[c] = root[root[c]];
+        return c;
+      };
+
+      std::map<unsigned int, unsigned int> cell_of_vertex;
+      for (const auto &cell : mesh.cell_iterators_on_level(0))
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            const unsigned int own = cell->index();
+            const auto         other =
+              cell_of_vertex.emplace(cell->vertex_index(v), own).first->second;
+            root[find(own)] = find(other);
+          }
+      for (unsigned int c = 0; c < root.size(); ++c)
+        root[c] = find(c);
+      return root;
+    }
+
+
+
+    /// The cell of the coarse mesh that a cell is a part of.
+    template<typename Cell>
+    unsigned int coarse_cell(Cell cell)
+    {
+      while (cell->level() > 0)
+        cell = cell->parent();
+      return cell->index();
+    }
+
+
+
+    /// Coordinates of the nodes of an edge: first, last, middle.
+    const std::array<double, 3> node_coordinates{{-1, 1, 0}};
+
+    /// The angle from a to b, positive to the left [rad].
+    double angle(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
+    {
+      return std::atan2(a[0] * b[1] - a[1] * b[0], a * b);
+    }
   } // namespace
 
 
@@ -66,6 +118,8 @@ namespace Contact
     chain_edges();
     renumber_nodes();
     link_edges();
+    find_corners();
+    measure_turns();
   }
 
 
@@ -74,6 +128,7 @@ namespace Contact
   // whole surface.
   void Surface::collect_edges(const std::set<types::boundary_id> &boundary_ids)
   {
+    const auto parts = connected_parts(discretization.mesh.triangulation);
     std::vector<LooseEdge>               own;
     std::vector<types::global_dof_index> dofs;
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
@@ -92,6 +147,8 @@ namespace Contact
           // The unknowns of a face come in the order of its own vertices.
           LooseEdge edge;
           edge.body = cell->material_id();
+          edge.part =
+            parts[coarse_cell<typename Triangulation<2>::cell_iterator>(cell)];
           for (unsigned int a = 0; a < 2; ++a)
             edge.nodes[a].X = face->vertex(a);
           // The elements number the corners, then the mid-sides as the faces.
@@ -119,7 +176,8 @@ namespace Contact
       for (const LooseEdge &loose : of_rank)
         {
           const unsigned int none = numbers::invalid_unsigned_int;
-          Edge edge{{{0, 0, 0}}, loose.body, false, false, none, none};
+          Edge
+            edge{{{0, 0, 0}}, loose.body, false, false, none, none, loose.part};
           for (unsigned int a = 0; a < n_nodes_per_edge(); ++a)
             {
               const Node &node = loose.nodes[a];
@@ -213,33 +271,104 @@ namespace Contact
 
 
 
-  Point<2> Surface::position(const unsigned int    node,
-                             const Vector<double> &u) const
+  Tensor<1, 2> Surface::reference_tangent(const Edge  &edge,
+                                          const double xi) const
   {
-    const auto &[dofs, X] = nodes[node];
-    return X + Point<2>(u[dofs[0]], u[dofs[1]]);
+    const EdgeShape shape(degree, xi);
+    Tensor<1, 2>    tangent;
+    for (unsigned int a = 0; a < n_nodes_per_edge(); ++a)
+      tangent += shape.first[a] * nodes[edge.nodes[a]].X;
+    return tangent;
+  }
+
+
+
+  // With the body on the left, the surface turns to the left where it is
+  // convex.
+  void Surface::find_corners()
+  {
+    for (Edge &edge : edges)
+      {
+        edge.begins_face = edge.begins_face || edge.begins_surface;
+        edge.ends_face   = edge.ends_face || edge.ends_surface;
+        if (edge.previous == numbers::invalid_unsigned_int)
+          continue;
+        Edge        &before = edges[edge.previous];
+        const double turn =
+          angle(reference_tangent(before, 1), reference_tangent(edge, -1));
+        if (std::abs(turn) <= numbers::PI / 180 * feature_angle)
+          continue;
+        before.corner[1] = edge.corner[0] = true;
+        if (turn > 0)
+          before.ends_face = edge.begins_face = true;
+      }
+  }
+
+
+
+  void Surface::measure_turns()
+  {
+    turns.assign(nodes.size(), 0.);
+    const auto chord = [this](const Edge &edge) {
+      return nodes[edge.nodes[1]].X - nodes[edge.nodes[0]].X;
+    };
+    for (const Edge &edge : edges)
+      {
+        if (edge.previous != numbers::invalid_unsigned_int)
+          turns[edge.nodes[0]] =
+            std::abs(angle(chord(edges[edge.previous]), chord(edge)));
+        if (degree == 2)
+          turns[edge.nodes[2]] = std::abs(
+            angle(reference_tangent(edge, -1), reference_tangent(edge, 1)));
+      }
+
+    // The body ends there, or it goes on with a side that is in no group.
+    for (const Edge &edge : edges)
+      for (unsigned int a = 0; a < 2; ++a)
+        if (a == 0 ? edge.begins_surface : edge.ends_surface)
+          turns[edge.nodes[a]] = numbers::PI / 2;
+  }
+
+
+
+  Tensor<1, 2> Surface::normal(const Edge           &edge,
+                               const unsigned int    a,
+                               const Vector<double> &u) const
+  {
+    const EdgeShape shape(degree, node_coordinates[a]);
+    Tensor<1, 2>    along;
+    for (unsigned int b = 0; b < n_nodes_per_edge(); ++b)
+      along += shape.first[b] * position(edge.nodes[b], u);
+
+    // The body lies to the left of the edge.
+    const Tensor<1, 2> outward({along[1], -along[0]});
+    return outward / outward.norm();
   }
 
 
 
   std::vector<Tensor<1, 2>> Surface::normals(const Vector<double> &u) const
   {
-    const std::array<double, 3> coordinates{{-1, 1, 0}};
-    std::vector<Tensor<1, 2>>   normals(nodes.size());
+    std::vector<Tensor<1, 2>> normals(nodes.size());
     for (const Edge &edge : edges)
       for (unsigned int a = 0; a < n_nodes_per_edge(); ++a)
-        {
-          const EdgeShape shape(degree, coordinates[a]);
-          Tensor<1, 2>    along;
-          for (unsigned int b = 0; b < n_nodes_per_edge(); ++b)
-            along += shape.first[b] * position(edge.nodes[b], u);
-
-          // The body lies to the left of the edge.
-          const Tensor<1, 2> outward({along[1], -along[0]});
-          normals[edge.nodes[a]] += outward / outward.norm();
-        }
+        normals[edge.nodes[a]] += normal(edge, a, u);
     for (Tensor<1, 2> &normal : normals)
       normal /= normal.norm();
+    return normals;
+  }
+
+
+
+  std::vector<Surface::PerEdgeNode<Tensor<1, 2>>>
+  Surface::edge_normals(const Vector<double> &u) const
+  {
+    const auto                             mean = normals(u);
+    std::vector<PerEdgeNode<Tensor<1, 2>>> normals(edges.size());
+    for (unsigned int e = 0; e < edges.size(); ++e)
+      for (unsigned int a = 0; a < n_nodes_per_edge(); ++a)
+        normals[e][a] = a < 2 && edges[e].corner[a] ? normal(edges[e], a, u)
+                                                    : mean[edges[e].nodes[a]];
     return normals;
   }
 
@@ -286,12 +415,11 @@ namespace Contact
     for (const Edge &edge : edges)
       if (edge.previous != numbers::invalid_unsigned_int)
         {
-          const Tensor<1, 2> a = chord(edges[edge.previous]), b = chord(edge);
-          const double       angle =
+          const double bend =
             180 / numbers::PI *
-            std::abs(std::atan2(a[0] * b[1] - a[1] * b[0], a * b));
-          if (angle < 30)
-            largest = std::max(largest, angle);
+            std::abs(angle(chord(edges[edge.previous]), chord(edge)));
+          if (!edge.corner[0])
+            largest = std::max(largest, bend);
         }
     return largest;
   }

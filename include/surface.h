@@ -45,7 +45,28 @@ namespace Contact
       types::material_id          body;
       bool                        begins_surface, ends_surface;
       unsigned int                previous, next; // along the chain, or invalid
+
+      /// The connected part of the mesh it belongs to, which may be of several
+      /// bodies, or a part of one.
+      unsigned int part = 0;
+
+      /// Corners at the first and the last node.
+      std::array<bool, 2> corner{{false, false}};
+
+      /// A face ends where the surface ends, and at convex corners: beyond
+      /// them nothing faces it.
+      bool begins_face = false, ends_face = false;
     };
+
+    /**
+     * Two edges that meet, undeformed, at an angle of more than this [degrees]
+     * make a corner: each has a normal of its own there. Less is a curve that
+     * the mesh has drawn as a polygon, with one normal at each node. Contact
+     * codes and mesh generators draw the line between 20 and 40 degrees; here
+     * it is between the regular polygons of 10 and 11 sides, so that no regular
+     * one is on it, and an arc of 90 degrees in three edges is a curve.
+     */
+    static constexpr double feature_angle = 35;
 
     /// Throws InputError if there is no edge.
     Surface(const Discretization               &discretization,
@@ -57,8 +78,13 @@ namespace Contact
     std::vector<Edge>  edges; // along the chain
 
     /// The largest angle by which one edge turns against the one before it
-    /// [degrees], of those that look like a curve: 30 degrees is a corner.
+    /// [degrees], of those that are no corners.
     double largest_bend() const;
+
+    /// By how much the undeformed surface turns at each node, from the middle
+    /// of the edge before it to the middle of the edge behind it [rad]; at an
+    /// end by a right angle.
+    std::vector<double> turns;
 
     unsigned int n_nodes_per_edge() const
     {
@@ -71,6 +97,14 @@ namespace Contact
     /// The outward unit normals at the nodes of the deformed surface: the mean
     /// of those of the edges that meet there.
     std::vector<Tensor<1, 2>> normals(const Vector<double> &u) const;
+
+    /// Something at each node of an edge: first, last, middle.
+    template<typename T>
+    using PerEdgeNode = std::array<T, 3>;
+
+    /// The same by edge: at corners the normal of the edge alone.
+    std::vector<PerEdgeNode<Tensor<1, 2>>>
+    edge_normals(const Vector<double> &u) const;
 
     /// The distance of the ends of an edge, undeformed [mm].
     double reference_length(const unsigned int edge) const;
@@ -88,6 +122,16 @@ namespace Contact
     void chain_edges();
     void renumber_nodes();
     void link_edges();
+    void find_corners();
+    void measure_turns();
+
+    /// The direction of an edge at its coordinate xi, undeformed.
+    Tensor<1, 2> reference_tangent(const Edge &edge, const double xi) const;
+
+    /// The outward unit normal at a node of an edge by that edge alone.
+    Tensor<1, 2> normal(const Edge           &edge,
+                        const unsigned int    a,
+                        const Vector<double> &u) const;
 
     const Discretization &discretization;
   };

@@ -12,6 +12,36 @@
 
 namespace Contact
 {
+  namespace
+  {
+    const double smallest_cosine =
+      std::cos(NormalCone::largest_angle * numbers::PI / 180);
+
+    double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
+    {
+      return a[0] * b[1] - a[1] * b[0];
+    }
+  } // namespace
+
+
+
+  bool NormalCone::faces(const Tensor<1, 2> &normal) const
+  {
+    const Tensor<1, 2> to = -normal;
+    return to * first >= smallest_cosine || to * last >= smallest_cosine ||
+           (cross(first, to) > 0 && cross(to, last) > 0 &&
+            cross(first, last) > 0);
+  }
+
+
+
+  bool NormalCone::is_beside(const Tensor<1, 2> &normal) const
+  {
+    return std::max(-normal * first, -normal * last) > -smallest_cosine;
+  }
+
+
+
   SurfaceSearch::SurfaceSearch(const Surface &surface, const Vector<double> &u)
     : surface(surface)
   {
@@ -21,23 +51,9 @@ namespace Contact
     std::vector<std::pair<Box, unsigned int>> entries;
     for (unsigned int e = 0; e < surface.edges.size(); ++e)
       {
-        // All that project() can answer with: the edge with its overhang. A
-        // parabola stays within the triangle of its ends and the point where
-        // their tangents meet.
-        const auto [low, high]    = coordinate_range(e);
-        const auto              x = edge_positions(e);
-        const EdgeShape         first(surface.degree, low);
-        const EdgeShape         last(surface.degree, high);
-        std::array<Point<2>, 3> hull;
-        for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
-          {
-            hull[0] += first.value[a] * x[a];
-            hull[1] += last.value[a] * x[a];
-            hull[2] +=
-              (first.value[a] + (high - low) / 2 * first.first[a]) * x[a];
-          }
-        entries.emplace_back(Box(
-                               std::vector<Point<2>>(hull.begin(), hull.end())),
+        const auto corners = hull(e);
+        entries.emplace_back(Box(std::vector<Point<2>>(corners.begin(),
+                                                       corners.end())),
                              e);
       }
     tree = pack_rtree(entries);
@@ -48,8 +64,28 @@ namespace Contact
   std::pair<double, double>
   SurfaceSearch::coordinate_range(const unsigned int edge) const
   {
-    return {surface.edges[edge].begins_surface ? -1 - overhang : -1.,
-            surface.edges[edge].ends_surface ? 1 + overhang : 1.};
+    return {surface.edges[edge].begins_face ? -1 - overhang : -1.,
+            surface.edges[edge].ends_face ? 1 + overhang : 1.};
+  }
+
+
+
+  // All that project() can answer with. A parabola stays within the triangle of
+  // its ends and the point where their tangents meet.
+  std::array<Point<2>, 3> SurfaceSearch::hull(const unsigned int edge) const
+  {
+    const auto [low, high]    = coordinate_range(edge);
+    const auto              x = edge_positions(edge);
+    const EdgeShape         first(surface.degree, low);
+    const EdgeShape         last(surface.degree, high);
+    std::array<Point<2>, 3> hull;
+    for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
+      {
+        hull[0] += first.value[a] * x[a];
+        hull[1] += last.value[a] * x[a];
+        hull[2] += (first.value[a] + (high - low) / 2 * first.first[a]) * x[a];
+      }
+    return hull;
   }
 
 
@@ -67,10 +103,57 @@ namespace Contact
 
   Projection SurfaceSearch::closest_point(const Point<2> &x) const
   {
+    return choose(x, [](const Projection &) { return true; });
+  }
+
+
+
+  Projection SurfaceSearch::closest_facing(const Point<2>   &x,
+                                           const NormalCone &directions) const
+  {
+    const auto opposite = [&](const Projection &candidate) {
+      return directions.faces(normal(candidate.edge, candidate.xi));
+    };
+    Projection found = choose(x, opposite);
+    if (found.off_the_end && directions.at_end)
+      {
+        const auto beside = [&](const Projection &candidate) {
+          return directions.is_beside(normal(candidate.edge, candidate.xi));
+        };
+        const Projection next = choose(x, beside);
+        if (!next.off_the_end)
+          found = next;
+      }
+    return found;
+  }
+
+
+
+  Projection SurfaceSearch::choose(const Point<2> &x,
+                                   const Accept   &accept) const
+  {
+    Projection found = closest(x, accept);
+    if (found.edge == numbers::invalid_unsigned_int)
+      {
+        // Only to have a distance.
+        found             = closest(x, [](const Projection &) { return true; });
+        found.off_the_end = true;
+        return found;
+      }
+    found      = choose_at_corner(x, found, accept);
+    found.twin = find_twin(x, found, accept);
+    return found;
+  }
+
+
+
+  Projection SurfaceSearch::closest(const Point<2> &x,
+                                    const Accept   &accept) const
+  {
     namespace bgi = boost::geometry::index;
 
     ++counters().projections;
-    Projection best{0, 0, false, false};
+    Projection best{numbers::invalid_unsigned_int, 0, false, false};
     double     best_distance = std::numeric_limits<double>::max();
     for (auto entry = tree.qbegin(bgi::nearest(x, surface.edges.size()));
          entry != tree.qend();
@@ -83,13 +166,89 @@ namespace Contact
         ++counters().candidate_pairs;
         const Projection candidate = project(x, entry->second);
         const double     distance  = distance_square(x, candidate);
-        if (distance < best_distance)
+        if (distance < best_distance && accept(candidate))
           {
             best          = candidate;
             best_distance = distance;
           }
       }
     return best;
+  }
+
+
+
+  unsigned int SurfaceSearch::neighbor(const Projection &projection) const
+  {
+    const auto &edge = surface.edges[projection.edge];
+    return projection.xi > 0   ? edge.next
+           : projection.xi < 0 ? edge.previous
+                               : numbers::invalid_unsigned_int;
+  }
+
+
+
+  Projection SurfaceSearch::choose_at_corner(const Point<2>   &x,
+                                             const Projection &best,
+                                             const Accept     &accept) const
+  {
+    const unsigned int other = neighbor(best);
+    if (other == numbers::invalid_unsigned_int || std::abs(best.xi) <= 1)
+      return best;
+    const Projection beside = project(x, other);
+    if (best.xi * beside.xi > 0 || std::abs(beside.xi) <= 1 ||
+        beside.off_the_end || !accept(beside))
+      return best;
+    return best.off_the_end ||
+               distance_square(x, beside) > distance_square(x, best)
+             ? beside
+             : best;
+  }
+
+
+
+  unsigned int SurfaceSearch::find_twin(const Point<2>   &x,
+                                        const Projection &found,
+                                        const Accept     &accept) const
+  {
+    const unsigned int other = neighbor(found);
+    if (other == numbers::invalid_unsigned_int || std::abs(found.xi) > 1)
+      return numbers::invalid_unsigned_int;
+    const Projection beside = project(x, other);
+
+    // Round-off of coordinates, against an edge.
+    const auto   nodes     = edge_positions(found.edge);
+    const double round_off = 1e-10 * (nodes[1] - nodes[0]).norm();
+    return std::abs(std::sqrt(distance_square(x, beside)) -
+                    std::sqrt(distance_square(x, found))) <= round_off &&
+               std::abs(beside.xi) <= 1 && accept(beside)
+             ? other
+             : numbers::invalid_unsigned_int;
+  }
+
+
+
+  std::vector<unsigned int>
+  SurfaceSearch::edges_in(const BoundingBox<2> &box) const
+  {
+    std::vector<unsigned int> edges;
+    for (auto entry = tree.qbegin(boost::geometry::index::intersects(box));
+         entry != tree.qend();
+         ++entry)
+      edges.push_back(entry->second);
+    return edges;
+  }
+
+
+
+  Tensor<1, 2> SurfaceSearch::normal(const unsigned int edge,
+                                     const double       xi) const
+  {
+    const auto      nodes = edge_positions(edge);
+    const EdgeShape shape(surface.degree, xi);
+    Tensor<1, 2>    along;
+    for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
+      along += shape.first[a] * nodes[a];
+    return Tensor<1, 2>({along[1], -along[0]}) / along.norm();
   }
 
 
@@ -129,7 +288,7 @@ namespace Contact
     const auto &flags      = surface.edges[edge];
     const auto [low, high] = coordinate_range(edge);
     const bool off =
-      (flags.begins_surface && xi < low) || (flags.ends_surface && xi > high);
+      (flags.begins_face && xi < low) || (flags.ends_face && xi > high);
     return {edge,
             std::max(low, std::min(high, xi)),
             off,
