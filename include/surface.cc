@@ -331,6 +331,15 @@ namespace Contact
 
 
 
+  Point<2> Surface::position(const unsigned int    node,
+                             const Vector<double> &u) const
+  {
+    const auto &[dofs, X] = nodes[node];
+    return X + Point<2>(u[dofs[0]], u[dofs[1]]);
+  }
+
+
+
   Tensor<1, 2> Surface::normal(const Edge           &edge,
                                const unsigned int    a,
                                const Vector<double> &u) const
