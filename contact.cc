@@ -180,6 +180,7 @@ namespace Contact
 
     void        pair_bodies();
     void        pair_bodies(const Vector<double> &configuration);
+    void        renew_pairing(Relaxation &relaxation);
     VolumeRatio assemble_forces_of_bodies();
     void        recover_multipliers();
     double      assemble_forces_of_contact();
@@ -801,9 +802,8 @@ namespace Contact
         return;
       }
 
-    double         change = 0;
-    Relaxation     relaxation;
-    Vector<double> configuration = solution;
+    double     change = 0;
+    Relaxation relaxation;
     for (unsigned int turn = 1;
          turn <= parameters.solution.max_geometry_iterations;
          ++turn)
@@ -817,16 +817,17 @@ namespace Contact
 
         screen << "  geometry, turn " << turn << std::endl;
         ++summary.increments.back().geometry_iterations;
-        pair_bodies(configuration);
-        if (turn > 1 && condensed)
+        if (turn == 1)
+          pair_bodies();
+        else if (condensed)
           interface->open_parted(solution);
         solve_with_friction_loop();
 
         // How far the bodies are from where they were paired.
-        const double moved =
-          level > 0 ? interface->largest_change(solution, configuration)
-                    : largest_change(configuration);
-        change = moved == 0 ? 0. : moved / last_increment;
+        const double moved = level > 0
+                               ? interface->largest_change(solution, paired_at)
+                               : largest_change(paired_at);
+        change             = moved == 0 ? 0. : moved / last_increment;
         if (turn > 1 || level > 0)
           {
             screen << "    change of the displacement " << change << std::endl;
@@ -834,16 +835,11 @@ namespace Contact
               return;
           }
 
-        // Where the bodies jump to and fro, they are paired on the way.
-        const double part = relaxation.length(
-          Vector<double>(solution.begin(),
-                         solution.begin() + summary.n_displacements));
-        configuration.sadd(1 - part, part, solution);
+        renew_pairing(relaxation);
       }
     throw NotConverged(
-      "the geometry loop ends with a change of " + brief(change) +
-      " after " + std::to_string(parameters.solution.max_geometry_iterations) +
-      " turns");
+      "the geometry loop ends with a change of " + brief(change) + " after " +
+      std::to_string(parameters.solution.max_geometry_iterations) + " turns");
   }
 
 
@@ -892,9 +888,9 @@ namespace Contact
           }
       }
     throw NotConverged(
-      "the friction loop ends with a change of the bound of " +
-      brief(change) + " after " +
-      std::to_string(parameters.solution.max_friction_iterations) + " turns");
+      "the friction loop ends with a change of the bound of " + brief(change) +
+      " after " + std::to_string(parameters.solution.max_friction_iterations) +
+      " turns");
   }
 
 
@@ -922,11 +918,13 @@ namespace Contact
     bool                  one_at_a_time = false;
     bool                  search        = true;
     PairingGuard          pairing(parameters.solution.geometry_tolerance);
+    Relaxation            relaxation;
     const auto            way = [&]() {
       return interface->largest_change(solution, start);
     };
-    const bool follows = geometry_follows() && pairs_each_step();
-    pairing_is_frozen  = false;
+    const bool follows =
+      geometry_follows() && pairs_each_step() && !linearization.moving_geometry;
+    pairing_is_frozen = false;
     for (unsigned int step = 0;; ++step)
       {
         stop_if_interrupted(communicator);
@@ -944,19 +942,29 @@ namespace Contact
         // After a step the residual is that under the new status of all points:
         // a point may change it for ever where pressure and gap both vanish.
         const bool status_is_new = step > 0 && !one_at_a_time;
+        pairing_is_frozen        = follows && pairing.is_frozen();
+        bool is_to_be_paired     = false;
         if ((status_is_new || now.n_changes == 0) &&
             !discretization->update_is_prescribed() &&
-            now.residual <= newton_tolerance() &&
-            (!follows ||
-             pairing.accepts(interface->largest_change(solution, paired_at),
-                             way())))
-          return;
-        pairing_is_frozen = follows && pairing.is_frozen();
+            now.residual <= newton_tolerance())
+          {
+            if (!follows ||
+                pairing.accepts(interface->largest_change(solution, paired_at),
+                                way()))
+              return;
+            is_to_be_paired = true;
+          }
         if (step >= max_steps + n_single)
           throw NotConverged("Newton's method ends with the residual " +
                              brief(now.residual) + " after " +
                              std::to_string(step) + " steps" +
                              changes_since(last_decisions));
+        if (is_to_be_paired)
+          {
+            renew_pairing(relaxation);
+            guard.forget();
+            continue;
+          }
 
         const bool was_one_at_a_time = one_at_a_time;
         one_at_a_time                = guard.one_at_a_time(now.n_changes);
@@ -1110,6 +1118,22 @@ namespace Contact
       condensed->update_pattern();
     else
       saddle_point->update_pattern(changed);
+  }
+
+
+
+  // @sect4{ContactProblem::renew_pairing}
+  //
+  // A turn of the fixed point of the geometry. Where the bodies jump to and
+  // fro, they are paired on the way.
+  void ContactProblem::renew_pairing(Relaxation &relaxation)
+  {
+    const double part = relaxation.length(
+      Vector<double>(solution.begin(),
+                     solution.begin() + summary.n_displacements));
+    Vector<double> configuration = paired_at;
+    configuration.sadd(1 - part, part, solution);
+    pair_bodies(configuration);
   }
 
 

@@ -16,10 +16,10 @@ namespace Contact
    * side in turn, and no state is a solution under the pairing it leads to. The
    * pairing is frozen after four steps that each moved the surfaces by less
    * than the geometry tolerance, relative to their way since the start of the
-   * increment, and after four steps in a row without progress. A solution under
-   * a frozen pairing is accepted by the criterion of the geometry loop: if the
-   * surfaces are no further than the geometry tolerance from where they were
-   * paired. Otherwise the pairing is renewed again, for twice as many steps.
+   * increment, and after four steps in a row without progress. From then on the
+   * points are paired anew only where Newton's method has converged, as in the
+   * geometry loop, until the surfaces are no further than the geometry
+   * tolerance from where they were paired.
    */
   class PairingGuard
   {
@@ -36,29 +36,28 @@ namespace Contact
     {
       n_short += step <= tolerance * way;
       n_stalled = progress ? 0 : n_stalled + 1;
+      frozen    = frozen || n_short == patience || n_stalled == patience;
     }
 
     bool is_frozen() const
     {
-      return n_short >= patience || n_stalled >= patience;
+      return frozen;
     }
 
-    /// Newton's method has converged, @p moved [mm] from where the surfaces
+    /// Whether a solution is accepted, @p moved [mm] from where the surfaces
     /// were paired.
-    bool accepts(const double moved, const double way)
+    bool accepts(const double moved, const double way) const
     {
-      if (!is_frozen() || moved <= tolerance * way)
-        return true;
-      patience *= 2;
-      n_short = n_stalled = 0;
-      return false;
+      return moved <= tolerance * way;
     }
 
   private:
+    static constexpr unsigned int patience = 4;
+
     const double tolerance;
-    unsigned int patience  = 4;
     unsigned int n_short   = 0; // steps that hardly moved a surface
     unsigned int n_stalled = 0; // steps in a row without progress
+    bool         frozen    = false;
   };
 } // namespace Contact
 
