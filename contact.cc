@@ -119,6 +119,7 @@
 #include "restart_file.h"
 #include "result_files.h"
 #include "result_tables.h"
+#include "rigid_rotation.h"
 #include "saddle_point_system.h"
 #include "stress_recovery.h"
 #include "summary.h"
@@ -266,6 +267,9 @@ namespace Contact
     std::vector<FreeMotion> softly_held;
     std::size_t             n_held_at_start = 0;
 
+    // What turns in itself, on this mesh.
+    std::vector<TurningPiece> turning;
+
     // Nested iteration: the level, and on the level before the solutions and
     // the states of the surface after each increment.
     unsigned int                                             level = 0;
@@ -377,13 +381,13 @@ namespace Contact
     for (const auto &[name, probe] : parameters.probes.probes)
       for (unsigned int i = 1; i < probe.size(); ++i)
         {
-          const auto vertex = mesh->point(probe[i], "Probes/Probes");
+          mesh->point(probe[i], "Probes/Probes");
           if (is_contact_traction(probe[0]))
-            contact_traction(probe[0],
-                             vertex,
-                             interface.get(),
-                             *discretization,
-                             solution);
+            check_contact_traction(name,
+                                   probe[0],
+                                   probe[i],
+                                   interface.get(),
+                                   *discretization);
         }
 
     // From here on the results of an earlier run are replaced; until this one
@@ -523,6 +527,8 @@ namespace Contact
     LoadSteps steps(parameters.solution.n_increments,
                     parameters.solution.max_cuts);
     softly_held.clear();
+    if (interface)
+      turning = turning_pieces(*discretization, *elasticity, *interface);
     if (level > 0 && has_friction())
       {
         pair_bodies();
@@ -559,6 +565,7 @@ namespace Contact
               output_increment(step.increment, /*is_complete=*/false);
             throw NotConverged(message.str());
           }
+        check_rotations(*discretization, *elasticity, solution);
         check_invariants();
         steps.accept(summary.increments.back().newton_iterations);
         softly_held.clear();
@@ -689,23 +696,26 @@ namespace Contact
 
   // @sect4{ContactProblem::hold_what_is_free}
   //
-  // A body that neither supports nor its points in @p contact hold could move
-  // without resistance: it is held softly. Returns whether that is news.
+  // A piece of a body that neither supports nor its points in @p contact hold
+  // could move without resistance: it is held softly. Returns whether that is
+  // news.
   bool ContactProblem::hold_what_is_free(const ContactInterface *contact)
   {
-    const auto free = free_motions(*discretization, contact);
-    bool       news = false;
+    auto free = free_motions(*discretization, contact);
+    for (const TurningPiece &piece : turning)
+      free.push_back({piece.piece, "rotation", 1});
+    bool news = false;
     for (const FreeMotion &motion : free)
       if (std::none_of(softly_held.begin(),
                        softly_held.end(),
                        [&](const FreeMotion &held) {
-                         return held.body == motion.body;
+                         return held.piece == motion.piece;
                        }))
         {
           softly_held.push_back(motion);
           news = true;
-          screen << "  nothing holds the body '" << mesh->body_name(motion.body)
-                 << "' against: " << motion.name << "; it is held softly"
+          screen << "  nothing holds " << mesh->piece_name(motion.piece)
+                 << " against: " << motion.name << "; it is held softly"
                  << std::endl;
         }
     return news;
@@ -733,15 +743,29 @@ namespace Contact
     double softest = std::numeric_limits<double>::max();
     for (const auto &body : mesh->bodies)
       softest = std::min(softest, elasticity->young(body.second));
-    std::map<types::material_id, double> stiffness;
+    std::map<unsigned int, double> stiffness; // by piece
     for (const FreeMotion &motion : softly_held)
-      stiffness[motion.body] =
-        1e-6 * softest * elasticity->soft_hold.mean_circumference(motion.body);
+      stiffness[motion.piece] =
+        1e-6 * softest * elasticity->soft_hold.mean_circumference(motion.piece);
+
+    // What turns in itself may not be carried away by what pushes it: stiff
+    // against the forces, for they have nothing to carry.
+    for (const TurningPiece &piece : turning)
+      {
+        const auto corners =
+          mesh->pieces[piece.piece].box.get_boundary_points();
+        stiffness[piece.piece] =
+          std::max(stiffness[piece.piece],
+                   10 * reference_force /
+                     corners.first.distance(corners.second));
+      }
 
     const unsigned int max_turns = 20;
     for (unsigned int turn = 1;; ++turn)
       {
-        elasticity->soft_hold.hold(stiffness, solution);
+        Vector<double> rest = solution;
+        remove_rotations(*discretization, turning, rest);
+        elasticity->soft_hold.hold(stiffness, rest);
         if (interface)
           {
             pair_bodies();
@@ -749,7 +773,10 @@ namespace Contact
           }
         solve_with_geometry_loop();
 
-        const auto   works  = elasticity->soft_hold.energy(solution);
+        // Against rotation, what turns in itself is held for good.
+        rest = solution;
+        remove_rotations(*discretization, turning, rest);
+        const auto   works  = elasticity->soft_hold.energy(rest);
         const auto   most   = std::max_element(works.begin(),
                                            works.end(),
                                            [](const auto &a, const auto &b) {
@@ -771,14 +798,14 @@ namespace Contact
             const auto         motion = std::find_if(softly_held.begin(),
                                              softly_held.end(),
                                              [&](const FreeMotion &held) {
-                                               return held.body == most->first;
+                                               return held.piece == most->first;
                                              });
             std::ostringstream message;
-            message << "nothing stops the body '"
-                    << mesh->body_name(motion->body) << "' in its "
-                    << motion->name << ": a soft hold still carries " << force
-                    << " N" << discretization->per_thickness() << " after "
-                    << turn << " turns";
+            message << "nothing stops " << mesh->piece_name(motion->piece)
+                    << " in its " << motion->name
+                    << ": a soft hold still carries " << force << " N"
+                    << discretization->per_thickness() << " after " << turn
+                    << " turns";
             throw NotConverged(message.str());
           }
       }
@@ -861,8 +888,7 @@ namespace Contact
         return;
       }
 
-    if (!free_motions(*discretization, interface.get(), /*friction=*/false)
-           .empty())
+    if (!free_motions(*discretization, interface.get(), Tangents::free).empty())
       interface->raise_unknown_bounds();
 
     double     change = 0;
@@ -1411,9 +1437,19 @@ namespace Contact
     if (is_last && interface)
       compare_with_theory();
     const bool with_profile = is_last && parameters.output.profile;
-    if (!parameters.output.vtu && !with_profile)
+    const bool with_nodes   = is_last && parameters.output.nodes;
+    if (!parameters.output.vtu && !with_profile && !with_nodes)
       return;
     TimerOutput::Scope scope(timer, "output");
+
+    Vector<double> forces;
+    if (interface)
+      forces =
+        contact_forces(*interface, solution, start, linearization.moving_bound);
+    if (with_nodes)
+      files->write_nodes(solution, forces);
+    if (!parameters.output.vtu && !with_profile)
+      return;
 
     std::vector<ZoneProfile> profiles;
     if (interface)
@@ -1427,7 +1463,11 @@ namespace Contact
 
     if (parameters.output.vtu)
       {
-        files->write_bodies(k, load_factor, recovered_stresses(), solution);
+        files->write_bodies(k,
+                            load_factor,
+                            recovered_stresses(),
+                            solution,
+                            forces);
         if (interface)
           files->write_contact(k, load_factor, profiles);
       }

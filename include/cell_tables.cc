@@ -88,6 +88,7 @@ namespace Contact
         CellTable cell;
         cell.active_index = dof_cell->active_cell_index();
         cell.body         = dof_cell->material_id();
+        cell.piece        = discretization.mesh.pieces.of_cell(dof_cell);
         cell.material     = &materials.at(cell.body);
         cell.JxW          = fe_values.get_JxW_values();
         cell.points       = fe_values.get_quadrature_points();

@@ -28,6 +28,7 @@ namespace Contact
   {
     unsigned int                         active_index;
     types::material_id                   body;
+    unsigned int                         piece; // of its body, see MeshPieces
     const Material                      *material;
     std::vector<types::global_dof_index> dofs;           // (x, y) node by node
     std::vector<double>                  JxW;            // by point

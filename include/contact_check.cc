@@ -55,16 +55,6 @@ namespace Contact
 
 
 
-  std::string brief(const double value)
-  {
-    std::ostringstream out;
-    out.precision(3);
-    out << value;
-    return out.str();
-  }
-
-
-
   void ContactInvariants::judge(const std::string &name,
                                 const double       value,
                                 const double       limit,

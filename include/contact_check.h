@@ -7,6 +7,7 @@
 #define contact_contact_check_h
 
 #include "contact_interface.h"
+#include "words.h"
 
 namespace Contact
 {
@@ -72,11 +73,6 @@ namespace Contact
     double shear       = 0; // of the bounds by a fixed point [MPa]
     double shear_force = 0; // the same on all points [N per mm]
   };
-
-
-
-  /// A number in a sentence: three digits of it.
-  std::string brief(const double value);
 
 
 

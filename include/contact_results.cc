@@ -6,8 +6,8 @@
 #include "contact_results.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Contact
@@ -80,33 +80,94 @@ namespace Contact
 
 
 
-    /// From the first to the last end of a zone.
-    double
-    width(const Samples &samples, const double length, const Inside inside)
+    /// The sum over all patches, each from its first to its last end. The
+    /// samples are those of one chain of edges, from @p begin to @p end.
+    double patch_lengths(const Samples &samples,
+                         const double   begin,
+                         const double   end,
+                         const Inside   inside)
     {
-      const auto is_inside = [&](const Sample &a) { return a.*inside; };
-      const int  n         = samples.size();
-      const int  first =
-        std::find_if(samples.begin(), samples.end(), is_inside) -
-        samples.begin();
-      if (first == n)
-        return 0;
-      const int last =
-        samples.rend() -
-        std::find_if(samples.rbegin(), samples.rend(), is_inside) - 1;
-
+      const int  n  = samples.size();
       const auto at = [&](const int i) {
         return 0 <= i && i < n ? &samples[i] : nullptr;
       };
       const auto end_at = [&](const int i, const int outwards) {
         const Sample *next = at(i + outwards);
         if (next == nullptr)
-          return outwards > 0 ? length : 0.;
+          return outwards > 0 ? end : begin;
         return inside == &Sample::touches || !next->touches
                  ? end_of_contact(at(i - outwards), samples[i], *next)
                  : end_of_stick(samples[i], *next, at(i + 2 * outwards));
       };
-      return end_at(last, +1) - end_at(first, -1);
+
+      double sum = 0;
+      for (int i = 0; i < n; ++i)
+        {
+          if (!(samples[i].*inside))
+            continue;
+          const int first = i;
+          while (i + 1 < n && samples[i + 1].*inside)
+            ++i;
+          sum += end_at(i, +1) - end_at(first, -1);
+        }
+      return sum;
+    }
+
+
+
+    /// The edges of a surface that hang together: the arc length goes on from
+    /// one such chain to the next, over what is no surface.
+    std::vector<unsigned int> chain_of_edges(const Surface &surface)
+    {
+      std::vector<unsigned int> chains;
+      for (unsigned int e = 0; e < surface.edges.size(); ++e)
+        chains.push_back(
+          e == 0 ? 0 : chains.back() + (surface.edges[e].previous != e - 1));
+      return chains;
+    }
+
+
+
+    /// The patches of all chains together.
+    void add_widths(const Surface              &slave,
+                    const std::vector<double>  &s_of_node,
+                    const std::vector<Samples> &samples,
+                    ContactResults             &results)
+    {
+      const auto chains = chain_of_edges(slave);
+      for (unsigned int chain = 0; chain < samples.size(); ++chain)
+        {
+          Samples of_chain = samples[chain];
+          std::sort(of_chain.begin(),
+                    of_chain.end(),
+                    [](const Sample &a, const Sample &b) { return a.s < b.s; });
+          double begin = std::numeric_limits<double>::max(), end = 0;
+          for (unsigned int e = 0; e < chains.size(); ++e)
+            if (chains[e] == chain)
+              for (unsigned int a = 0; a < 2; ++a)
+                {
+                  begin = std::min(begin, s_of_node[slave.edges[e].nodes[a]]);
+                  end   = std::max(end, s_of_node[slave.edges[e].nodes[a]]);
+                }
+          results.width +=
+            patch_lengths(of_chain, begin, end, &Sample::touches);
+          results.stick_width +=
+            patch_lengths(of_chain, begin, end, &Sample::sticks);
+        }
+    }
+
+
+
+    /// A decision in a message; a point that slips does so against its shear.
+    std::string describe(const Decision &decision)
+    {
+      if (decision.status == Status::open)
+        return "open";
+      if (decision.status == Status::stick)
+        return "sticks";
+      if (decision.slip_direction == 0)
+        return "slips";
+      return decision.slip_direction > 0 ? "slips along -t" : "slips along +t";
     }
   } // namespace
 
@@ -136,10 +197,12 @@ namespace Contact
       X.push_back(node.X);
     const auto s_of_node = slave.arc_length(X);
 
-    ContactResults results;
-    Samples        samples;
+    const auto           chains = chain_of_edges(slave);
+    ContactResults       results;
+    std::vector<Samples> by_chain(chains.back() + 1);
     for (const ContactPoint &point : interface.points_of(zone))
       {
+        Samples        &samples = by_chain[chains[point.slave_edge]];
         const EdgeShape shape(slave.degree, point.slave_xi);
         double          s = 0;
         for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
@@ -168,13 +231,33 @@ namespace Contact
                            traction.p,
                            std::abs(now.slip)});
       }
-    std::sort(samples.begin(),
-              samples.end(),
-              [](const Sample &a, const Sample &b) { return a.s < b.s; });
-
-    results.width       = width(samples, s_of_node.back(), &Sample::touches);
-    results.stick_width = width(samples, s_of_node.back(), &Sample::sticks);
+    add_widths(slave, s_of_node, by_chain, results);
     return results;
+  }
+
+
+
+  Vector<double> contact_forces(const ContactInterface &interface,
+                                const Vector<double>   &solution,
+                                const Vector<double>   &u_start,
+                                const bool              moving_bound)
+  {
+    Vector<double> forces(u_start.size());
+    for (const ContactPoint &point : interface.points)
+      {
+        const ContactState now      = interface.state(point, solution, u_start);
+        const Traction     traction = interface.traction(point,
+                                                     point.decision,
+                                                     now.p_trial,
+                                                     now.q_trial,
+                                                     moving_bound);
+        const Tensor<1, 2> force = point.weight * (traction.p * point.normal +
+                                                   traction.q * point.tangent);
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          for (unsigned int c = 0; c < 2; ++c)
+            forces[point.dofs[a][c]] += point.C[a] * force[c];
+      }
+    return forces;
   }
 
 
@@ -184,10 +267,9 @@ namespace Contact
                                const Vector<double>        &solution,
                                const Vector<double>        &u_start)
   {
-    const std::array<std::string, 3> names{{"open", "sticks", "slips"}};
-    const unsigned int               max_lines = 10;
-    unsigned int                     n         = 0;
-    std::ostringstream               text;
+    const unsigned int max_lines = 10;
+    unsigned int       n         = 0;
+    std::ostringstream text;
     for (unsigned int q = 0; q < decisions.size(); ++q)
       {
         const ContactPoint &point = interface.points[q];
@@ -196,10 +278,10 @@ namespace Contact
         const ContactState now = interface.state(point, solution, u_start);
         text << "\n        point " << q << " at X = ("
              << interface.zone(point).place(point)
-             << ") mm: " << names[static_cast<int>(decisions[q].status)]
-             << ", now " << names[static_cast<int>(point.decision.status)]
-             << "; gap " << now.gap << " mm, pressure " << now.lambda_n
-             << " MPa, shear " << now.lambda_t << " MPa";
+             << ") mm: " << describe(decisions[q]) << ", now "
+             << describe(point.decision) << "; gap " << now.gap
+             << " mm, pressure " << now.lambda_n << " MPa, shear "
+             << now.lambda_t << " MPa";
       }
     if (n > max_lines)
       text << "\n        and " << n - max_lines << " more";

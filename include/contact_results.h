@@ -29,8 +29,9 @@ namespace Contact
     double max_shear    = 0;
 
     /**
-     * From the first to the last place of contact, and of sticking, by the
-     * undeformed arc length of the slave [mm]. Between two points contact ends
+     * The lengths of all patches of contact, and of sticking, by the undeformed
+     * arc length of the slave [mm]. A patch is a row of points that touch, or
+     * stick, from its first to its last end. Between two points contact ends
      * where p^2 vanishes, extrapolated linearly from the last two points in
      * contact, and sticking where |slip|^(2/3) vanishes, extrapolated from the
      * first two points that slip: where smooth bodies part, pressure begins
@@ -50,6 +51,14 @@ namespace Contact
                                  const Vector<double>   &solution,
                                  const Vector<double>   &u_start,
                                  const bool              moving_bound = false);
+
+  /// The forces of contact on the nodes by displacement unknown, w (p n + q t)
+  /// C summed over the points [N per mm of thickness; rings: N]. The vector is
+  /// as long as @p u_start.
+  Vector<double> contact_forces(const ContactInterface &interface,
+                                const Vector<double>   &solution,
+                                const Vector<double>   &u_start,
+                                const bool              moving_bound);
 
   /// Which points have changed their minds since @p decisions, where, from what
   /// to what: a line each, at most ten.

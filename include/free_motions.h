@@ -6,6 +6,7 @@
 #ifndef contact_free_motions_h
 #define contact_free_motions_h
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,31 +17,55 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// A rigid motion of a body that nothing resists.
+  /// A rigid motion of a piece of a body that nothing resists.
   struct FreeMotion
   {
-    types::material_id body;
-    std::string        name; // as in "displacement in x with rotation"
+    unsigned int piece; // see MeshPieces
+    std::string  name;  // as in "displacement in x with rotation"
+    unsigned int n;     // how many motions that are: three if all are free
+  };
+
+
+
+  /// What the points in contact resist along their tangents: nothing; what
+  /// sticks, as they have decided; or as if all of them stuck.
+  enum class Tangents
+  {
+    free,
+    as_decided,
+    stuck
   };
 
 
 
   /**
-   * Of every body that something could move without resistance, one such rigid
-   * motion: supports and ties hold it, and, unless @p interface is null, its
-   * points in contact along their normals and, with @p friction, where they
-   * stick along their tangents as well. Each resisted direction is a row over the three rigid
-   * motions of the body; what is free is in the null space of the sum of the
-   * rows' squares.
+   * The pieces of the bodies that something could move without resistance, and
+   * their motions: supports hold them, ties, the nodes that they have in common
+   * with other pieces, and, unless @p interface is null, the points in contact
+   * along their normals and, as @p tangents says, along their tangents.
+   *
+   * Each piece has three rigid motions. A resisted direction is a row over
+   * those of all pieces: the displacement there, or the difference of the
+   * displacements of the two pieces that touch, are tied or share a node, so
+   * that two pieces that hold but each other are both free. What is free is the
+   * null space of the sum of the rows' squares. Collective.
    */
-  std::vector<FreeMotion> free_motions(const Discretization   &discretization,
-                                       const ContactInterface *interface,
-                                       const bool friction = true);
+  std::vector<FreeMotion>
+  free_motions(const Discretization   &discretization,
+               const ContactInterface *interface,
+               const Tangents          tangents = Tangents::as_decided);
+
+  /// The pieces of the nodes of all surfaces, by the first unknown of the node.
+  /// Collective.
+  std::map<types::global_dof_index, unsigned int>
+  pieces_of_nodes(const Discretization   &discretization,
+                  const ContactInterface &interface);
 
   /**
-   * Check that every body is held, or can come to be: by supports, or by
-   * contact if it has a surface that may touch another body. Throws InputError
-   * with the name of the body and a motion that is free.
+   * Check that every piece of a body is held, or can come to be: by supports,
+   * or by contact if it has a surface that may touch another body. Throws
+   * InputError with the name of the body, the place of the piece if the body
+   * has several, and a motion that is free. Collective.
    */
   void check_supports(const Discretization   &discretization,
                       const ContactInterface *interface);

@@ -74,6 +74,20 @@ namespace Contact
 
 
 
+    /// On an obstacle the rules nodal and mortar are one, see ContactZone.
+    std::string rule_of(const ContactZone         &zone,
+                        const Parameters::Contact &parameters)
+    {
+      const std::string points = std::to_string(zone.n_points) + " points";
+      if (zone.master)
+        return parameters.rule + " rule, " + points;
+      return (parameters.rule == "mortar" ? "nodal rule, which mortar is here, "
+                                          : parameters.rule + " rule, ") +
+             points + " on an obstacle";
+    }
+
+
+
     void add_zone(const ContactZone          &zone,
                   const Parameters::Contact  &parameters,
                   const Parameters::Solution &solution,
@@ -81,8 +95,7 @@ namespace Contact
     {
       effects.push_back(
         {"contact",
-         parameters.rule + " rule, " + std::to_string(zone.n_points) +
-           " points" + (zone.master ? "" : " on an obstacle"),
+         rule_of(zone, parameters),
          std::to_string((zone.law.is_frictionless() ? 1 : 2) *
                         zone.multipliers.n_multipliers) +
            " multipliers" + (zone.tied ? "" : ", active set"),
@@ -157,7 +170,7 @@ namespace Contact
     effects.push_back(
       {"files",
        std::string("summary") + (output.vtu ? ", VTU of each increment" : "") +
-         (profile ? ", profile" : ""),
+         (profile ? ", profile" : "") + (output.nodes ? ", nodes" : ""),
        output.vtu || profile ? "stresses recovered" : "no stress for them",
        output.vtu ? "Output/VTU" : "Output/Profile"});
     return effects;

@@ -85,7 +85,8 @@ namespace Contact
     if (status != UMFPACK_OK)
       throw NotConverged(
         status == UMFPACK_WARNING_singular_matrix
-          ? "the matrix is singular: a body can move without resistance"
+          ? "the matrix is singular: a body can move without resistance, or "
+            "supports and contact hold a node twice"
           : "UMFPACK failed with status " + std::to_string(status));
   }
 

@@ -17,6 +17,7 @@
 #include "arcs.h"
 #include "coarse_mesh.h"
 #include "errors.h"
+#include "words.h"
 
 namespace Contact
 {
@@ -171,8 +172,8 @@ namespace Contact
       if (!arc.on_circle(p))
         throw InputError("the point " + to_string(p) + " of the arc '" + name +
                            "' is " +
-                           std::to_string(p.distance(arc.center) - arc.radius) +
-                           " away from its circle",
+                           brief(p.distance(arc.center) - arc.radius) +
+                           " mm away from its circle",
                          "entry 'Mesh/Arcs'",
                          "correct the circle, or the group in the mesh");
     }
@@ -246,6 +247,7 @@ namespace Contact
     triangulation.create_triangulation(coarse.vertices,
                                        coarse.cells,
                                        coarse.lines);
+    pieces.find(triangulation);
     set_arcs(parameters, placement, *this);
     triangulation.refine_global(parameters.refinements);
   }
@@ -309,5 +311,12 @@ namespace Contact
         return name;
     Assert(false, ExcMessage("There is no such body."));
     return "";
+  }
+
+
+
+  std::string Mesh::piece_name(const unsigned int piece) const
+  {
+    return pieces.describe(piece, body_name(pieces[piece].body));
   }
 } // namespace Contact

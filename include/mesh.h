@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh_pieces.h"
 #include "parameters.h"
 
 namespace Contact
@@ -69,6 +70,9 @@ namespace Contact
     /// which are no corners of cells are left out.
     std::map<std::string, unsigned int> points;
 
+    /// What moves as one rigid body each.
+    MeshPieces pieces;
+
     /// The groups above, or an InputError which says what there is instead.
     /// @p entry is the entry of the parameters that names the group.
     types::material_id body(const std::string &name,
@@ -85,6 +89,9 @@ namespace Contact
 
     /// The name of a body by its id.
     std::string body_name(const types::material_id id) const;
+
+    /// How a message calls a piece, see MeshPieces::describe().
+    std::string piece_name(const unsigned int piece) const;
 
   private:
     Mesh(const Parameters::Mesh &parameters,

@@ -322,6 +322,7 @@ namespace Contact
 
       bool vtu     = false;
       bool profile = false;
+      bool nodes   = false;
 
       void add_parameters(ParameterHandler &prm);
     };

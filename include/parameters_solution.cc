@@ -223,6 +223,10 @@ namespace Contact
                         profile,
                         "Whether pressure, shear, gap and slip along both "
                         "surfaces are written at the end [-].");
+      prm.add_parameter("Nodes",
+                        nodes,
+                        "Whether displacements and forces of contact of all "
+                        "nodes are written in full precision at the end [-].");
       prm.leave_subsection();
     }
   } // namespace Parameters

@@ -5,6 +5,7 @@
 
 #include "probes.h"
 
+#include <algorithm>
 #include <map>
 
 #include "errors.h"
@@ -33,33 +34,105 @@ namespace Contact
 
 
 
+  namespace
+  {
+    /// A node of the slave of a zone, with a pressure.
+    struct SlaveNode
+    {
+      const ContactZone *zone;
+      unsigned int       number;
+    };
+
+
+
+    /// The slave nodes with these unknowns, at most one of each zone.
+    std::vector<SlaveNode> slave_nodes_at(const NodeDoFs         &dofs,
+                                          const ContactInterface *interface)
+    {
+      std::vector<SlaveNode> found;
+      if (interface != nullptr)
+        for (const auto &zone : interface->zones)
+          for (unsigned int n = 0; n < zone->slave.nodes.size(); ++n)
+            if (zone->slave.nodes[n].dofs == dofs &&
+                !zone->pressure_at(n).empty())
+              found.push_back({zone.get(), n});
+      return found;
+    }
+
+
+
+    bool has_node(const Surface &surface, const NodeDoFs &dofs)
+    {
+      return std::any_of(surface.nodes.begin(),
+                         surface.nodes.end(),
+                         [&](const auto &node) { return node.dofs == dofs; });
+    }
+
+
+
+    /// Why no multiplier is at a node.
+    std::string why_no_multiplier(const NodeDoFs         &dofs,
+                                  const ContactInterface *interface)
+    {
+      if (interface == nullptr)
+        return "the scene has no contact";
+      for (const auto &zone : interface->zones)
+        {
+          const std::string name =
+            zone->name.empty() ? "" : " of the zone '" + zone->name + "'";
+          if (has_node(zone->slave, dofs))
+            return "it is on the slave" + name + ", but no point of contact is";
+          if (zone->master && has_node(*zone->master, dofs))
+            return "it is on the master" + name +
+                   ", and the tractions are those of the slave";
+        }
+      return "it is on no slave";
+    }
+  } // namespace
+
+
+
+  void check_contact_traction(const std::string      &probe,
+                              const std::string      &quantity,
+                              const std::string      &point,
+                              const ContactInterface *interface,
+                              const Discretization   &discretization)
+  {
+    const NodeDoFs &dofs =
+      discretization
+        .vertex_dofs[discretization.mesh.point(point, "Probes/Probes")];
+    const auto found = slave_nodes_at(dofs, interface);
+    if (found.empty())
+      throw InputError("there is no " + quantity +
+                         " of contact at the point '" + point +
+                         "': " + why_no_multiplier(dofs, interface),
+                       "Probes/Probes, '" + probe + "'",
+                       "name a point group on a slave, or a stress");
+    if (found.size() > 1)
+      throw InputError("the point '" + point + "' has a " + quantity +
+                         " of contact in two zones, '" + found[0].zone->name +
+                         "' and '" + found[1].zone->name + "'",
+                       "Probes/Probes, '" + probe + "'",
+                       "name a point of one zone only, or a stress; "
+                       "'Output/Profile' has both");
+  }
+
+
+
   double contact_traction(const std::string      &quantity,
                           const unsigned int      vertex,
                           const ContactInterface *interface,
                           const Discretization   &discretization,
                           const Vector<double>   &solution)
   {
-    const NodeDoFs &dofs = discretization.vertex_dofs[vertex];
-    if (interface != nullptr)
-      for (const auto &zone : interface->zones)
-        for (unsigned int n = 0; n < zone->slave.nodes.size(); ++n)
-          if (zone->slave.nodes[n].dofs == dofs)
-            {
-              const auto pressure = zone->pressure_at(n);
-              if (pressure.empty())
-                continue;
-              if (quantity == "pressure")
-                return interface->pressure(pressure, solution);
-              const unsigned int k = zone->multipliers.of_node[n];
-              return zone->law.is_frictionless() ||
-                         k == numbers::invalid_unsigned_int
-                       ? 0.
-                       : solution[interface->tangential_index(k)];
-            }
-    throw InputError("there is no " + quantity +
-                       " of contact at a point that is asked for",
-                     "Probes/Probes",
-                     "name a point group on a slave, or a stress");
+    const auto [zone, n] =
+      slave_nodes_at(discretization.vertex_dofs[vertex], interface).at(0);
+    if (quantity == "pressure")
+      return interface->pressure(zone->pressure_at(n), solution);
+    const unsigned int k = zone->multipliers.of_node[n];
+    return zone->law.is_frictionless() || k == numbers::invalid_unsigned_int
+             ? 0.
+             : solution[interface->tangential_index(k)];
   }
 
 

@@ -24,9 +24,17 @@ namespace Contact
   /// Whether a quantity is a stress in a body.
   bool is_stress(const std::string &quantity);
 
-  /// The traction [MPa] at a vertex of the triangulation, the multiplier of the
-  /// first zone that has one there; zero without friction for the shear. Throws
-  /// InputError if no slave carries a multiplier there.
+  /// Check that there is one traction of contact at a named point. Throws
+  /// InputError with the name of the @p probe and the reason if no slave, or
+  /// those of two zones, carry a multiplier there.
+  void check_contact_traction(const std::string      &probe,
+                              const std::string      &quantity,
+                              const std::string      &point,
+                              const ContactInterface *interface,
+                              const Discretization   &discretization);
+
+  /// The traction [MPa] at a vertex of the triangulation that was checked: the
+  /// multiplier there; zero without friction for the shear.
   double contact_traction(const std::string      &quantity,
                           const unsigned int      vertex,
                           const ContactInterface *interface,

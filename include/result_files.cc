@@ -15,6 +15,7 @@
 
 #include "all_ranks.h"
 #include "files.h"
+#include "node_table.h"
 #include "vertex_fields.h"
 
 namespace Contact
@@ -28,7 +29,8 @@ namespace Contact
     /// of the time of the best one.
     DataOutBase::VtkFlags vtk_flags(const unsigned int k,
                                     const double       load_factor,
-                                    const unsigned int degree)
+                                    const unsigned int degree,
+                                    const std::string &force_unit = "N/mm")
     {
       DataOutBase::VtkFlags flags(load_factor, k);
       flags.print_date_and_time = false;
@@ -36,6 +38,7 @@ namespace Contact
       flags.compression_level = decltype(flags.compression_level)::best_speed;
       flags.write_higher_order_cells = degree > 1;
       flags.physical_units           = {{"displacement", "mm"},
+                                        {"contact_force", force_unit},
                                         {"stress_xx", "MPa"},
                                         {"stress_yy", "MPa"},
                                         {"stress_zz", "MPa"},
@@ -142,7 +145,7 @@ namespace Contact
     // What an earlier run has written would look as if this one had.
     if (rank() == 0)
       for (const std::string name :
-           {"bodies.pvd", "contact.pvd", "profile.csv"})
+           {"bodies.pvd", "contact.pvd", "profile.csv", "nodes.csv"})
         std::filesystem::remove(directory / name);
   }
 
@@ -165,6 +168,16 @@ namespace Contact
   unsigned int ResultFiles::rank() const
   {
     return Utilities::MPI::this_mpi_process(discretization.communicator);
+  }
+
+
+
+  Vector<double> ResultFiles::owned_part(const Vector<double> &values) const
+  {
+    Vector<double> part(discretization.dof_handler.n_dofs());
+    for (const auto i : discretization.dof_handler.locally_owned_dofs())
+      part[i] = values[i];
+    return part;
   }
 
 
@@ -201,13 +214,10 @@ namespace Contact
     const unsigned int                        k,
     const double                              load_factor,
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-    const Vector<double>                     &solution)
+    const Vector<double>                     &solution,
+    const Vector<double>                     &contact_forces)
   {
-    // Every rank hands over what it owns: the hanging nodes of others it does
-    // not know.
-    Vector<double> u(discretization.dof_handler.n_dofs());
-    for (const auto i : discretization.dof_handler.locally_owned_dofs())
-      u[i] = solution[i];
+    const Vector<double> u = owned_part(solution);
 
     const auto    &triangulation = discretization.mesh.triangulation;
     Vector<double> body(triangulation.n_active_cells());
@@ -217,12 +227,25 @@ namespace Contact
 
     DataOut<2> data_out;
     data_out.attach_dof_handler(discretization.dof_handler);
-    data_out.set_flags(vtk_flags(k, load_factor, discretization.degree));
+    data_out.set_flags(vtk_flags(k,
+                                 load_factor,
+                                 discretization.degree,
+                                 "N" + discretization.per_thickness()));
     data_out.add_data_vector(discretization.dof_handler,
                              u,
                              std::vector<std::string>(2, "displacement"),
                              {component_is_part_of_vector,
                               component_is_part_of_vector});
+    Vector<double> forces;
+    if (contact_forces.size() > 0)
+      {
+        forces = owned_part(contact_forces);
+        data_out.add_data_vector(discretization.dof_handler,
+                                 forces,
+                                 std::vector<std::string>(2, "contact_force"),
+                                 {component_is_part_of_vector,
+                                  component_is_part_of_vector});
+      }
     vertex_fields.attach(data_out);
     data_out.add_data_vector(body, "body", DataOut<2>::type_cell_data);
     Vector<double> converged(triangulation.n_active_cells());
@@ -286,6 +309,17 @@ namespace Contact
     });
     contact.emplace_back(load_factor, file);
     write_series("contact", contact);
+  }
+
+
+
+  void ResultFiles::write_nodes(const Vector<double> &solution,
+                                const Vector<double> &contact_forces) const
+  {
+    const auto rows = collect_nodes(discretization, solution, contact_forces);
+    write_first("nodes.csv", [&](std::ostream &out) {
+      Contact::write_nodes(out, discretization.mesh, rows);
+    });
   }
 
 

@@ -40,13 +40,15 @@ namespace Contact
     /**
      * Write bodies_000k.vtu of increment @p k, and bodies.pvd anew: all cells
      * at their degree with displacement [mm], Cauchy stress and von Mises
-     * stress [MPa] and body (material id). Only what has converged is written:
-     * the field "converged" is 1.
+     * stress [MPa], body (material id), and, unless @p contact_forces is empty,
+     * the forces of contact on the nodes [N per mm of thickness; rings: N].
+     * Only what has converged is written: the field "converged" is 1.
      */
     void write_bodies(const unsigned int                        k,
                       const double                              load_factor,
                       const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                      const Vector<double>                     &solution);
+                      const Vector<double>                     &solution,
+                      const Vector<double> &contact_forces = {});
 
     /**
      * Write contact_000k.vtu of increment @p k, and contact.pvd anew: the
@@ -61,6 +63,10 @@ namespace Contact
     /// surfaces, "slave" and "master" with the name of the zone, if it has one.
     /// Where there is no exact solution its fields are empty.
     void write_profile(const std::vector<ZoneProfile> &zones) const;
+
+    /// Write nodes.csv: see write_nodes() and collect_nodes(). Collective.
+    void write_nodes(const Vector<double> &solution,
+                     const Vector<double> &contact_forces) const;
 
     /// The increments written so far, for a restart.
     template<class Archive>
@@ -85,6 +91,10 @@ namespace Contact
     void write_series(const std::string &name, const Series &series) const;
 
     unsigned int rank() const;
+
+    /// The values of a vector of the displacement at the unknowns that this
+    /// rank owns: of others it may not know all.
+    Vector<double> owned_part(const Vector<double> &values) const;
 
     const Discretization &discretization;
     Series                bodies, contact;

@@ -15,36 +15,35 @@ namespace Contact
                      const std::vector<CellTable> &cells)
     : discretization(discretization)
     , cells(cells)
+    , areas(discretization.mesh.pieces.size())
+    , volumes(areas.size())
   {
-    for (const auto &[name, body] : discretization.mesh.bodies)
-      areas[body] = volumes[body] = 0;
     for (const CellTable &cell : cells)
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)
         {
-          volumes[cell.body] += cell.JxW[q];
-          areas[cell.body] +=
+          volumes[cell.piece] += cell.JxW[q];
+          areas[cell.piece] +=
             cell.JxW[q] / discretization.circumference(cell.points[q]);
         }
     for (auto *sums : {&areas, &volumes})
-      for (auto &[body, sum] : *sums)
-        sum = Utilities::MPI::sum(sum, discretization.communicator);
+      Utilities::MPI::sum(*sums, discretization.communicator, *sums);
   }
 
 
 
-  void SoftHold::hold(const std::map<types::material_id, double> &stiffness,
-                      const Vector<double>                       &rest)
+  void SoftHold::hold(const std::map<unsigned int, double> &stiffness,
+                      const Vector<double>                 &rest)
   {
     Assert(rest.size() >= discretization.dof_handler.n_dofs(),
            ExcDimensionMismatch(rest.size(),
                                 discretization.dof_handler.n_dofs()));
-    std::map<types::material_id, double> positive;
-    for (const auto &[body, k] : stiffness)
+    std::map<unsigned int, double> positive;
+    for (const auto &[piece, k] : stiffness)
       {
-        Assert(volumes.count(body) > 0, ExcMessage("no such body"));
+        AssertIndexRange(piece, volumes.size());
         Assert(k >= 0, ExcMessage("a negative stiffness"));
         if (k > 0)
-          positive[body] = k;
+          positive[piece] = k;
       }
     if (positive != this->stiffness)
       ++n_changes;
@@ -66,13 +65,13 @@ namespace Contact
 
   double SoftHold::spring(const CellTable &cell) const
   {
-    const auto held = stiffness.find(cell.body);
+    const auto held = stiffness.find(cell.piece);
     if (held == stiffness.end())
       return 0;
     double volume = 0;
     for (const double JxW : cell.JxW)
       volume += JxW;
-    return held->second * volume / volumes.at(cell.body) / cell.n_corners();
+    return held->second * volume / volumes[cell.piece] / cell.n_corners();
   }
 
 
@@ -95,26 +94,25 @@ namespace Contact
 
 
 
-  std::map<types::material_id, double>
-  SoftHold::energy(const Vector<double> &u) const
+  std::map<unsigned int, double> SoftHold::energy(const Vector<double> &u) const
   {
-    std::map<types::material_id, double> energies;
-    for (const auto &[body, k] : stiffness)
-      energies[body] = 0;
+    std::map<unsigned int, double> energies;
+    for (const auto &[piece, k] : stiffness)
+      energies[piece] = 0;
     for (const CellTable &cell : cells)
       if (const double k = spring(cell); k > 0)
         for (unsigned int i = 0; i < 2 * cell.n_corners(); ++i)
-          energies[cell.body] +=
+          energies[cell.piece] +=
             0.5 * k * std::pow(u[cell.dofs[i]] - rest[cell.dofs[i]], 2);
-    for (auto &[body, energy] : energies)
+    for (auto &[piece, energy] : energies)
       energy = Utilities::MPI::sum(energy, discretization.communicator);
     return energies;
   }
 
 
 
-  double SoftHold::mean_circumference(const types::material_id body) const
+  double SoftHold::mean_circumference(const unsigned int piece) const
   {
-    return volumes.at(body) / areas.at(body);
+    return volumes[piece] / areas[piece];
   }
 } // namespace Contact

@@ -51,6 +51,16 @@ namespace Contact
 
 
 
+  std::string brief(const double value)
+  {
+    std::ostringstream out;
+    out.precision(3);
+    out << value;
+    return out.str();
+  }
+
+
+
   std::string lower_case(std::string text)
   {
     for (char &c : text)

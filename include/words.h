@@ -16,6 +16,9 @@ namespace Contact
   /// has in it may be of any length, or no text at all.
   std::string in_quotes(const std::string &name);
 
+  /// A number in a sentence: three digits of it.
+  std::string brief(const double value);
+
   /// In lower case, as far as it is ASCII.
   std::string lower_case(std::string text);
 

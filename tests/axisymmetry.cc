@@ -261,8 +261,10 @@ namespace
       std::cout << "  " << name << ':';
       for (const FreeMotion &motion :
            free_motions(bodies.discretization, nullptr))
-        std::cout << ' ' << bodies.mesh.body_name(motion.body) << ", "
-                  << motion.name;
+        std::cout << ' '
+                  << bodies.mesh.body_name(
+                       bodies.mesh.pieces[motion.piece].body)
+                  << ", " << motion.name;
       std::cout << std::endl;
     };
     auto parameters = two_cylinders(1, "mortar");

@@ -159,7 +159,10 @@ expect "There is a master and an obstacle" "$good" \
 expect "is no obstacle with these numbers" "$good" --set Contact/Master= \
   --set "Contact/Obstacle=circle: 0, 0"
 expect "A zone has no surfaces" "$good" --set "Contact second/Rule=nodal"
-expect "no pressure of contact" "$good" \
+expect "no pressure of contact at the point 'Force': it is on no slave" "$good" \
+  --set "Probes/Probes=p: pressure, Force" --set Probes/References= \
+  --set Probes/Tolerances=
+expect "where:  Probes/Probes, 'p'" "$good" \
   --set "Probes/Probes=p: pressure, Force" --set Probes/References= \
   --set Probes/Tolerances=
 expect "mortar segments" "$good" --set Contact/Rule=mortar --set "$saddle" \

@@ -33,6 +33,17 @@ namespace
 
 
 
+  // The first piece of a body.
+  unsigned int piece_of(const Mesh &mesh, const std::string &body)
+  {
+    unsigned int piece = 0;
+    while (mesh.pieces[piece].body != mesh.bodies.at(body))
+      ++piece;
+    return piece;
+  }
+
+
+
   // The energy the forces belong to.
   double energy(const Elasticity &elasticity, const Vector<double> &u)
   {
@@ -65,8 +76,8 @@ namespace
     headline("degree " + std::to_string(degree) + ", " + kinematics);
     const Bodies bodies(make_case(degree, kinematics));
     Elasticity  &elasticity = *bodies.elasticity;
-    const auto   lower      = bodies.mesh.bodies.at("lower");
-    const auto   upper      = bodies.mesh.bodies.at("upper");
+    const auto   lower      = piece_of(bodies.mesh, "lower");
+    const auto   upper      = piece_of(bodies.mesh, "upper");
 
     Random         random;
     Vector<double> u(bodies.n_dofs()), rest(bodies.n_dofs());
@@ -87,7 +98,7 @@ namespace
     elasticity.soft_hold.hold({{lower, k}, {upper, 0}}, none);
     check("one body is held",
           elasticity.soft_hold.held() ==
-            std::map<types::material_id, double>{{lower, k}});
+            std::map<unsigned int, double>{{lower, k}});
     check("the tangent is new", elasticity.tangent_version() == version + 1);
     auto sums = resultants(bodies, translated);
     check_small("its force", (sums[lower] - k * d).norm(), 1e-10);
@@ -127,6 +138,42 @@ namespace
 
 
 
+  // A body of two pieces, of which one is held.
+  void hold_a_piece()
+  {
+    headline("a body of two pieces");
+    MeshText mesh;
+    mesh.block("body", 2, 2, rectangle({0, 0}, {1, 1}));
+    mesh.block("body", 2, 1, rectangle({3, 0}, {5, 1}));
+    const Bodies bodies(make_parameters(mesh, {"body"}, 1, "small strain"));
+    const MeshPieces &pieces = bodies.mesh.pieces;
+    check("two pieces", pieces.size() == 2);
+    check("neither is the whole body",
+          !pieces.is_whole_body(0) && !pieces.is_whole_body(1));
+    check("named by their place",
+          bodies.mesh.piece_name(1) ==
+            "the piece of the body 'body' from (3, 0) to (5, 1) mm");
+    check("no joints", pieces.joints().empty());
+
+    const double         k = 7;
+    const Tensor<1, 2>   d({0.3, -0.2});
+    const Vector<double> translated =
+      bodies.displacement([&](const Point<2> &X) { return X + d; });
+    Elasticity &elasticity = *bodies.elasticity;
+    elasticity.soft_hold.hold({{1, k}}, Vector<double>(translated.size()));
+
+    const auto   forces     = elasticity.forces(translated, 0);
+    const auto   components = bodies.components();
+    const auto   X          = bodies.support_points();
+    Tensor<1, 2> of_first, of_second;
+    for (unsigned int i = 0; i < forces.size(); ++i)
+      (X[i][0] < 2 ? of_first : of_second)[components[i]] += forces[i];
+    check_small("force on the first", of_first.norm(), 1e-10);
+    check_small("on the second", (of_second - k * d).norm(), 1e-10);
+  }
+
+
+
   // A body that nothing else holds: the springs carry the force on it, whose
   // energy is at least that of a translation by force over stiffness.
   void push()
@@ -151,7 +198,7 @@ namespace
     Vector<double> u(bodies.n_dofs());
     for (unsigned int step = 1; step <= 2; ++step)
       {
-        elasticity.soft_hold.hold({{bodies.mesh.bodies.at("lower"), k}}, u);
+        elasticity.soft_hold.hold({{piece_of(bodies.mesh, "lower"), k}}, u);
         Vector<double> rhs(u.size());
         matrix = 0;
         elasticity.assemble(u, 1, rhs, &matrix);
@@ -169,7 +216,7 @@ namespace
                       .norm(),
                     1e-9);
         const double energy =
-          elasticity.soft_hold.energy(u).at(bodies.mesh.bodies.at("lower"));
+          elasticity.soft_hold.energy(u).at(piece_of(bodies.mesh, "lower"));
         check("energy of step " + std::to_string(step) +
                 " at least that of a translation",
               energy > 0.5 * 7 * 7 / k * (1 - 1e-10));
@@ -184,5 +231,6 @@ int main()
   for (const std::string kinematics : {"small strain", "large displacement"})
     for (const unsigned int degree : {1, 2})
       hold(degree, kinematics);
+  hold_a_piece();
   push();
 }

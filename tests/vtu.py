@@ -36,7 +36,7 @@ except ImportError as missing:
     print(f"skipped: {missing}; apt-get install python3-vtk9")
     sys.exit(0)
 
-BODY_ARRAYS = {"displacement": 3, "stress_xx": 1, "stress_yy": 1,
+BODY_ARRAYS = {"displacement": 3, "contact_force": 3, "stress_xx": 1, "stress_yy": 1,
                "stress_zz": 1, "stress_xy": 1, "von_mises": 1,
                "body": 1, "converged": 1}
 CONTACT_ARRAYS = {"displacement": 3, "pressure": 1, "shear": 1, "gap": 1,

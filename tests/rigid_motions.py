@@ -1,0 +1,294 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Bodies that can move as a whole, run by the program.
+
+Proves that
+
+- a body of several pieces is looked at piece by piece: one that nothing can
+  hold is named by its place, on one process and on two, also on a finer mesh;
+  one that comes to touch later is held until then;
+- a ring that can turn in itself stays as it is under pressure, without friction
+  and in small strain, with every rule, and carries Lame's contact pressure;
+- a body that turns further than small strain can mean ends the run, which says
+  so; with large displacements it does not;
+- width is the length of all patches; nodes.csv has forces in balance.
+
+Usage: rigid_motions.py CONTACT PARAMETERS MESHES
+"""
+
+import csv
+import json
+import math
+import pathlib
+import subprocess
+import sys
+
+contact = pathlib.Path(sys.argv[1]).resolve()
+failures = 0
+
+
+def check(what, ok, detail=""):
+    global failures
+    print(f"{'ok' if ok else 'FAILED'}: {what} {detail}")
+    failures += not ok
+
+
+class Mesh:
+    """Blocks of quadrangles, mapped, with named sides."""
+
+    def __init__(self):
+        self.nodes, self.elements, self.groups = [], [], {}
+
+    def add(self, dimension, group, corners):
+        tag = self.groups.setdefault((dimension, group), len(self.groups) + 1)
+        kind = {0: 15, 1: 1, 2: 3}[dimension]
+        self.elements.append((kind, tag, corners))
+
+    def block(self, body, nx, ny, chart, sides, closed=False):
+        """Sides: bottom, right, top, left; closed: left is right."""
+        columns = nx if closed else nx + 1
+        first = len(self.nodes) + 1
+        for j in range(ny + 1):
+            for i in range(columns):
+                self.nodes.append(chart(i / nx, j / ny))
+
+        def node(i, j):
+            return first + j * columns + i % columns
+        for j in range(ny):
+            for i in range(nx):
+                self.add(2, body, (node(i, j), node(i + 1, j),
+                                   node(i + 1, j + 1), node(i, j + 1)))
+        for side, a, b in (
+                [("bottom", (i, 0), (i + 1, 0)) for i in range(nx)] +
+                [("top", (i, ny), (i + 1, ny)) for i in range(nx)] +
+                [("left", (0, j), (0, j + 1)) for j in range(ny)] +
+                [("right", (nx, j), (nx, j + 1)) for j in range(ny)]):
+            if side in sides:
+                self.add(1, sides[side], (node(*a), node(*b)))
+        if "corner" in sides:
+            self.add(0, sides["corner"], (node(0, 0),))
+
+    def merge(self):
+        """One node for those at the same place."""
+        first = {}
+        same = [first.setdefault(p, i + 1) for i, p in enumerate(self.nodes)]
+        self.elements = [(kind, tag, tuple(same[c - 1] for c in corners))
+                         for kind, tag, corners in self.elements]
+
+    def write(self, name):
+        lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames",
+                 str(len(self.groups))]
+        lines += [f'{d} {tag} "{g}"' for (d, g), tag in self.groups.items()]
+        lines += ["$EndPhysicalNames", "$Nodes", str(len(self.nodes))]
+        lines += [f"{i + 1} {x!r} {y!r} 0"
+                  for i, (x, y) in enumerate(self.nodes)]
+        lines += ["$EndNodes", "$Elements", str(len(self.elements))]
+        lines += [f"{i + 1} {kind} 2 {tag} {tag} " + " ".join(map(str, corners))
+                  for i, (kind, tag, corners) in enumerate(self.elements)]
+        lines += ["$EndElements", ""]
+        pathlib.Path(f"{name}.msh").write_text("\n".join(lines))
+
+
+def box(x0, y0, x1, y1):
+    return lambda s, t: (x0 + s * (x1 - x0), y0 + t * (y1 - y0))
+
+
+def ring(r0, r1):
+    return lambda s, t: ((r0 + t * (r1 - r0)) * math.cos(2 * math.pi * s),
+                         (r0 + t * (r1 - r0)) * math.sin(-2 * math.pi * s))
+
+
+def run(name, entries, ranks=1):
+    """Returns status, what was said, and the summary."""
+    sections = {}
+    for entry, value in entries.items():
+        section, key = entry.split("/")
+        sections.setdefault(section, []).append(f"  set {key} = {value}\n")
+    pathlib.Path(f"{name}.prm").write_text("".join(
+        f"subsection {section}\n{''.join(lines)}end\n"
+        for section, lines in sections.items()))
+    command = [str(contact), f"{name}.prm", "--quiet"]
+    if ranks > 1:
+        command = ["mpirun", "-np", str(ranks)] + command
+    result = subprocess.run(command, capture_output=True, text=True)
+    summary = pathlib.Path(f"output/{name}/summary.json")
+    return (result.returncode, result.stdout + result.stderr,
+            json.loads(summary.read_text()) if summary.exists() else {})
+
+
+def rows(name, file="profile.csv"):
+    with open(f"output/{name}/{file}", encoding="utf-8") as lines:
+        return [{k: v if k in ("surface", "body") else float(v or "nan")
+                 for k, v in row.items()} for row in csv.DictReader(lines)]
+
+
+SMALL = {"Solids/Young's modulus": "A: 1000, B: 1000",
+         "Solids/Poisson's ratio": "A: 0.3, B: 0.3",
+         "Solids/Kinematics": "small strain"}
+
+
+def pieces():
+    """A block on ground, and beside the ground a loose piece of its body."""
+    mesh = Mesh()
+    mesh.block("A", 6, 2, box(-6, -5, 6, 0), {"bottom": "Base", "top": "Ground"})
+    mesh.block("A", 2, 2, box(20, 20, 23, 22), {"bottom": "Loose"})
+    mesh.block("B", 5, 2, box(-3, 0, 3, 4), {"bottom": "Sole", "top": "Head"})
+    mesh.write("pieces")
+    entries = {"Mesh/File": "pieces.msh", **SMALL,
+               "Boundary conditions/Displacement x": "Base: 0, Head: 0",
+               "Boundary conditions/Displacement y": "Base: 0, Head: -0.1",
+               "Boundary conditions/Body force y": "A: -7.7e-5",
+               "Contact/Slave": "Sole", "Contact/Master": "Ground",
+               "Contact/Rule": "mortar"}
+    place = ("nothing holds the piece of the body 'A' from (20, 20) to "
+             "(23, 22) mm against: displacement in x, displacement in y and "
+             "rotation")
+    for what, more, ranks in (("", {}, 1), (", two processes", {}, 2),
+                              (", refined", {"Mesh/Refinements": 1}, 2)):
+        status, said, _ = run("pieces", {**entries, **more}, ranks)
+        check("a loose piece is refused" + what,
+              status == 2 and place in said, said[:300])
+
+    held = dict(entries)
+    held["Boundary conditions/Displacement x"] += ", Loose: 0"
+    held["Boundary conditions/Displacement y"] += ", Loose: 0"
+    status, said, _ = run("pieces_held", held)
+    check("and taken where it is held", status == 0, said[:300])
+
+    # With a plane below it, it falls there and rests.
+    falls = dict(entries)
+    falls["Boundary conditions/Body force y"] = "A: -0.01"
+    falls["Boundary conditions/Displacement x"] += ", Loose: 0"
+    falls["Contact fall/Slave"] = "Loose"
+    falls["Contact fall/Obstacle"] = "half plane: 0, 19.5, 0, 1"
+    falls["Contact fall/Rule"] = "nodal"
+    falls["Output/Nodes"] = "true"
+    for ranks in (1, 2):
+        status, said, _ = run("pieces_fall", falls, ranks)
+        check(f"a piece falls until it touches, {ranks} processes", status == 0,
+              said[:300])
+        if status == 0:
+            nodes = rows("pieces_fall", "nodes.csv")
+            loose = [n for n in nodes if n["X_mm"] > 15 and n["Y_mm"] == 20]
+            check("it lies on the plane",
+                  all(abs(n["displacement_y_mm"] + 0.5) < 1e-6 for n in loose),
+                  str(loose[:1]))
+            weight = 0.01 * 3 * 2
+            force = sum(n["contact_force_y_N_per_mm"] for n in loose)
+            check("which carries its weight", abs(force - weight) < 1e-8 * weight,
+                  f"{force} {weight}")
+
+
+def joints():
+    """Two blocks that have one node in common, or an edge."""
+    for what, x, free in (("a hinge", 4, True), ("glue", 2, False)):
+        mesh = Mesh()
+        mesh.block("A", 2, 2, box(0, 0, 4, 2), {"bottom": "Base"})
+        mesh.block("B", 2, 2, box(x, 2, x + 4, 4), {"top": "Head"})
+        mesh.merge()
+        mesh.write("joints")
+        status, said, _ = run("joints", {
+            "Mesh/File": "joints.msh", **SMALL,
+            "Boundary conditions/Displacement x": "Base: 0",
+            "Boundary conditions/Displacement y": "Base: 0",
+            "Boundary conditions/Pressure": "Head: 1"})
+        if free:
+            check(what + " does not hold against rotation",
+                  status == 2 and "holds the body 'B' against" in said and
+                  "rotation" in said, said[:300])
+        else:
+            check(what + " holds", status == 0, said[:300])
+
+
+def rings():
+    """Two rings under outer pressure, the inner one held inside. Both together
+    are one thick tube: u = A r + B/r, u(10) = 0, sigma_r(30) = -1."""
+    E, nu = 1000., 0.3
+    lam, mu = E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))
+    stress = lambda r: 2 * (lam + mu) + 2 * mu * 100 / r**2
+    pressure = stress(20) / stress(30)
+    entries = {"Mesh/File": "rings.msh", "Mesh/Arcs":
+               "Bore: 0, 0, 10; Shaft: 0, 0, 20; Hub: 0, 0, 20; Skin: 0, 0, 30",
+               "Element/Degree": "2", **SMALL,
+               "Boundary conditions/Displacement x": "Bore: 0",
+               "Boundary conditions/Displacement y": "Bore: 0",
+               "Boundary conditions/Pressure": "Skin: 1",
+               "Contact/Slave": "Hub", "Contact/Master": "Shaft",
+               "Output/Profile": "true", "Output/Nodes": "true"}
+    for n in (16, 20):
+        mesh = Mesh()
+        mesh.block("A", 16, 3, ring(10, 20),
+                   {"bottom": "Bore", "top": "Shaft"}, closed=True)
+        mesh.block("B", n, 3, ring(20, 30),
+                   {"bottom": "Hub", "top": "Skin"}, closed=True)
+        mesh.write("rings")
+        for rule in ("mortar", "nodal", "Gauss"):
+            name = f"rings_{n}_{rule}"
+            status, said, _ = run(name, {**entries, "Contact/Rule": rule})
+            check(f"{name} converges", status == 0, said[:300])
+            if status != 0:
+                continue
+            outer = [r for r in rows(name, "nodes.csv") if r["body"] == "B"]
+            turned = sum(r["X_mm"] * r["displacement_y_mm"] -
+                         r["Y_mm"] * r["displacement_x_mm"] for r in outer)
+            turned /= sum(r["X_mm"]**2 + r["Y_mm"]**2 for r in outer)
+            check("  it stays as it is", abs(turned) < 1e-3, str(turned))
+            slave = [r for r in rows(name) if r["surface"] == "slave"]
+            mean = (sum(r["nodal_force_N_per_mm"] for r in slave) /
+                    (2 * math.pi * 20))
+            check("  with Lame's pressure", abs(mean / pressure - 1) < 0.02,
+                  f"{mean} {pressure}")
+
+
+def lever():
+    """A bar on a hinge that falls on a plane, 0.3 rad below it."""
+    mesh = Mesh()
+    mesh.block("A", 10, 2, box(0, 0, 10, 1), {"bottom": "Sole", "corner": "Pin"})
+    mesh.write("lever")
+    entries = {"Mesh/File": "lever.msh",
+               "Solids/Young's modulus": "A: 1000",
+               "Solids/Poisson's ratio": "A: 0.3",
+               "Boundary conditions/Displacement x": "Pin: 0",
+               "Boundary conditions/Displacement y": "Pin: 0",
+               "Boundary conditions/Body force y": "A: -1e-4",
+               "Contact/Slave": "Sole", "Contact/Rule": "nodal",
+               "Contact/Obstacle": "half plane: 0, -3, 0, 1",
+               "Solution/Increments": "1"}
+    status, said, _ = run("lever_small",
+                          {**entries, "Solids/Kinematics": "small strain"})
+    check("turning by 0.3 rad in small strain ends the run",
+          status == 3 and "the body 'A' turns by 0.3" in said and
+          "Kinematics = large displacement" in said, said[:500])
+    near = {**entries, "Contact/Obstacle": "half plane: 0, -0.1, 0, 1",
+            "Solids/Kinematics": "small strain"}
+    status, said, _ = run("lever_near", near)
+    check("by 0.01 rad it does not", status == 0, said[:500])
+
+
+def patches():
+    """A block on two feet: contact is as wide as they are."""
+    mesh = Mesh()
+    mesh.block("A", 16, 2, box(-8, 0, 8, 2), {"top": "Head"})
+    for x in (-8, 6):
+        mesh.block("A", 2, 1, box(x, -1, x + 2, 0), {"bottom": "Feet"})
+    mesh.merge()
+    mesh.write("patches")
+    status, said, summary = run("patches", {
+        "Mesh/File": "patches.msh", "Solids/Young's modulus": "A: 1000",
+        "Solids/Poisson's ratio": "A: 0.3",
+        "Solids/Kinematics": "small strain",
+        "Boundary conditions/Displacement x": "Head: 0",
+        "Boundary conditions/Displacement y": "Head: -0.01",
+        "Contact/Slave": "Feet", "Contact/Rule": "nodal",
+        "Contact/Obstacle": "half plane: 0, -1, 0, 1"})
+    check("two feet converge", status == 0, said[:500])
+    if status == 0:
+        width = summary["contact"]["width"] if "width" in summary["contact"] \
+            else list(summary["contact"].values())[0]["width"]
+        check("contact is four wide", abs(width - 4) < 1e-9, str(width))
+
+
+for scene in (pieces, joints, rings, lever, patches):
+    print(scene.__name__)
+    scene()
+sys.exit(failures > 0)
