@@ -230,6 +230,8 @@ namespace Contact
         }
     for (unsigned int j = 0; j < n; ++j)
       largest = std::max(largest, matrix.diag_element(j));
+    if (largest == 0) // paired anew, nobody is left in the equations
+      return;
 
     SparseMatrix<double> shifted(pattern);
     shifted.copy_from(matrix);
