@@ -48,10 +48,11 @@
 // it is a saddle point, solved by a sparse direct solver on one process: every
 // contact rule can have it. Where the points of contact belong to one slave
 // node each (nodal and mortar rule), the active ones can be eliminated instead,
-// in the manner of step-42: CondensedSystem, symmetric and positive definite,
-// for conjugate gradients with algebraic multigrid, many unknowns and several
-// processes. There the active set of step-41 and step-42 is searched from step
-// to step, which is cheap because a level starts where the one before ended.
+// in the manner of step-42: CondensedSystem, symmetric and positive definite
+// (but for friction by Newton's method), for conjugate gradients with algebraic
+// multigrid, many unknowns and several processes. There the active set of
+// step-41 and step-42 is searched from step to step, which is cheap because a
+// level starts where the one before ended.
 //
 // With several processes each has a part of the mesh and of the matrix. The
 // vectors of the solution and the surfaces are small beside these, and every
@@ -984,7 +985,8 @@ namespace Contact
           throw NotConverged("Newton's method ends with the residual " +
                              brief(now.residual) + " after " +
                              std::to_string(step) + " steps" +
-                             changes_since(last_decisions));
+                             changes_since(last_decisions) +
+                             (elimination ? elimination->contradiction() : ""));
         if (is_to_be_paired)
           {
             renew_pairing(relaxation);

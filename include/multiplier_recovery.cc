@@ -170,27 +170,23 @@ namespace Contact
 
 
 
-  // The normal equations of the least squares, of multipliers times the root of
-  // their weight. A little on the diagonal chooses among multipliers that are
-  // not unique; where they are, it is taken back by iterating.
-  void MultiplierRecovery::solve_coupled(const Vector<double> &residual,
-                                         std::vector<Pair>    &tractions) const
+  std::vector<unsigned int> MultiplierRecovery::first_columns() const
   {
-    std::vector<unsigned int> first_column(points.size());
-    unsigned int              n = 0;
+    std::vector<unsigned int> first_column(points.size() + 1, 0);
     for (unsigned int k = 0; k < points.size(); ++k)
-      if (coupled[k])
-        {
-          first_column[k] = n;
-          n += has_shear_unknown(k) ? 2 : 1;
-        }
+      first_column[k + 1] =
+        first_column[k] + (coupled[k] ? (has_shear_unknown(k) ? 2 : 1) : 0);
+    return first_column;
+  }
 
-    // Of each equation its row of the least squares, and the right-hand side.
-    struct Equation
-    {
-      std::map<unsigned int, double> row;
-      double                         rhs;
-    };
+
+
+  // The unknowns are the multipliers times the root of their weight.
+  std::vector<MultiplierRecovery::Equation>
+  MultiplierRecovery::coupled_equations(
+    const std::vector<unsigned int> &first_column,
+    const Vector<double>            &residual) const
+  {
     std::vector<Equation> system;
     for (const auto &[dof, shares] : equations)
       if (!shares.empty() && coupled[shares.front().point])
@@ -208,7 +204,36 @@ namespace Contact
             }
           system.push_back(std::move(equation));
         }
+    return system;
+  }
 
+
+
+  void MultiplierRecovery::solve_coupled(const Vector<double> &residual,
+                                         std::vector<Pair>    &tractions) const
+  {
+    const auto           first_column = first_columns();
+    const Vector<double> x =
+      least_squares(coupled_equations(first_column, residual),
+                    first_column.back());
+    for (unsigned int k = 0; k < points.size(); ++k)
+      if (coupled[k])
+        {
+          const double root = std::sqrt(points[k].weight);
+          const auto   j    = first_column[k];
+          tractions[k].p    = x[j] / root;
+          tractions[k].q    = has_shear_unknown(k) ? x[j + 1] / root : 0.;
+        }
+  }
+
+
+
+  // By the normal equations. A little on the diagonal chooses among unknowns
+  // that are not unique; where they are, it is taken back by iterating.
+  Vector<double>
+  MultiplierRecovery::least_squares(const std::vector<Equation> &system,
+                                    const unsigned int           n)
+  {
     DynamicSparsityPattern couplings(n, n);
     for (const Equation &equation : system)
       for (const auto &a : equation.row)
@@ -220,7 +245,6 @@ namespace Contact
     pattern.copy_from(couplings);
     SparseMatrix<double> matrix(pattern);
     Vector<double>       rhs(n), x(n), change(n);
-    double               largest = 0;
     for (const Equation &equation : system)
       for (const auto &a : equation.row)
         {
@@ -228,8 +252,11 @@ namespace Contact
           for (const auto &b : equation.row)
             matrix.add(a.first, b.first, a.second * b.second);
         }
+    double largest = 0;
     for (unsigned int j = 0; j < n; ++j)
       largest = std::max(largest, matrix.diag_element(j));
+    if (largest == 0) // paired anew, nobody is left in the equations
+      return x;
 
     SparseMatrix<double> shifted(pattern);
     shifted.copy_from(matrix);
@@ -243,14 +270,6 @@ namespace Contact
         solver.solve(change);
         x += change;
       }
-
-    for (unsigned int k = 0; k < points.size(); ++k)
-      if (coupled[k])
-        {
-          const double root = std::sqrt(points[k].weight);
-          const auto   j    = first_column[k];
-          tractions[k].p    = x[j] / root;
-          tractions[k].q    = has_shear_unknown(k) ? x[j + 1] / root : 0.;
-        }
+    return x;
   }
 } // namespace Contact

@@ -76,6 +76,21 @@ namespace Contact
     void    solve_coupled(const Vector<double> &residual,
                           std::vector<Pair>    &tractions) const;
 
+    /// A row of the least squares, and its right-hand side.
+    struct Equation
+    {
+      std::map<unsigned int, double> row;
+      double                         rhs;
+    };
+
+    /// Where the unknowns of each point begin, and their number.
+    std::vector<unsigned int> first_columns() const;
+    std::vector<Equation>
+    coupled_equations(const std::vector<unsigned int> &first_column,
+                      const Vector<double>            &residual) const;
+    static Vector<double> least_squares(const std::vector<Equation> &system,
+                                        const unsigned int           n);
+
     const Discretization            &discretization;
     const std::vector<ContactPoint> &points;
     const ContactInterface          &interface;

@@ -69,8 +69,7 @@ namespace Contact
                         "How the bound of friction follows the pressure [-]; "
                         "fixed point: in a loop of its own; each step: "
                         "renewed before each Newton step; Newton: with the "
-                        "displacements, in the tangent as well (saddle point "
-                        "system).",
+                        "displacements, in the tangent as well.",
                         loop);
       prm.add_parameter(
         "Friction tolerance",

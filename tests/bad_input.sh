@@ -171,8 +171,6 @@ expect "projections move" "$good" --set Contact/Rule=mortar \
   --set Solution/Geometry=Newton
 expect "projections move" "$good" --set "$condensed" \
   --set Solution/Geometry=Newton
-expect "not be symmetric" "$friction" --set "$condensed" \
-  --set Solution/Friction=Newton
 expect "in a loop or in the tangent" "$friction" \
   --set "Solution/Friction=each step"
 
@@ -209,12 +207,6 @@ expect "two cases have the name" "$good" "$good"
 expect "multipliers that no point" "$parameters/ssnp154_b.prm" \
   --set "Contact/Gauss points=2"
 
-# Zones that share a node, in the system that eliminates multipliers
-for shared in Bottom_C Top_B; do
-  expect "section 'Contact" "$good" --set "$condensed" \
-    --set "Contact two/Slave=$shared" --set "Contact two/Rule=nodal" \
-    --set "Contact two/Obstacle=half plane: 0, -100, 0, 1"
-done
 
 # Several processes, one message
 launcher="mpirun -np 2"

@@ -11,12 +11,15 @@
 
 namespace Tests
 {
-  /// Two bodies in contact, without multipliers in the linear system.
+  /// Two bodies in contact, without multipliers in the linear system. With
+  /// @p moving_bound Newton's method does friction.
   struct CondensedModel : public Bodies
   {
     explicit CondensedModel(const Parameters::All &parameters,
-                            const std::string     &solver_name = "CHOLMOD")
+                            const std::string     &solver_name  = "CHOLMOD",
+                            const bool             moving_bound = false)
       : Bodies(parameters)
+      , moving_bound(moving_bound)
       , interface(std::make_unique<ContactInterface>(discretization,
                                                      *elasticity,
                                                      parameters.zones()))
@@ -32,9 +35,10 @@ namespace Tests
     void make_system(const std::string &solver_name)
     {
       condensed.reset();
-      elimination =
-        std::make_unique<ContactElimination>(discretization, interface.get());
-      condensed = std::make_unique<CondensedSystem>(discretization,
+      elimination = std::make_unique<ContactElimination>(discretization,
+                                                         interface.get(),
+                                                         moving_bound);
+      condensed   = std::make_unique<CondensedSystem>(discretization,
                                                     *elasticity,
                                                     interface.get(),
                                                     *elimination,
@@ -78,8 +82,8 @@ namespace Tests
           elimination->recover_shears(rhs, solution);
         }
       const unsigned int n_changes =
-        interface->decide_all(solution, start, false, after_a_step);
-      interface->assemble(solution, start, {false, false}, rhs, nullptr);
+        interface->decide_all(solution, start, moving_bound, after_a_step);
+      interface->assemble(solution, start, {false, moving_bound}, rhs, nullptr);
       return n_changes;
     }
 
@@ -116,12 +120,15 @@ namespace Tests
         {
           if (newton(load_factor) == 0)
             return false;
+          if (moving_bound)
+            return true;
           if (interface->update_bounds(solution, start) < 1e-12)
             return true;
         }
       return false;
     }
 
+    const bool                          moving_bound;
     std::unique_ptr<ContactInterface>   interface;
     std::unique_ptr<ContactElimination> elimination;
     std::unique_ptr<CondensedSystem>    condensed;

@@ -1,0 +1,269 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Friction by Newton's method without multipliers: proves that the unsymmetric
+// matrix is the derivative of the condensed forces, by differences of these;
+// that linear bodies under decisions that stay need one step, and others
+// converge quadratically; that the solution is the one with multipliers; and
+// that UMFPACK, MUMPS and AMG in GMRES agree.
+
+#include "condensed_model.h"
+
+using namespace Tests;
+
+namespace
+{
+  const double young = 1000;
+
+  /// A block is pressed onto another one and pushed to the right until it
+  /// slides; the interface is inclined.
+  Parameters::All sliding_block(const std::string &rule,
+                                const unsigned int degree,
+                                const std::string &kinematics)
+  {
+    const double slope    = 0.3;
+    const auto   inclined = [=](const Point<2> &low, const Point<2> &high) {
+      const Chart straight = rectangle(low, high);
+      return [=](const double s, const double t) {
+        const Point<2> x = straight(s, t);
+        return Point<2>(x[0], x[1] + slope * x[0]);
+      };
+    };
+    MeshText mesh;
+    mesh.block("lower", 7, 2, inclined({-0.6, -1}, {2.7, 0}));
+    mesh.block("upper", 5, 2, inclined({0, 0}, {2, 1}));
+    Parameters::All parameters =
+      make_parameters(mesh, {"lower", "upper"}, degree, kinematics, young);
+    parameters.contact.slave                = "upper bottom";
+    parameters.contact.master               = "lower top";
+    parameters.contact.rule                 = rule;
+    parameters.contact.friction_coefficient = 0.5;
+    parameters.boundary.displacement_x      = {{"lower bottom", 0},
+                                               {"upper top", 0.08}};
+    parameters.boundary.displacement_y      = {{"lower bottom", 0},
+                                               {"upper top", -0.02}};
+    return parameters;
+  }
+
+
+
+  double difference(const Vector<double> &a,
+                    const Vector<double> &b,
+                    const unsigned int    from,
+                    const unsigned int    to)
+  {
+    double difference = 0, largest = 0;
+    for (unsigned int i = from; i < to; ++i)
+      {
+        difference = std::max(difference, std::abs(a[i] - b[i]));
+        largest    = std::max(largest, std::abs(b[i]));
+      }
+    return difference / largest;
+  }
+
+
+
+  /// The norms of the residuals, relative to the forces, after each step to the
+  /// load factor 1 under the decisions of now, until round-off is left.
+  std::vector<double> residuals(CondensedModel &model)
+  {
+    model.start = model.solution;
+    model.discretization.constrain_update(model.solution, 1);
+    std::vector<double> norms;
+    for (unsigned int step = 0; step < 10; ++step)
+      {
+        model.rhs = 0;
+        model.elasticity->assemble(model.solution, 1, model.rhs, nullptr);
+        if (step > 0)
+          {
+            model.elimination->recover_pressures(model.rhs, model.solution);
+            model.elimination->recover_shears(model.rhs, model.solution);
+          }
+        model.interface->assemble(model.solution,
+                                  model.start,
+                                  {false, true},
+                                  model.rhs,
+                                  nullptr);
+        const double scale =
+          model.elasticity->forces(model.solution, 1).linfty_norm();
+        if (step > 0)
+          {
+            norms.push_back(model.rhs.linfty_norm() / scale);
+            if (norms.back() < 1e-12)
+              break;
+          }
+        model.condensed->solve(model.solution,
+                               model.start,
+                               model.rhs,
+                               1e-14 * scale,
+                               model.update);
+        for (unsigned int i = 0; i < model.n_dofs(); ++i)
+          model.solution[i] += model.update[i];
+        model.discretization.constrain_update(model.solution, 1);
+      }
+    return norms;
+  }
+
+
+
+  void convergence(const std::string &rule, const unsigned int degree)
+  {
+    headline("convergence, " + rule + " rule, degree " +
+             std::to_string(degree));
+    CondensedModel linear(sliding_block(rule, degree, "small strain"),
+                          "CHOLMOD",
+                          /*moving_bound=*/true);
+    CondensedModel model(sliding_block(rule, degree, "large displacement"),
+                         "CHOLMOD",
+                         /*moving_bound=*/true);
+    check("both converge at half of the load",
+          linear.solve(0.5) && model.solve(0.5));
+    const StatusCount count = model.interface->count();
+    check("most points slip", count.active > 2 * count.stick);
+
+    check_small("residual of linear bodies after one step",
+                residuals(linear).front(),
+                1e-12);
+    const auto norms     = residuals(model);
+    bool       quadratic = norms.size() > 2 && norms.back() < 1e-12;
+    for (unsigned int k = 0; k + 1 < norms.size(); ++k)
+      quadratic =
+        quadratic && norms[k + 1] < std::max(norms[k] * norms[k], 1e-12);
+    check("others converge quadratically", quadratic);
+  }
+
+
+
+  void same_as_with_multipliers(const std::string &rule,
+                                const unsigned int degree,
+                                const std::string &kinematics)
+  {
+    headline("the same solution, " + rule + " rule, degree " +
+             std::to_string(degree) + ", " + kinematics);
+    const Parameters::All parameters = sliding_block(rule, degree, kinematics);
+    ContactModel          saddle(parameters);
+    CondensedModel        condensed(parameters, "CHOLMOD", true);
+    bool                  converged = true;
+    for (const double load_factor : {0.5, 1.})
+      {
+        converged = converged && saddle.solve(load_factor, false) > 0;
+        converged = converged && condensed.solve(load_factor);
+      }
+    check("both converge to the same decisions",
+          converged &&
+            saddle.interface.signature() == condensed.interface->signature());
+    const auto n = saddle.n_dofs();
+    check_small("displacements",
+                difference(condensed.solution, saddle.solution, 0, n),
+                1e-10);
+    check_small("multipliers",
+                difference(condensed.solution,
+                           saddle.solution,
+                           n,
+                           saddle.solution.size()),
+                1e-10);
+  }
+
+
+
+  // Under decisions that stay the eliminated forces are a function F of the
+  // free unknowns y alone: F(y) is what condense() makes of the forces of the
+  // bodies in u + T y. The matrix is -dF/dy.
+  void derivative(const std::string &rule)
+  {
+    headline("the matrix as a derivative, " + rule + " rule");
+    CondensedModel model(sliding_block(rule, 1, "large displacement"),
+                         "CHOLMOD",
+                         true);
+    check("converges", model.solve(0.7));
+    model.assemble(0.7, true);
+    model.condensed->solve(model.solution,
+                           model.start,
+                           model.rhs,
+                           1e-12,
+                           model.update);
+    check("unsymmetric", !model.elimination->is_symmetric());
+
+    const unsigned int n     = model.n_dofs();
+    const auto        &base  = model.discretization.constraints;
+    const auto        &lines = model.elimination->constraints();
+    Random             random;
+    Vector<double>     y(n);
+    for (unsigned int i = 0; i < n; ++i)
+      if (!base.is_constrained(i) && !lines.is_constrained(i))
+        y[i] = random(-1, 1);
+    const auto forces = [&](const double step) {
+      Vector<double> du(y), rest(n), u(model.solution), rhs(u.size());
+      du *= step;
+      model.elimination->distribute(du);
+      model.elimination->distribute(rest);
+      for (unsigned int i = 0; i < n; ++i)
+        u[i] += du[i] - rest[i];
+      model.elasticity->assemble(u, 0.7, rhs, nullptr);
+      Vector<double> of_bodies(n);
+      std::copy_n(rhs.begin(), n, of_bodies.begin());
+      model.elimination->condense(of_bodies);
+      return of_bodies;
+    };
+    const double   step = 1e-5;
+    Vector<double> by_differences(forces(-step));
+    by_differences -= forces(step);
+    by_differences *= 1 / (2 * step);
+
+    const auto            &matrix = model.condensed->system_matrix();
+    DefiniteSolver::Vector x(matrix.locally_owned_domain_indices(),
+                             matrix.get_mpi_communicator());
+    DefiniteSolver::Vector by_matrix(x);
+    std::copy(y.begin(), y.end(), x.begin());
+    matrix.vmult(by_matrix, x);
+    double deviation = 0, largest = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      if (!base.is_constrained(i) && !lines.is_constrained(i))
+        {
+          deviation =
+            std::max(deviation, std::abs(by_matrix(i) - by_differences[i]));
+          largest = std::max(largest, std::abs(by_matrix(i)));
+        }
+    check_small("deviation from the differences", deviation / largest, 1e-7);
+  }
+
+
+
+  void solvers(const std::string &rule)
+  {
+    headline("solvers, " + rule + " rule");
+    Vector<double> reference;
+    for (const std::string name : {"CHOLMOD", "MUMPS", "AMG"})
+      {
+        CondensedModel model(sliding_block(rule, 2, "large displacement"),
+                             name,
+                             true);
+        check(name + " converges", model.solve(0.6) && model.solve(1));
+        if (name == "CHOLMOD")
+          reference = model.solution;
+        else
+          check_small(name + " and UMFPACK",
+                      difference(model.solution, reference, 0, model.n_dofs()),
+                      1e-9);
+      }
+  }
+} // namespace
+
+
+
+int main()
+{
+  for (const std::string rule : {"nodal", "mortar"})
+    {
+      derivative(rule);
+      for (const unsigned int degree : {1, 2})
+        convergence(rule, degree);
+      for (const unsigned int degree : {1, 2})
+        for (const std::string kinematics :
+             {"small strain", "large displacement"})
+          same_as_with_multipliers(rule, degree, kinematics);
+      solvers(rule);
+    }
+}
