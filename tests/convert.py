@@ -192,7 +192,7 @@ def write_med_2(path, points, elements, node_groups, types):
     """As write_med, but a file of version 2.3 by the calls that the library has
     for it: lines as edges of faces, three coordinates, no dimension of space."""
     path.unlink(missing_ok=True)
-    library = ctypes.CDLL("libmedC.so.11")
+    library = ctypes.CDLL("libmed.so.11")
     library.MEDouvrir.restype = ctypes.c_int64
     file = ctypes.c_int64(library.MEDouvrir(str(path).encode(), 3))  # create
     cell, edge, node, no_interlace, nodal = 0, 2, 3, 0, 0
