@@ -183,6 +183,7 @@ namespace Contact
     void        pair_bodies();
     void        pair_bodies(const Vector<double> &configuration);
     void        renew_pairing(Relaxation &relaxation);
+    double      misfit_of_new_pairing();
     VolumeRatio assemble_forces_of_bodies();
     void        recover_multipliers();
     double      assemble_forces_of_contact();
@@ -977,7 +978,9 @@ namespace Contact
           {
             if (!follows ||
                 pairing.accepts(interface->largest_change(solution, paired_at),
-                                way()))
+                                way()) ||
+                (pairing.goes_in_circles() &&
+                 pairing.accepts(misfit_of_new_pairing(), way())))
               return;
             is_to_be_paired = true;
           }
@@ -990,6 +993,7 @@ namespace Contact
         if (is_to_be_paired)
           {
             renew_pairing(relaxation);
+            pairing.count_renewal();
             guard.forget();
             continue;
           }
@@ -1162,6 +1166,21 @@ namespace Contact
     Vector<double> configuration = paired_at;
     configuration.sadd(1 - part, part, solution);
     pair_bodies(configuration);
+  }
+
+
+
+  // @sect4{ContactProblem::misfit_of_new_pairing}
+  //
+  // How far the surfaces, paired where they are now, would be from touching
+  // each other where they are in contact, and from being apart elsewhere.
+  double ContactProblem::misfit_of_new_pairing()
+  {
+    const Vector<double> configuration = paired_at;
+    pair_bodies();
+    const double misfit = interface->largest_misfit(solution);
+    pair_bodies(configuration);
+    return misfit;
   }
 
 
@@ -1377,7 +1396,10 @@ namespace Contact
                         load_factor,
                         newton_tolerance(),
                         reference_force,
-                        hold.size() > 0 ? &hold : nullptr);
+                        hold.size() > 0 ? &hold : nullptr,
+                        geometry_follows()
+                          ? interface->largest_change(solution, paired_at)
+                          : 0.);
     invariants->advance();
 
     IncrementRecord &record = summary.increments.back();

@@ -73,12 +73,14 @@ namespace Contact
                              const ContactInterface     &interface,
                              const Parameters::Solution &parameters,
                              const Vector<double>       &solution,
-                             const Vector<double>       &u_start)
+                             const Vector<double>       &u_start,
+                             const double                moved)
     : discretization(discretization)
     , interface(interface)
     , parameters(parameters)
     , solution(solution)
     , u_start(u_start)
+    , moved(moved)
   {
     for (const ContactPoint &point : interface.points)
       {
@@ -148,20 +150,8 @@ namespace Contact
                                    const Slack       &slack,
                                    ContactInvariants &found) const
   {
-    const bool   undeformed = parameters.geometry == "undeformed";
-    const double geometry_tolerance =
-      parameters.geometry == "Newton" || undeformed
-        ? 0.
-        : parameters.geometry_tolerance;
-
-    double d = 0; // the largest displacement of this increment
-    for (unsigned int i = 0; i < u_start.size(); ++i)
-      d = larger(d, std::abs(solution[i] - u_start[i]));
-    // A tolerance of one promises nothing.
-    const double foot_moves =
-      geometry_tolerance < 1
-        ? std::sqrt(2.) * geometry_tolerance / (1 - geometry_tolerance) * d
-        : std::numeric_limits<float>::max();
+    const bool           undeformed = parameters.geometry == "undeformed";
+    const double         foot_moves = std::sqrt(2.) * moved;
     const Vector<double> none(u_start.size());
     const auto position = [&](const Surface &surface, const unsigned int node) {
       return surface.position(node, undeformed ? none : solution);

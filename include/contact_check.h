@@ -86,10 +86,10 @@ namespace Contact
    *   w (g q - o p):
    * zero where the gap is, if the foot is the closest point (o = 0). With the
    * Gauss rule the gap is zero in the mean only; over a corner of the master
-   * the foot stays behind; with the geometry frozen, the foot is that of the
-   * last turn: |o| <= sqrt(2) sum |C_a| (geometry tolerance) max |du|. So much
-   * is the method's own. With undeformed geometry the moments are those of the
-   * undeformed bodies.
+   * the foot stays behind; where the surfaces have moved by d since they were
+   * paired, the foot is that of the pairing: |o| <= sqrt(2) sum |C_a| d. So
+   * much is the method's own. With undeformed geometry the moments are those of
+   * the undeformed bodies.
    *
    * @par Complementarity and friction
    * The weak conditions of the rule are what Newton's method has solved, for
@@ -109,12 +109,14 @@ namespace Contact
   {
   public:
     /// Of the state @p solution at the end of an increment that began with the
-    /// displacement @p u_start. All arguments have to outlive the object.
+    /// displacement @p u_start; since they were paired the surfaces have moved
+    /// by @p moved [mm]. All arguments have to outlive the object.
     ContactCheck(const Discretization       &discretization,
                  const ContactInterface     &interface,
                  const Parameters::Solution &parameters,
                  const Vector<double>       &solution,
-                 const Vector<double>       &u_start);
+                 const Vector<double>       &u_start,
+                 const double                moved);
 
     /// Let the slack know of bounds by a fixed point.
     void widen(Slack &slack) const;
@@ -141,6 +143,7 @@ namespace Contact
     const ContactInterface     &interface;
     const Parameters::Solution &parameters;
     const Vector<double>       &solution, &u_start;
+    const double                moved;
 
     // By point.
     std::vector<ContactState> states;

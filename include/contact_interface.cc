@@ -129,6 +129,23 @@ namespace Contact
 
 
 
+  double ContactInterface::largest_misfit(const Vector<double> &u) const
+  {
+    double largest = 0;
+    for (const ContactPoint &point : points)
+      if (point.facing && !zone(point).tied)
+        {
+          const double gap = state(point, u, u).gap;
+          largest =
+            std::max(largest,
+                     point.decision.status == Status::open ? -gap
+                                                           : std::abs(gap));
+        }
+    return largest;
+  }
+
+
+
   double ContactInterface::largest_change(const Vector<double> &u,
                                           const Vector<double> &from) const
   {

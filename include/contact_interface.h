@@ -109,6 +109,10 @@ namespace Contact
      */
     bool pair(const Vector<double> &u);
 
+    /// The largest |gap| of points in contact, and of a penetration of those
+    /// that are open [mm].
+    double largest_misfit(const Vector<double> &u) const;
+
     /// The largest change of a displacement of the surfaces [mm].
     double largest_change(const Vector<double> &u,
                           const Vector<double> &from) const;

@@ -96,7 +96,8 @@ namespace Contact
                                    const double          load_factor,
                                    const double          newton_tolerance,
                                    const double          reference_force,
-                                   const Vector<double> *hold_forces)
+                                   const Vector<double> *hold_forces,
+                                   const double          moved)
   {
     Invariants found;
     end = start;
@@ -114,7 +115,8 @@ namespace Contact
                                    *interface,
                                    parameters,
                                    solution,
-                                   start.displacement);
+                                   start.displacement,
+                                   moved);
         contact.widen(slack);
         contact.add_forces(end.pressures, end.shears, end.dissipation);
         contact.check(slack, found);

@@ -132,13 +132,15 @@ namespace Contact
      * Check the converged state @p solution under @p load_factor. The residual
      * is below @p newton_tolerance times @p reference_force [N per mm; 0: as an
      * absolute value]. @p hold_forces are what else acts on the nodes, if
-     * anything does.
+     * anything does; @p moved is the way of the surfaces since they were paired
+     * [mm].
      */
     Invariants check(const Vector<double> &solution,
                      const double          load_factor,
                      const double          newton_tolerance,
                      const double          reference_force,
-                     const Vector<double> *hold_forces = nullptr);
+                     const Vector<double> *hold_forces = nullptr,
+                     const double          moved       = 0);
 
     /// The increment that was checked last is accepted: the next one starts
     /// from its end. Without, the increment is repeated from the same start.

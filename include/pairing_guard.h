@@ -19,7 +19,9 @@ namespace Contact
    * increment, and after four steps in a row without progress. From then on the
    * points are paired anew only where Newton's method has converged, as in the
    * geometry loop, until the surfaces are no further than the geometry
-   * tolerance from where they were paired.
+   * tolerance from where they were paired. If that goes on for three turns, the
+   * pairing jumps between two states for good, neither of which is wrong if
+   * under the one the gaps of the other vanish, within the same tolerance.
    */
   class PairingGuard
   {
@@ -44,6 +46,17 @@ namespace Contact
       return frozen;
     }
 
+    /// The points were paired anew where Newton's method had converged.
+    void count_renewal()
+    {
+      ++n_renewals;
+    }
+
+    bool goes_in_circles() const
+    {
+      return n_renewals >= 3;
+    }
+
     /// Whether a solution is accepted, @p moved [mm] from where the surfaces
     /// were paired.
     bool accepts(const double moved, const double way) const
@@ -55,9 +68,10 @@ namespace Contact
     static constexpr unsigned int patience = 4;
 
     const double tolerance;
-    unsigned int n_short   = 0; // steps that hardly moved a surface
-    unsigned int n_stalled = 0; // steps in a row without progress
-    bool         frozen    = false;
+    unsigned int n_short    = 0; // steps that hardly moved a surface
+    unsigned int n_stalled  = 0; // steps in a row without progress
+    unsigned int n_renewals = 0; // where Newton's method had converged
+    bool         frozen     = false;
   };
 } // namespace Contact
 
