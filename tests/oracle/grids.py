@@ -134,6 +134,7 @@ class Mesh:
         """Node n gets the number order[n]; `flip`: turned round."""
         other = Mesh([])
         other.bodies = list(self.bodies)
+        other.order = order
         other.X = np.empty_like(X)
         other.X[order] = X
 

@@ -3,11 +3,12 @@
 """Random scenes of many kinds, judged by a finite element code of its own.
 
     oracle.py [--count N] [--seed S] [--kind K,...] [--keep DIRECTORY]
-              [--jobs N] [--variants SHARE] CONTACT
+              [--jobs N] [--variants SHARE] [--strict] CONTACT
 
 Scene k is of the kind k modulo their number; with its seed it is always the
 same. Exit status 1 if a result with exit status 0 is wrong, or a run crashed,
-hung or took too much memory."""
+hung or took too much memory; with --strict also if a scene that has to converge
+at default settings does not."""
 import argparse
 import concurrent.futures
 import pathlib
@@ -21,13 +22,16 @@ import traceback
 import check
 import fem
 import kinds_blocks
+import kinds_parts
 import kinds_shapes
 import results
 import scene as scenes
+import variants
 
-KINDS = {f.__name__: f for f in kinds_blocks.KINDS + kinds_shapes.KINDS}
-COLUMNS = ("run", "converged", "refused", "not converged", "wrong", "crash",
-           "seconds", "most s", "most MB", "steps")
+KINDS = {f.__name__: f for f in kinds_blocks.KINDS + kinds_shapes.KINDS +
+         kinds_parts.KINDS}
+COLUMNS = ("run", "converged", "differs", "refused", "not converged", "wrong",
+           "crash", "seconds", "most s", "most MB", "steps")
 
 
 def make(kind, seed):
@@ -68,7 +72,7 @@ def judge(scene, run):
     return "converged", ""
 
 
-def run_scene(binary, kind, seed, directory):
+def run_scene(binary, share, kind, seed, directory):
     scene = make(kind, seed)
     scene.write(directory)
     try:
@@ -76,15 +80,22 @@ def run_scene(binary, kind, seed, directory):
     except OSError:  # the program is being replaced
         time.sleep(20)
         run = results.run(binary, directory)
-    return Outcome(scene, *judge(scene, run), run)
+    column, reason = judge(scene, run)
+    if column == "converged" and share > 0 and seed % round(1 / share) == 0:
+        name = variants.NAMES[seed // round(1 / share) % len(variants.NAMES)]
+        found = variants.compare(scene, run, name, binary,
+                                 directory / "variant")
+        if found:
+            column, reason = found
+    return Outcome(scene, column, reason, run)
 
 
 def is_failure(outcome):
     """Not what is expected of the scene, at the settings of the program."""
     scene = outcome.scene
-    if outcome.column in ("wrong", "crash"):
+    if outcome.column in ("wrong", "crash", "differs"):
         return True
-    if scene.expected in (scenes.EITHER, scenes.HOPELESS):
+    if scene.expected != scenes.SOLVED:
         return False
     return outcome.column in ("refused", "not converged") and scene.is_default
 
@@ -103,7 +114,7 @@ def table(outcomes):
 def cells(outcomes):
     count = lambda column: sum(o.column == column for o in outcomes)
     seconds = [o.run.seconds for o in outcomes]
-    return [str(len(outcomes))] + [str(count(c)) for c in COLUMNS[1:6]] + [
+    return [str(len(outcomes))] + [str(count(c)) for c in COLUMNS[1:7]] + [
         "%.1f" % sum(seconds), "%.1f" % max(seconds),
         "%.0f" % max(o.run.megabytes for o in outcomes),
         str(sum(o.run.steps for o in outcomes))]
@@ -113,7 +124,7 @@ def at_default(outcomes):
     """How many of those converge that have to."""
     these = [o for o in outcomes if o.scene.is_default and
              o.scene.expected == scenes.SOLVED]
-    good = sum(o.column == "converged" for o in these)
+    good = sum(o.column in ("converged", "differs") for o in these)
     return "%d of %d" % (good, len(these))
 
 
@@ -132,6 +143,8 @@ def main():
     parser.add_argument("--kind", default=",".join(KINDS))
     parser.add_argument("--keep", default="output/oracle", type=pathlib.Path)
     parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--variants", type=float, default=0.25)
+    parser.add_argument("--strict", action="store_true")
     parser.add_argument("contact", type=pathlib.Path)
     options = parser.parse_args()
     binary = options.contact.resolve()
@@ -143,7 +156,7 @@ def main():
             concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         place = pathlib.Path(place)
         for outcome in pool.map(lambda item: run_scene(
-                binary, *item, place / ("%s_%d" % item)), todo):
+                binary, options.variants, *item, place / ("%s_%d" % item)), todo):
             outcomes.append(outcome)
             directory = place / outcome.scene.name
             if is_failure(outcome):
@@ -153,7 +166,8 @@ def main():
                 report(outcome, options.keep.resolve(), binary)
             shutil.rmtree(directory)
     print(table(outcomes))
-    return any(o.column in ("wrong", "crash") for o in outcomes)
+    return any(o.column in ("wrong", "crash") or options.strict and
+               is_failure(o) and o.column != "differs" for o in outcomes)
 
 
 if __name__ == "__main__":

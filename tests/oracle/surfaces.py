@@ -98,11 +98,12 @@ class DeformedBody:
 
     def gap(self, points):
         """The distance to the group; minus the depth inside of the body."""
-        distance, _, _ = self.group.closest(points)
-        inside = np.zeros(len(points), bool)
+        gap, _, _ = self.group.closest(points)
         for outline in self.outlines:
-            inside |= outline.contains(points)
-        return np.where(inside, -distance, distance)
+            inside = outline.contains(points)
+            if inside.any():
+                gap[inside] = -outline.closest(points[inside])[0]
+        return gap
 
     def normals(self, points):
         _, piece, _ = self.group.closest(points)

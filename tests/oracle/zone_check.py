@@ -57,6 +57,11 @@ class ZoneCheck:
         self.own = surfaces.Polyline(self.lines, state.x)
         self.judged = ~shared[self.nodes] & ~state.held[self.nodes].any(1)
         self.force = state.residual[self.nodes]
+        # Lines of the slave that lie on the master: more than one place of them
+        # touches.
+        self.touching = self.gaps <= APART * self.slack
+        self.lying = self.touching.sum(1) > 1
+        self.is_free = self.judged.copy()
         # The lines that what acts on a node may come from.
         self.around = [np.flatnonzero((self.lines == n).any(1))
                        for n in self.nodes]
@@ -158,13 +163,14 @@ class ZoneCheck:
 
     def range_of_normals(self, k, where):
         """The directions in which the master may push here: its normals where
-        the slave's edges face it, the slave's own turned round."""
+        the slave's edges face it, and the slave's own, turned round, where
+        those lie on it."""
         normals = self.normals[where].reshape(-1, 2)
         gaps = self.gaps[where].ravel()
         near = gaps <= gaps.min() + 0.5 * self.own.length.max()
         candidates = list(normals[near])
-        pieces = np.isin(self.own.line, where)
-        own = -self.own.normal[pieces]
+        lying = np.intersect1d(where, np.flatnonzero(self.lying))
+        own = -self.own.normal[np.isin(self.own.line, lying)]
         self.reference = normals[gaps.argmin()]
         candidates += [n for n in own if n @ self.reference > 0]
         angles = [self.turn(n, self.reference) for n in candidates]
@@ -183,22 +189,24 @@ class ZoneCheck:
 
     def check_resultant(self):
         """A flat master pushes along its own normal."""
-        if not self.judged.all() or not self.counts.any():
+        if not (self.counts & self.is_free).any() or not self.is_flat() or (
+                not self.touching.any()):
             return []
-        touching = self.gaps <= APART * self.slack
-        if not touching.any() or not self.is_flat():
+        # What acts on other nodes is not that of contact alone.
+        lines = self.touching.any(1)
+        if not self.is_free[np.isin(self.nodes, self.lines[lines])].all():
             return []
         # Where an edge of the slave lies on an end of the master, its own.
-        lying = touching.sum(1) > 1
         normals = np.concatenate([
-            self.normals[touching],
-            -self.own.normal[np.isin(self.own.line, np.flatnonzero(lying))]])
+            self.normals[self.touching],
+            -self.own.normal[np.isin(self.own.line,
+                                     np.flatnonzero(self.lying))]])
         reference = normals.mean(0)
         reference /= np.hypot(*reference)
         angles = [self.turn(n, reference) for n in normals]
         if max(map(abs, angles)) > 0.3:
             return []
-        total = self.state.residual[self.nodes].sum(0)
+        total = self.state.residual[self.nodes[self.is_free]].sum(0)
         if self.model.axisymmetric and abs(reference[0]) > 0.1:
             return []
         angle = self.turn(total, reference)
