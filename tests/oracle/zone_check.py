@@ -6,7 +6,7 @@ import surfaces
 
 # Of the largest displacement: what a geometry loop may leave (0.001), and by
 # how much a weighted gap lets single places overlap.
-PENETRATION = {"nodal": 0.01, "mortar": 0.1, "Gauss": 0.1}
+PENETRATION = {"nodal": 0.01, "mortar": 0.1, "Gauss": 0.2}
 # Gap beyond which no force may act, likewise.
 APART = 0.05
 # Angle by which a force may leave its cone: a surface turns between two pairings.
@@ -144,10 +144,9 @@ class ZoneCheck:
         inside of the cone."""
         where = self.around[k]
         node = self.nodes[k]
-        gaps = self.gaps[where]
-        if gaps.min() > APART * self.slack + self.facets():
-            return self.problem("force without contact", k,
-                                "gap %.3g mm" % gaps.min())
+        gap = min(self.gaps[where].min(), self.distance_of_master(where))
+        if gap > APART * self.slack + self.facets():
+            return self.problem("force without contact", k, "gap %.3g mm" % gap)
         if self.rule == "Gauss" and self.model.degree == 2:
             return None
         low, high = self.range_of_normals(k, where)
@@ -160,6 +159,14 @@ class ZoneCheck:
                             "%.3g rad outside of the cone, mu %.3g" % (
                                 max(low - angle, angle - high) - friction +
                                 ANGLE, self.zone.mu))
+
+    def distance_of_master(self, where):
+        """Of the master's nodes from lines of the slave: a corner may lie
+        between the places on these."""
+        if self.zone.obstacle:
+            return np.inf
+        part = surfaces.Polyline(self.lines[where], self.state.x)
+        return part.closest(self.master.group.begin)[0].min()
 
     def range_of_normals(self, k, where):
         """The directions in which the master may push here: its normals where
