@@ -6,6 +6,7 @@ contact surface. These are compared with each other, with the deformed surfaces,
 and with what the program says."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import numpy as np
+from scipy.spatial import cKDTree
 
 import fem
 import results
@@ -77,16 +78,15 @@ def refine_middles(model, run, t, u, error):
     profile; the other middles from their own equilibrium, if that is within
     what the file leaves open."""
     ulp = np.finfo(float).eps
-    given = {}
-    for rows in results.profile(run.directory).values():
-        for row in rows:
-            given.setdefault((round(row["X_mm"], 9), round(row["Y_mm"], 9)),
-                             []).append((row["displacement_x_mm"],
-                                         row["displacement_y_mm"]))
-    for n in range(model.n_vertices, len(model.X)):
-        place = (round(model.X[n, 0], 9), round(model.X[n, 1], 9))
-        for value in given.get(place, ()):
-            value = np.array(value)
+    rows = [row for rows in results.profile(run.directory).values()
+            for row in rows]
+    # Surfaces that touch have two nodes at a place.
+    tree = cKDTree(model.X[model.n_vertices:])
+    for row in rows:
+        value = np.array([row["displacement_x_mm"], row["displacement_y_mm"]])
+        for n in tree.query_ball_point((row["X_mm"], row["Y_mm"]),
+                                       1e-8 * model.scene.size):
+            n += model.n_vertices
             if np.abs(value - u[n]).max() <= 3 * error[n]:
                 u[n] = value
                 error[n] = 1e-11 * np.abs(value).max() + ulp * np.abs(
@@ -268,12 +268,12 @@ def check_profile(scene, model, state, run):
         if rule == "Gauss" or rule == "mortar" and left_out.any():
             continue
         ours = np.hypot(*state.residual[nodes].T)
-        by_place = {place(model.X[n]): k for k, n in enumerate(nodes)}
+        tree = cKDTree(model.X[nodes])
         theirs = np.zeros(len(nodes))
         normal, shear = 0.0, 0.0
         for row in said.get(("slave " + zone.name).strip(), []):
-            k = by_place.get(place((row["X_mm"], row["Y_mm"])))
-            if k is not None:
+            distance, k = tree.query((row["X_mm"], row["Y_mm"]))
+            if distance <= 1e-8 * scene.size:
                 p, q = row["pressure_MPa"], row["shear_MPa"]
                 force = row["nodal_force_N_per_mm"]
                 theirs[k] = abs(force) * (np.hypot(1, q / p) if p else 0)
@@ -299,10 +299,6 @@ def check_profile(scene, model, state, run):
 def is_straight(model, group):
     line = surfaces.Polyline(model.lines[group], model.X)
     return np.abs(line.tangent - line.tangent[0]).max() < 1e-9
-
-
-def place(x):
-    return tuple(np.round(x, 8))
 
 
 def check_without_contact(model, state):

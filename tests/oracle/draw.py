@@ -84,8 +84,9 @@ def other_loops(rng, scene):
         entries["Solution/Linear solver"] = rng.choice(["CHOLMOD", "AMG"])
     geometry = list(loops)
     friction_loops = list(loops)
-    if system == "saddle point":
+    if system != "automatic":
         friction_loops.append("Newton")
+    if system == "saddle point":
         if scene.rule != "mortar":
             geometry.append("Newton")
     if not scene.large:

@@ -7,6 +7,8 @@ import surfaces
 # Of the largest displacement: what a geometry loop may leave (0.001), and by
 # how much a weighted gap lets single places overlap.
 PENETRATION = {"nodal": 0.01, "mortar": 0.1, "Gauss": 0.2}
+# Of single places between the nodes, likewise.
+PLACES = 0.25
 # Gap beyond which no force may act, likewise.
 APART = 0.05
 # Angle by which a force may leave its cone: a surface turns between two pairings.
@@ -109,7 +111,9 @@ class ZoneCheck:
             gaps = self.master.gap(self.state.x[n])
             lowest = gaps.min(initial=0)
         else:
-            lowest = self.gaps.mean(1).min()
+            # In the mean over an edge, and at single places of it.
+            lowest = min(self.gaps.mean(1).min(), self.gaps.min() *
+                         PENETRATION[self.rule] / PLACES)
             allowed += self.facets()
         if lowest >= -allowed:
             return []
@@ -247,7 +251,7 @@ class ZoneCheck:
         shear = np.einsum("ki,ki->k", self.force, t)
         push = np.einsum("ki,ki->k", self.force, n)
         # At the end of a master the tangent is another one.
-        judged = self.judged & (self.parallel(n) > 0.99)
+        judged = self.counts & (self.parallel(n) > 0.99)
         work = (shear * slip)[judged].sum()
         scale = np.abs(shear * slip)[judged].sum()
         moved = np.abs(step).max()
