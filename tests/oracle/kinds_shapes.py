@@ -241,7 +241,7 @@ def beam_contact(rng, seed):
         scene.load("Pressure", "Beam_above", uniform(rng, 0.02, 0.1) * young *
                    (h / length) ** 3)
     scene.contact(*swap(rng, "Beam_below", "Low_above"), friction(rng))
-    return settle(rng, scene, (2, 4))
+    return settle(rng, scene, (2, 4), large=True)
 
 
 def obstacle(rng, seed):

@@ -182,11 +182,23 @@ class ZoneCheck:
         candidates = list(normals[near])
         lying = np.intersect1d(where, np.flatnonzero(self.lying))
         own = -self.own.normal[np.isin(self.own.line, lying)]
+        if self.rule == "mortar" and len(lying):
+            # The last node of a contact has the mean of its two edges.
+            own = np.concatenate([own, self.mean_normals(lying)])
         self.reference = normals[gaps.argmin()]
         candidates += [n for n in own if n @ self.reference > 0]
         angles = [self.turn(n, self.reference) for n in candidates]
         angles = [a for a in angles if abs(a) < np.pi / 2]
         return min(angles), max(angles)
+
+    def mean_normals(self, lying):
+        """Those of the nodes of lines, turned round."""
+        found = []
+        for n in np.unique(self.lines[lying]):
+            around = np.flatnonzero((self.lines == n).any(1))
+            normal = -self.own.normal[np.isin(self.own.line, around)].sum(0)
+            found.append(normal / max(np.hypot(*normal), 1e-300))
+        return found
 
     @staticmethod
     def turn(a, b):
@@ -254,7 +266,8 @@ class ZoneCheck:
         judged = self.counts & (self.parallel(n) > 0.99)
         work = (shear * slip)[judged].sum()
         scale = np.abs(shear * slip)[judged].sum()
-        moved = np.abs(step).max()
+        # What sticks moves by round-off.
+        moved = max(np.abs(step).max(), 1e-6 * self.largest)
         total = np.abs(push).sum() * moved
         if work > 0.1 * scale + 1e-2 * self.zone.mu * total:
             return [Problem("friction", "does work: %.3g of %.3g N mm" %
