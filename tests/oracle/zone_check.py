@@ -8,7 +8,7 @@ import surfaces
 # how much a weighted gap lets single places overlap.
 PENETRATION = {"nodal": 0.01, "mortar": 0.1, "Gauss": 0.2}
 # Of single places between the nodes, likewise.
-PLACES = 0.25
+PLACES = 0.5
 # Gap beyond which no force may act, likewise.
 APART = 0.05
 # Angle by which a force may leave its cone: a surface turns between two pairings.
@@ -92,7 +92,8 @@ class ZoneCheck:
         nodes, with the signs of the shape functions there: where an edge does
         not face the master as a whole, the nodes around are taken together."""
         lengths = np.bincount(self.own.line, self.own.length)
-        partly = self.gaps.max(1) > 0.05 * lengths + self.slack
+        near = 0.05 * lengths + self.slack
+        partly = (self.gaps.max(1) > near) & (self.gaps.min(1) <= near)
         force = self.force.copy()
         for nodes in connected(self.lines[partly]):
             together = np.isin(self.nodes, list(nodes))
@@ -187,9 +188,25 @@ class ZoneCheck:
             own = np.concatenate([own, self.mean_normals(lying)])
         self.reference = normals[gaps.argmin()]
         candidates += [n for n in own if n @ self.reference > 0]
+        candidates += self.corners(where)
         angles = [self.turn(n, self.reference) for n in candidates]
         angles = [a for a in angles if abs(a) < np.pi / 2]
         return min(angles), max(angles)
+
+    def corners(self, where):
+        """The normals on both sides of the master's corners that touch these
+        lines: what acts there has any direction between them."""
+        if self.zone.obstacle:
+            return []
+        group = self.master.group
+        part = surfaces.Polyline(self.lines[where], self.state.x)
+        touch = part.closest(group.begin)[0] <= APART * self.slack
+        found = []
+        for k in np.flatnonzero(touch):
+            before = (group.end == group.begin[k]).all(1)
+            if before.any():
+                found += [group.normal[k], group.normal[before][0]]
+        return [n for n in found if n @ self.reference > 0]
 
     def mean_normals(self, lying):
         """Those of the nodes of lines, turned round."""
