@@ -80,20 +80,12 @@ def refine_middles(model, run, t, u, error):
     """More digits than the file of the bodies has: of surfaces from the
     profile; the other middles from their own equilibrium, if that is within
     what the file leaves open."""
-    ulp = np.finfo(float).eps
-    rows = [row for rows in results.profile(run.directory).values()
-            for row in rows]
-    # Surfaces that touch have two nodes at a place.
-    tree = cKDTree(model.X[model.n_vertices:])
-    for row in rows:
-        value = np.array([row["displacement_x_mm"], row["displacement_y_mm"]])
-        for n in tree.query_ball_point((row["X_mm"], row["Y_mm"]),
-                                       1e-8 * model.scene.size):
-            n += model.n_vertices
-            if np.abs(value - u[n]).max() <= 3 * error[n]:
-                u[n] = value
-                error[n] = 1e-11 * np.abs(value).max() + ulp * np.abs(
-                    model.X).max()
+    said = results.profile(run.directory)
+    for zone in model.scene.zones:
+        for side, group in (("slave", zone.slave), ("master", zone.master)):
+            rows = said.get((side + " " + zone.name).strip(), [])
+            if group and rows:
+                take_profile(model, rows, model.nodes_of(group), u, error)
     held, value = model.supports(t)
     fits = held & (np.abs(u - value) <= 3 * error[:, None])
     u[fits] = value[fits]
@@ -110,6 +102,20 @@ def refine_middles(model, run, t, u, error):
             1e-300).all():
         u[loose] = better[loose]
         error[loose] = 1e-11 * np.abs(u).max()
+
+
+def take_profile(model, rows, nodes, u, error):
+    """The displacements of the nodes of a surface from its rows."""
+    tree = cKDTree(model.X[nodes])
+    ulp = np.finfo(float).eps
+    for row in rows:
+        value = np.array([row["displacement_x_mm"], row["displacement_y_mm"]])
+        distance, k = tree.query((row["X_mm"], row["Y_mm"]))
+        n = nodes[k]
+        if (n >= model.n_vertices and distance <= 1e-8 * model.scene.size and
+                np.abs(value - u[n]).max() <= 3 * error[n]):
+            u[n] = value
+            error[n] = 1e-11 * np.abs(value).max() + ulp * np.abs(model.X).max()
 
 
 def problems(scene, run, model=None):

@@ -85,16 +85,19 @@ def obstacle(text):
     return HalfPlane(*values) if kind == "half plane" else Circle(*values)
 
 
+def outlines(model, lines, x):
+    """The closed boundaries of the bodies that lines of a group belong to."""
+    mesh = model.scene.mesh
+    return [Polyline(model.complete(mesh.boundary[mesh.bodies[body]]), x)
+            for body in np.unique(model.body_of[lines[:, 0]])]
+
+
 class DeformedBody:
     """The master of a zone: its group, and the whole outline of its bodies."""
 
     def __init__(self, model, zone, x):
         self.group = Polyline(model.lines[zone.master], x)
-        lines = []
-        bodies = {model.body_of[n] for n in model.lines[zone.master][:, 0]}
-        names = model.scene.mesh.bodies
-        self.outlines = [Polyline(model.complete(
-            model.scene.mesh.boundary[names[b]]), x) for b in bodies]
+        self.outlines = outlines(model, model.lines[zone.master], x)
 
     def gap(self, points):
         """The distance to the group; minus the depth inside of the body."""

@@ -8,7 +8,7 @@ import surfaces
 # how much a weighted gap lets single places overlap.
 PENETRATION = {"nodal": 0.01, "mortar": 0.1, "Gauss": 0.2}
 # Of single places between the nodes, likewise.
-PLACES = 0.5
+PLACES = 0.8
 # Gap beyond which no force may act, likewise.
 APART = 0.05
 # Angle by which a force may leave its cone: a surface turns between two pairings.
@@ -113,14 +113,27 @@ class ZoneCheck:
             lowest = gaps.min(initial=0)
         else:
             # In the mean over an edge, and at single places of it.
-            lowest = min(self.gaps.mean(1).min(), self.gaps.min() *
-                         PENETRATION[self.rule] / PLACES)
+            deepest = min(self.gaps.min(), -self.depth_of_master())
+            lowest = min(self.gaps.mean(1).min(),
+                         deepest * PENETRATION[self.rule] / PLACES)
             allowed += self.facets()
         if lowest >= -allowed:
             return []
         return [Problem("penetration", "%.3g mm, displacements %.3g mm, "
                         "rule %s" % (-lowest, self.largest, self.rule),
                         -lowest / self.slack)]
+
+    def depth_of_master(self):
+        """How deep nodes of the master are inside of the slave's bodies."""
+        if self.zone.obstacle:
+            return 0.0
+        points = self.master.group.begin
+        depth = 0.0
+        for outline in surfaces.outlines(self.model, self.lines, self.state.x):
+            inside = outline.contains(points)
+            if inside.any():
+                depth = max(depth, outline.closest(points[inside])[0].max())
+        return depth
 
     def facets(self):
         """By how much the corners of polygons overlap where round surfaces
