@@ -277,17 +277,9 @@ def check_profile(scene, model, state, run):
         if rule == "Gauss" or rule == "mortar" and left_out.any():
             continue
         ours = np.hypot(*state.residual[nodes].T)
-        tree = cKDTree(model.X[nodes])
-        theirs = np.zeros(len(nodes))
-        normal, shear = 0.0, 0.0
-        for row in said.get(("slave " + zone.name).strip(), []):
-            distance, k = tree.query((row["X_mm"], row["Y_mm"]))
-            if distance <= 1e-8 * scene.size:
-                p, q = row["pressure_MPa"], row["shear_MPa"]
-                force = row["nodal_force_N_per_mm"]
-                theirs[k] = abs(force) * (np.hypot(1, q / p) if p else 0)
-                normal += force
-                shear += force * q / p if p else 0
+        forces = forces_said(said.get(("slave " + zone.name).strip(), []),
+                             model.X[nodes], 1e-8 * scene.size)
+        theirs = np.hypot(*forces.T)
         allowed = (EQUILIBRIUM * state.scale + 10 *
                    state.error[nodes].max(1))
         off = np.where(left_out, 0, np.abs(ours - theirs))
@@ -297,12 +289,24 @@ def check_profile(scene, model, state, run):
                             "be %.6g" % (ours[k], *model.X[nodes[k]],
                                          theirs[k]))]
         total = np.hypot(*state.residual[nodes].sum(0))
-        said_total = np.hypot(normal, shear)
+        said_total = np.hypot(*forces.sum(0))
         if rule == "mortar" and is_straight(model, zone.slave) and (
                 abs(total - said_total) > 0.05 * total + allowed.sum()):
             return [Problem("profile", "a force of %.6g N, said to be %.6g" % (
                 total, said_total))]
     return []
+
+
+def forces_said(rows, X, resolution):
+    """By nodes: the normal and the tangential force in the profile."""
+    tree = cKDTree(X)
+    forces = np.zeros((len(X), 2))
+    for row in rows:
+        distance, k = tree.query((row["X_mm"], row["Y_mm"]))
+        p, q = row["pressure_MPa"], row["shear_MPa"]
+        if distance <= resolution and p:
+            forces[k] = row["nodal_force_N_per_mm"] * np.array([1, q / p])
+    return forces
 
 
 def is_straight(model, group):

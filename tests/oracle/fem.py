@@ -97,7 +97,6 @@ class Block:
     def tangent(self, u, large):
         _, E, e, F, f = self.strain(u, large)
         n = self.cells.shape[1]
-        shape = self.w.shape + (n, 2)
         B = np.empty(self.w.shape + (4, n, 2))
         for k in range(2):
             B[:, :, k] = np.einsum("eqi,eqa->eqai", F[..., :, k],

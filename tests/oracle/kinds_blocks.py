@@ -1,7 +1,6 @@
 """Scenes of blocks: pressed, carried, stacked, loose, with feet and teeth."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
-from draw import (friction, log_uniform, material, settle, size, split, swap,
-                  uniform)
+from draw import friction, material, settle, size, split, swap, uniform
 from grids import Body, block, ticks
 from scene import (EITHER, HOLD_THEN_RAMP, HOPELESS, RAMP_THEN_HOLD, Scene,
                    THERE_AND_BACK)
@@ -48,7 +47,7 @@ def pressed(rng, seed):
     scene, s = two_blocks(rng, "pressed", seed)
     scene.contact(*swap(rng, "Up_below", "Low_above"), friction(rng))
     scene.hold("Up_above", 0)
-    scene.load(*rng.choice([("Pressure", "Up_above"), ]),
+    scene.load("Pressure", "Up_above",
                uniform(rng, 0.001, 0.02) * stiffness(scene))
     return settle(rng, scene)
 

@@ -3,12 +3,11 @@ what has to be refused."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import math
 
-from draw import friction, log_uniform, material, settle, size, split, swap, \
-    uniform
+from draw import friction, material, settle, size, split, swap, uniform
 from grids import Body, block, ticks
 from kinds_blocks import stiffness, two_blocks
 from scene import (EITHER, Formula, HOLD_THEN_RAMP, RAMP_THEN_HOLD, REFUSED,
-                   Scene, THERE_AND_BACK)
+                   Scene)
 
 
 def half_disk(name, x, y, radius, n, m, below=True):
@@ -179,7 +178,6 @@ def eccentric(rng, seed):
     scene, s = two_blocks(rng, "eccentric", seed)
     scene.contact(*swap(rng, "Up_below", "Low_above"), friction(rng, 0.2))
     p = uniform(rng, 0.0005, 0.005) * stiffness(scene)
-    x = scene.mesh.X[:, 0]
     width = uniform(rng, 0.5, 1.0)
     text = "%.10g*(1 + %.10g*(x - %.10g)/%.10g)" % (
         p, width, 0.5 * s, 0.5 * s)

@@ -6,7 +6,7 @@ from draw import (friction, log_uniform, material, settle, size, split, swap,
                   uniform)
 from grids import Body, block, ticks
 from kinds_blocks import stiffness
-from scene import (EITHER, Formula, HOLD_THEN_RAMP, RAMP_THEN_HOLD, Scene,
+from scene import (EITHER, HOLD_THEN_RAMP, RAMP_THEN_HOLD, Scene,
                    THERE_AND_BACK)
 
 
@@ -261,9 +261,6 @@ def obstacle(rng, seed):
         text = "half plane: 0, 0, 0, 1"
     elif kind == "tilted":
         a = uniform(rng, -0.2, 0.2)
-        low = min(0.0, math.tan(a) * s)
-        text = "half plane: 0, %.12g, %.12g, %.12g" % (
-            low, -math.sin(a), math.cos(a))
         text = "half plane: 0, %.12g, %.12g, %.12g" % (
             -max(0.0, math.tan(a) * s), -math.sin(a), math.cos(a))
     elif kind == "disk":

@@ -20,7 +20,6 @@ import time
 import traceback
 
 import check
-import fem
 import kinds_blocks
 import kinds_parts
 import kinds_shapes

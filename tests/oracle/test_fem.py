@@ -18,7 +18,7 @@ import numpy as np
 
 import check
 import fem
-from grids import Body, block, ticks
+from grids import block
 from kinds_shapes import annulus
 from results import Run
 from scene import Scene

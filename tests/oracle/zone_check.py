@@ -161,7 +161,6 @@ class ZoneCheck:
         """The force on a slave node: where there is contact, into the body,
         inside of the cone."""
         where = self.around[k]
-        node = self.nodes[k]
         gap = min(self.gaps[where].min(), self.distance_of_master(where))
         if gap > APART * self.slack + self.facets():
             return self.problem("force without contact", k, "gap %.3g mm" % gap)
