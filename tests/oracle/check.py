@@ -98,8 +98,8 @@ def refine_middles(model, run, t, u, error):
         better = model.solve(t, 1, fixed, u)
     except (ArithmeticError, RuntimeError):
         return
-    if np.isfinite(better).all() and (np.abs(better - u)[loose] <= 3 * error[loose, None] +
-            1e-300).all():
+    off = np.abs(better - u)[loose]
+    if (off <= 3 * error[loose, None] + 1e-300).all():
         u[loose] = better[loose]
         error[loose] = 1e-11 * np.abs(u).max()
 
@@ -219,8 +219,8 @@ def check_balance(scene, model, state):
         nodes = np.array(sorted(nodes))
         force = state.residual[nodes]
         scale = np.abs(force).sum()
-        allowed = EQUILIBRIUM * max(scale, state.scale * 1e-2) + 3 * state.error[
-            nodes].sum(0)
+        allowed = (EQUILIBRIUM * max(scale, state.scale * 1e-2) +
+                   3 * state.error[nodes].sum(0))
         for d in range(2):
             # A ring carries radial forces by itself, and so does the axis.
             if state.held[nodes, d].any() or (model.axisymmetric and d == 0):

@@ -64,7 +64,8 @@ def gauss_square(n):
 def gauss_triangle(degree):
     if degree == 1:
         return [((1 / 3, 1 / 3), 0.5)]
-    return [(p, 1 / 6) for p in ((1 / 6, 1 / 6), (2 / 3, 1 / 6), (1 / 6, 2 / 3))]
+    points = ((1 / 6, 1 / 6), (2 / 3, 1 / 6), (1 / 6, 2 / 3))
+    return [(p, 1 / 6) for p in points]
 
 
 def hammer_seven():

@@ -5,8 +5,8 @@ The energy of a body is the integral of
     1/2 lambda (P tr E)^2 + mu E : E
 over the undeformed volume, E the linear or Green's strain with the hoop strain
 of rings in it, P the identity or the projection of each cell onto the mean
-(degree 2, quadrangles: onto 1, xi, eta). Forces are its derivatives, in N per mm
-of thickness, of whole rings in N."""
+(degree 2, quadrangles: onto 1, xi, eta). Forces are its derivatives, in N per
+mm of thickness, of whole rings in N."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import numpy as np
 import scipy.sparse as sp

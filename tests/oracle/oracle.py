@@ -154,8 +154,11 @@ def main():
     with tempfile.TemporaryDirectory() as place, \
             concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         place = pathlib.Path(place)
-        for outcome in pool.map(lambda item: run_scene(
-                binary, options.variants, *item, place / ("%s_%d" % item)), todo):
+
+        def one(item):
+            return run_scene(binary, options.variants, *item,
+                             place / ("%s_%d" % item))
+        for outcome in pool.map(one, todo):
             outcomes.append(outcome)
             directory = place / outcome.scene.name
             if is_failure(outcome):

@@ -69,7 +69,7 @@ def energy(model, u):
             P = np.array(traces)
             if b.modes is not None:
                 P = b.modes[e] @ (b.modes[e].T @ (w * P))
-            total += (w * (b.lame / 2 * P ** 2 + b.shear * np.array(rest))).sum()
+            total += b.lame / 2 * w @ P ** 2 + b.shear * w @ np.array(rest)
     return total
 
 

@@ -8,9 +8,8 @@ import numpy as np
 import check
 import results
 
-# Of the largest displacement of all increments. The program drives residuals to 1e-8 of the load,
-# loops of geometry to 1e-3 of the displacements of an increment, from where the
-# last step of Newton's method goes on.
+# Of the largest displacement of all increments. The program drives residuals to
+# 1e-8 of the load, and pairs once more before each step of Newton's method.
 SAME = 1e-6
 NAMES = ("mirrored", "renumbered", "reordered", "two ranks")
 

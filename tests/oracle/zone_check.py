@@ -11,7 +11,7 @@ PENETRATION = {"nodal": 0.01, "mortar": 0.1, "Gauss": 0.2}
 PLACES = 0.8
 # Gap beyond which no force may act, likewise.
 APART = 0.05
-# Angle by which a force may leave its cone: a surface turns between two pairings.
+# Angle by which a force may leave its cone: surfaces turn between two pairings.
 ANGLE = 0.03
 # A force that counts, of the largest one.
 COUNTS = 1e-3
