@@ -1,0 +1,103 @@
+"""What all kinds of scenes draw: materials, sizes, rules, loops."""
+# SPDX-License-Identifier: LGPL-2.1-or-later
+import math
+
+# Steel, aluminium, concrete, wood, hard and soft plastics, rubber: E, nu.
+MATERIALS = ((210000, 0.3), (70000, 0.33), (30000, 0.2), (10000, 0.1),
+             (2500, 0.38), (500, 0.42), (5, 0.49))
+
+
+def log_uniform(rng, low, high):
+    return round_to(math.exp(rng.uniform(math.log(low), math.log(high))))
+
+
+def round_to(x, digits=4):
+    return float("%.*g" % (digits, x))
+
+
+def uniform(rng, low, high):
+    return round_to(rng.uniform(low, high))
+
+
+def size(rng):
+    """Of a scene in mm: from small parts to buildings."""
+    return rng.choice([1.0, 10.0, 10.0, 100.0, log_uniform(rng, 0.1, 3000)])
+
+
+def material(rng, soft=True):
+    return rng.choice(MATERIALS if soft else MATERIALS[:-2])
+
+
+def split(rng):
+    """Triangles: nowhere, everywhere, in part of a body."""
+    choice = rng.random()
+    if choice < 0.7:
+        return None
+    if choice < 0.85:
+        return lambda x, y: True
+    return lambda x, y: math.sin(7 * x + 3 * y) > 0
+
+
+def friction(rng, low=0.0):
+    return rng.choice([mu for mu in (0.0, 0.0, 0.1, 0.2, 0.3, 0.5)
+                       if mu >= low])
+
+
+def triangles(scene):
+    return any(kind == "triangle" for _, kind in scene.mesh.cells)
+
+
+def settle(rng, scene, increments=(1, 2, 4), large=None):
+    """Degree, kinematics, rule and increments; a quarter of the scenes gets
+    other loops, rules and systems than the default."""
+    scene.rule = rng.choice(["mortar", "nodal"])
+    entries = scene.entries
+    if large is None:
+        large = rng.random() < 0.6
+    if not large:
+        entries["Solids/Kinematics"] = "small strain"
+    # Points of the stiffness of curved or rings' triangles of degree 2 are
+    # nobody's convention.
+    if rng.random() < 0.25 and not (triangles(scene) and (
+            large or scene.axisymmetric)):
+        entries["Element/Degree"] = 2
+    entries["Solution/Increments"] = rng.choice(increments)
+    if rng.random() < 0.25:
+        other_loops(rng, scene)
+    return scene
+
+
+def other_loops(rng, scene):
+    entries = scene.entries
+    scene.is_default = False
+    scene.rule = rng.choice(["mortar", "nodal", "Gauss"])
+    loops = ["fixed point", "each step"]
+    system = rng.choice(["automatic", "saddle point", "condensed"])
+    if scene.rule == "Gauss" and system == "condensed":
+        system = "saddle point"
+    shares_nodes = len(scene.zones) > 1
+    if shares_nodes:
+        system = "automatic"
+    if system != "automatic":
+        entries["Solution/System"] = system
+    if system == "condensed":
+        entries["Solution/Linear solver"] = rng.choice(["CHOLMOD", "AMG"])
+    geometry = list(loops)
+    friction_loops = list(loops)
+    if system != "automatic":
+        friction_loops.append("Newton")
+    if system == "saddle point":
+        if scene.rule != "mortar":
+            geometry.append("Newton")
+    if not scene.large:
+        geometry.append("undeformed")
+    entries["Solution/Geometry"] = rng.choice(geometry)
+    if any(zone.mu for zone in scene.zones):
+        entries["Solution/Friction"] = rng.choice(friction_loops)
+    if rng.random() < 0.2:
+        entries["Solids/Dilatation"] = rng.choice(["full", "projected"])
+
+
+def swap(rng, a, b):
+    """Which of two surfaces is the slave."""
+    return (a, b) if rng.random() < 0.5 else (b, a)

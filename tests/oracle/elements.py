@@ -1,0 +1,85 @@
+"""Shape functions and quadrature of the plane elements: Q4, Q8, T3, T6, and of
+their edges.
+
+Nodes: corners anticlockwise, then the middles of the edges 01, 12, 23, 30 (01,
+12, 20 of triangles). Quadrangles live in [-1, 1]^2, triangles in x, y >= 0,
+x + y <= 1, edges in [-1, 1] with the nodes begin, end, middle."""
+# SPDX-License-Identifier: LGPL-2.1-or-later
+import numpy as np
+
+CORNERS = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], float)
+
+
+def q4(x, y):
+    shape = np.array([(1 + a * x) * (1 + b * y) / 4 for a, b in CORNERS])
+    slope = np.array([[a * (1 + b * y) / 4, b * (1 + a * x) / 4]
+                      for a, b in CORNERS])
+    return shape, slope
+
+
+def q8(x, y):
+    """The serendipity element."""
+    shape = [(1 + a * x) * (1 + b * y) * (a * x + b * y - 1) / 4
+             for a, b in CORNERS]
+    slope = [[a * (1 + b * y) * (2 * a * x + b * y) / 4,
+              b * (1 + a * x) * (a * x + 2 * b * y) / 4] for a, b in CORNERS]
+    for a, b in ((0, -1), (1, 0), (0, 1), (-1, 0)):
+        if a == 0:
+            shape.append((1 - x * x) * (1 + b * y) / 2)
+            slope.append([-x * (1 + b * y), b * (1 - x * x) / 2])
+        else:
+            shape.append((1 - y * y) * (1 + a * x) / 2)
+            slope.append([a * (1 - y * y) / 2, -y * (1 + a * x)])
+    return np.array(shape), np.array(slope)
+
+
+def t3(x, y):
+    return (np.array([1 - x - y, x, y]),
+            np.array([[-1, -1], [1, 0], [0, 1]], float))
+
+
+def t6(x, y):
+    c, slope = t3(x, y)
+    pairs = ((0, 1), (1, 2), (2, 0))
+    return (np.array([a * (2 * a - 1) for a in c] +
+                     [4 * c[i] * c[j] for i, j in pairs]),
+            np.array([(4 * a - 1) * s for a, s in zip(c, slope)] +
+                     [4 * (c[i] * slope[j] + c[j] * slope[i])
+                      for i, j in pairs]))
+
+
+def edge(x, degree):
+    if degree == 1:
+        return (np.array([(1 - x) / 2, (1 + x) / 2]), np.array([-0.5, 0.5]))
+    return (np.array([x * (x - 1) / 2, x * (x + 1) / 2, 1 - x * x]),
+            np.array([x - 0.5, x + 0.5, -2 * x]))
+
+
+def gauss_square(n):
+    points, weights = np.polynomial.legendre.leggauss(n)
+    return [((x, y), v * w) for y, v in zip(points, weights)
+            for x, w in zip(points, weights)]
+
+
+def gauss_triangle(degree):
+    if degree == 1:
+        return [((1 / 3, 1 / 3), 0.5)]
+    points = ((1 / 6, 1 / 6), (2 / 3, 1 / 6), (1 / 6, 2 / 3))
+    return [(p, 1 / 6) for p in points]
+
+
+def hammer_seven():
+    """Exact to degree 5 (Radon): for body forces on triangles."""
+    r = 15 ** 0.5
+    points = [((1 / 3, 1 / 3), 9 / 80)]
+    for a, w in (((6 - r) / 21, (155 - r) / 2400), ((6 + r) / 21,
+                                                    (155 + r) / 2400)):
+        points += [((a, a), w), ((1 - 2 * a, a), w), ((a, 1 - 2 * a), w)]
+    return points
+
+
+def rule(kind, degree):
+    """Shape functions and points of an element: those of the stiffness."""
+    if kind == "quad":
+        return (q4 if degree == 1 else q8), gauss_square(degree + 1)
+    return (t3 if degree == 1 else t6), gauss_triangle(degree)

@@ -1,0 +1,176 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Random scenes of many kinds, judged by a finite element code of its own.
+
+    oracle.py [--count N] [--seed S] [--kind K,...] [--keep DIRECTORY]
+              [--jobs N] [--variants SHARE] [--strict] CONTACT
+
+Scene k is of the kind k modulo their number; with its seed it is always the
+same. Exit status 1 if a result with exit status 0 is wrong, or a run crashed,
+hung or took too much memory; with --strict also if a scene that has to converge
+at default settings does not."""
+import argparse
+import concurrent.futures
+import pathlib
+import random
+import shutil
+import sys
+import tempfile
+import time
+import traceback
+
+import check
+import kinds_blocks
+import kinds_parts
+import kinds_shapes
+import results
+import scene as scenes
+import variants
+
+KINDS = {f.__name__: f for f in kinds_blocks.KINDS + kinds_shapes.KINDS +
+         kinds_parts.KINDS}
+COLUMNS = ("run", "converged", "differs", "refused", "not converged", "wrong",
+           "crash", "seconds", "most s", "most MB", "steps")
+
+
+def make(kind, seed):
+    return KINDS[kind](random.Random("%s %d" % (kind, seed)), seed)
+
+
+class Outcome:
+    def __init__(self, scene, column, reason, run):
+        self.scene = scene
+        self.column = column
+        self.reason = reason
+        self.run = run
+
+
+def judge(scene, run):
+    """The column of a run, and the reason."""
+    if run.status is None:
+        return "crash", "hung: " + run.message
+    if run.status not in (0, 1, 2, 3):
+        return "crash", "exit status %s: %s" % (run.status, run.message)
+    if run.megabytes > 1000:
+        return "crash", "%.0f MB" % run.megabytes
+    if run.status == 2:
+        return "refused", run.message
+    if run.status == 3:
+        return "not converged", run.message
+    if run.status == 1:
+        return "not converged", "violated: " + "; ".join(
+            v for i in run.summary["increments"] for v in i["violations"])[:300]
+    try:
+        found = check.problems(scene, run)
+    except Exception:
+        found = ["the oracle failed: " + traceback.format_exc()[-600:]]
+    if found:
+        return "wrong", "; ".join(map(str, found[:3]))
+    if scene.expected in (scenes.HOPELESS, scenes.REFUSED):
+        return "wrong", "converged, although nothing holds a body"
+    return "converged", ""
+
+
+def run_scene(binary, share, kind, seed, directory):
+    scene = make(kind, seed)
+    scene.write(directory)
+    try:
+        run = results.run(binary, directory)
+    except OSError:  # the program is being replaced
+        time.sleep(20)
+        run = results.run(binary, directory)
+    column, reason = judge(scene, run)
+    if column == "converged" and share > 0 and seed % round(1 / share) == 0:
+        name = variants.NAMES[seed // round(1 / share) % len(variants.NAMES)]
+        found = variants.compare(scene, run, name, binary,
+                                 directory / "variant")
+        if found:
+            column, reason = found
+    return Outcome(scene, column, reason, run)
+
+
+def is_failure(outcome):
+    """Not what is expected of the scene, at the settings of the program."""
+    scene = outcome.scene
+    if outcome.column in ("wrong", "crash", "differs"):
+        return True
+    if scene.expected != scenes.SOLVED:
+        return False
+    return outcome.column in ("refused", "not converged") and scene.is_default
+
+
+def table(outcomes):
+    lines = ["| kind | " + " | ".join(COLUMNS) + " | at default |",
+             "|" + "---|" * (len(COLUMNS) + 2)]
+    for kind in list(KINDS) + ["all"]:
+        these = [o for o in outcomes if kind in (o.scene.kind, "all")]
+        if these:
+            lines.append("| %s | %s | %s |" % (kind, " | ".join(
+                cells(these)), at_default(these)))
+    return "\n".join(lines)
+
+
+def cells(outcomes):
+    count = lambda column: sum(o.column == column for o in outcomes)
+    seconds = [o.run.seconds for o in outcomes]
+    return [str(len(outcomes))] + [str(count(c)) for c in COLUMNS[1:7]] + [
+        "%.1f" % sum(seconds), "%.1f" % max(seconds),
+        "%.0f" % max(o.run.megabytes for o in outcomes),
+        str(sum(o.run.steps for o in outcomes))]
+
+
+def at_default(outcomes):
+    """How many of those converge that have to."""
+    these = [o for o in outcomes if o.scene.is_default and
+             o.scene.expected == scenes.SOLVED]
+    good = sum(o.column in ("converged", "differs") for o in these)
+    return "%d of %d" % (good, len(these))
+
+
+def report(outcome, keep, binary):
+    scene = outcome.scene
+    print("%-13s %-16s %s%s: %s\n    cd %s && %s case.prm" % (
+        outcome.column, scene.name, scene.rule,
+        "" if scene.is_default else " (other loops)", outcome.reason,
+        keep / scene.name, binary), flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--count", type=int, default=1000)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--kind", default=",".join(KINDS))
+    parser.add_argument("--keep", default="output/oracle", type=pathlib.Path)
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--variants", type=float, default=0.25)
+    parser.add_argument("--strict", action="store_true")
+    parser.add_argument("contact", type=pathlib.Path)
+    options = parser.parse_args()
+    binary = options.contact.resolve()
+    kinds = options.kind.split(",")
+    todo = [(kinds[k % len(kinds)], options.seed + k // len(kinds))
+            for k in range(options.count)]
+    outcomes = []
+    with tempfile.TemporaryDirectory() as place, \
+            concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        place = pathlib.Path(place)
+
+        def one(item):
+            return run_scene(binary, options.variants, *item,
+                             place / ("%s_%d" % item))
+        for outcome in pool.map(one, todo):
+            outcomes.append(outcome)
+            directory = place / outcome.scene.name
+            if is_failure(outcome):
+                kept = options.keep / outcome.scene.name
+                shutil.rmtree(kept, ignore_errors=True)
+                shutil.copytree(directory, kept)
+                report(outcome, options.keep.resolve(), binary)
+            shutil.rmtree(directory)
+    print(table(outcomes))
+    return any(o.column in ("wrong", "crash") or options.strict and
+               is_failure(o) and o.column != "differs" for o in outcomes)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

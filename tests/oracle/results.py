@@ -1,0 +1,168 @@
+"""Runs the program and reads what it has written."""
+# SPDX-License-Identifier: LGPL-2.1-or-later
+import base64
+import csv
+import json
+import os
+import re
+import resource
+import struct
+import subprocess
+import time
+import zlib
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+MEMORY = 1500 << 20
+SECONDS = 60
+SINGLE = 1.2e-7
+
+
+class Run:
+    """One run: exit status (None: it hung), what it said, seconds, results."""
+
+    def __init__(self, status, said, seconds, directory):
+        self.status = status
+        self.said = said
+        self.seconds = seconds
+        self.directory = directory / "output" / "case"
+        self.summary = None
+        try:
+            self.summary = json.loads((self.directory / "summary.json")
+                                      .read_text())
+        except (OSError, ValueError):
+            pass
+
+    @property
+    def megabytes(self):
+        return (self.summary or {}).get("peak_memory_mb", 0)
+
+    @property
+    def steps(self):
+        return sum(i["newton_iterations"] for i in
+                   (self.summary or {}).get("increments", []))
+
+    @property
+    def message(self):
+        text = (self.summary or {}).get("message") or self.said
+        return " ".join(text.split())[:300]
+
+
+def run(binary, directory, ranks=1):
+    environment = dict(os.environ, OPENBLAS_NUM_THREADS="1",
+                       OMPI_ALLOW_RUN_AS_ROOT="1",
+                       OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                       OMPI_MCA_rmaps_base_oversubscribe="1",
+                       OMPI_MCA_mpi_yield_when_idle="1")
+    command = [str(binary), "case.prm"]
+    if ranks > 1:
+        command = ["mpirun", "-np", str(ranks)] + command
+
+    def limits():
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        if ranks == 1:
+            resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    start = time.monotonic()
+    try:
+        done = subprocess.run(command, cwd=directory, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, timeout=SECONDS,
+                              preexec_fn=limits, env=environment)
+        status, said = done.returncode, done.stdout.decode("utf-8", "replace")
+    except subprocess.TimeoutExpired:
+        status, said = None, "more than %d s" % SECONDS
+    return Run(status, said, time.monotonic() - start, directory)
+
+
+def vertex_displacements(increment, n):
+    u = np.full((n, 2), np.nan)
+    for k in range(n):
+        for d in range(2):
+            value = increment["probes"].get("%s%d" % ("xy"[d], k))
+            u[k, d] = np.nan if value is None else value
+    return u
+
+
+def profile(directory):
+    """The rows of profile.csv by surface."""
+    surfaces = {}
+    try:
+        with open(directory / "profile.csv", newline="") as file:
+            for row in csv.DictReader(file):
+                surfaces.setdefault(row.pop("surface"), []).append(
+                    {key: float(value or "nan") for key, value in row.items()})
+    except OSError:
+        pass
+    return surfaces
+
+
+TYPES = {"Float32": "f4", "Float64": "f8", "Int32": "i4", "Int64": "i8",
+         "UInt8": "u1", "UInt32": "u4", "UInt64": "u8", "Int8": "i1"}
+
+
+def vtu_arrays(path):
+    """The arrays of a file as deal.II writes it: base64, blocks of zlib."""
+    arrays = {}
+    text = path.read_text()
+    for tag, body in re.findall(r"<DataArray ([^>]*)>(.*?)</DataArray>", text,
+                                re.S):
+        attributes = dict(re.findall(r'(\w+)="([^"]*)"', tag))
+        name = attributes.get("Name", "points")
+        dtype = "<" + TYPES[attributes["type"]]
+        if attributes["format"] == "ascii":
+            arrays[name] = np.array(body.split(), float)
+            continue
+        arrays[name] = np.frombuffer(decode(body.strip()), dtype)
+    return arrays
+
+
+def decode(text):
+    n = struct.unpack("<I", base64.b64decode(text[:8])[:4])[0]
+    length = (4 * (3 + n) + 2) // 3 * 4
+    header = struct.unpack("<%dI" % (3 + n), base64.b64decode(text[:length]))
+    data = base64.b64decode(text[length:])
+    out, position = b"", 0
+    for size in header[3:]:
+        out += zlib.decompress(data[position:position + size])
+        position += size
+    return out
+
+
+def middle_displacements(run_, model, u):
+    """Fill in the middles of the edges from the last file of the bodies, in
+    single precision; False if a node is not in it."""
+    try:
+        files = re.findall('file="([^"]*)"', (run_.directory / "bodies.pvd")
+                           .read_text())
+    except OSError:
+        return False
+    path = run_.directory / files[-1]
+    arrays = vtu_arrays(path)
+    points = arrays["points"].reshape(-1, 3)[:, :2].astype(float)
+    values = arrays["displacement"].reshape(-1, 3)[:, :2].astype(float)
+    bodies = arrays["body"].astype(int)
+    for number, body in match_bodies(model, points, bodies).items():
+        nodes = np.flatnonzero(model.body_of == body)
+        nodes = nodes[nodes >= model.n_vertices]
+        here = bodies == number
+        distance, nearest = cKDTree(points[here]).query(model.X[nodes])
+        if distance.max() > 1e-5 * np.abs(points).max():
+            return False
+        u[nodes] = values[here][nearest]
+    return True
+
+
+def match_bodies(model, points, bodies):
+    """Which of our bodies a number of the file is, by the box of its points:
+    the program numbers them as it likes."""
+    boxes = []
+    for b in range(len(model.scene.mesh.bodies)):
+        X = model.X[model.body_of == b]
+        boxes.append(np.concatenate([X.min(0), X.max(0)]))
+    number = {}
+    for b in np.unique(bodies):
+        p = points[bodies == b]
+        box = np.concatenate([p.min(0), p.max(0)])
+        order = [np.abs(box - other).max() for other in boxes]
+        number[int(b)] = int(np.argmin(order))
+    return number

@@ -1,0 +1,204 @@
+"""A scene: mesh, materials, supports, loads, contact, and its files."""
+# SPDX-License-Identifier: LGPL-2.1-or-later
+import copy
+
+import numpy as np
+
+
+class Formula:
+    """The same function as text for the program and as code for the oracle."""
+
+    def __init__(self, text, function):
+        self.text = text
+        self.function = function
+
+    def __call__(self, *arguments):
+        return self.function(*arguments)
+
+
+RAMP_THEN_HOLD = Formula("min(1, 2*t)", lambda t: min(1.0, 2 * t))
+HOLD_THEN_RAMP = Formula("max(0, 2*t - 1)", lambda t: max(0.0, 2 * t - 1))
+THERE_AND_BACK = Formula("table(0 0, 0.5 1, 1 0)",
+                         lambda t: 2 * t if t < 0.5 else 2 - 2 * t)
+AT_ONCE = Formula("1", lambda t: 1.0)
+
+
+def number(value):
+    return value.text if isinstance(value, Formula) else "%.12g" % value
+
+
+class Zone:
+    def __init__(self, slave, master=None, mu=0.0, name="", rule=None,
+                 obstacle=None):
+        self.slave = slave
+        self.master = master
+        self.mu = mu
+        self.name = name
+        self.rule = rule
+        # 'half plane: x, y, nx, ny' or 'circle: x, y, radius'
+        self.obstacle = obstacle
+
+
+# What the end of a scene has to be.
+SOLVED = "solved"  # results
+REFUSED = "refused"  # exit status 2
+HOPELESS = "hopeless"  # exit status 2 or 3: there is no solution
+EITHER = "either"  # results, or exit status 2 or 3
+
+
+class Scene:
+    def __init__(self, kind, seed, bodies, materials, rule="mortar",
+                 arcs=None):
+        from grids import Mesh
+        self.kind = kind
+        self.seed = seed
+        self.name = "%s_%d" % (kind, seed)
+        self.mesh = Mesh(bodies, arcs)
+        self.materials = materials
+        self.rule = rule
+        self.boundary = {}
+        self.histories = {}
+        self.zones = []
+        self.entries = {}
+        self.expected = SOLVED
+        # Whether all loops, rules and systems are left to the program.
+        self.is_default = True
+
+    @property
+    def degree(self):
+        return int(self.entries.get("Element/Degree", 1))
+
+    @property
+    def axisymmetric(self):
+        return self.entries.get("Solids/Symmetry") == "axisymmetric"
+
+    @property
+    def large(self):
+        return self.entries.get("Solids/Kinematics") != "small strain"
+
+    @property
+    def undeformed(self):
+        return self.entries.get("Solution/Geometry") == "undeformed"
+
+    @property
+    def size(self):
+        return float(np.ptp(self.mesh.X, axis=0).max())
+
+    def material(self, body):
+        return self.materials[body]
+
+    def rule_of(self, zone):
+        return zone.rule or self.rule
+
+    def factor(self, entry, t):
+        return self.histories[entry](t) if entry in self.histories else t
+
+    def hold(self, groups, x=None, y=None):
+        """Prescribe the displacements of boundaries or points."""
+        for name in groups.split():
+            for axis, value in (("x", x), ("y", y)):
+                if value is not None:
+                    self.boundary.setdefault("Displacement " + axis,
+                                             {})[name] = value
+        return self
+
+    def load(self, entry, name, value):
+        self.boundary.setdefault(entry, {})[name] = value
+        return self
+
+    def contact(self, *arguments, **keywords):
+        self.zones.append(Zone(*arguments, **keywords))
+        return self
+
+    def prescribed(self):
+        """The largest displacement of a support."""
+        return max((abs(v) for entry, items in self.boundary.items()
+                    if entry.startswith("Displacement")
+                    for v in items.values()), default=0.0)
+
+    def parameters(self):
+        sections = {"Mesh": {"File": "mesh.msh"}, "Solids": {
+            "Young's modulus": self.listing({k: v[0] for k, v in
+                                             self.materials.items()}),
+            "Poisson's ratio": self.listing({k: v[1] for k, v in
+                                             self.materials.items()})}}
+        if self.mesh.arcs:
+            sections["Mesh"]["Arcs"] = "; ".join(
+                "%s: %s" % (name, ", ".join(map(number, arc)))
+                for name, arc in self.mesh.arcs.items())
+        conditions = sections["Boundary conditions"] = {
+            entry: self.listing(items, "; " if entry.split()[0] in (
+                "Pressure", "Traction", "Body") else ", ")
+            for entry, items in self.boundary.items()}
+        if self.histories:
+            conditions["Histories"] = "; ".join(
+                "%s: %s" % (entry, f.text)
+                for entry, f in self.histories.items())
+        for zone in self.zones:
+            sections[("Contact " + zone.name).strip()] = self.entries_of(zone)
+        for entry, value in self.entries.items():
+            section, name = entry.split("/", 1)
+            sections.setdefault(section, {})[name] = value
+        sections["Probes"] = {"Probes": "; ".join(
+            "%s%d: displacement %s, n%d" % (d, k, d, k)
+            for k in range(len(self.mesh.X)) for d in "xy")}
+        sections["Output"] = {"Screen": "none", "Profile": "true",
+                              "VTU": "true" if self.degree == 2 else "false"}
+        return "".join("subsection %s\n%send\n" % (name, "".join(
+            "  set %s = %s\n" % item for item in section.items()))
+            for name, section in sections.items())
+
+    def entries_of(self, zone):
+        entries = {"Slave": zone.slave}
+        if zone.obstacle:
+            entries["Obstacle"] = zone.obstacle
+        else:
+            entries["Master"] = zone.master
+        entries["Rule"] = self.rule_of(zone)
+        entries["Friction coefficient"] = number(zone.mu)
+        return entries
+
+    @staticmethod
+    def listing(items, separator=", "):
+        return separator.join("%s: %s" % (name, number(value))
+                              for name, value in items.items())
+
+    def write(self, directory):
+        directory.mkdir(parents=True, exist_ok=True)
+        (directory / "mesh.msh").write_text(self.mesh.text())
+        (directory / "case.prm").write_text(self.parameters())
+
+    # The same scene in other words.
+    def varied(self, mesh):
+        other = copy.deepcopy(self)
+        other.mesh = mesh
+        return other
+
+    def mirrored(self):
+        """In x; rings in y."""
+        axis = 1 if self.axisymmetric else 0
+        if any(isinstance(v, Formula) for items in self.boundary.values()
+               for v in items.values()):
+            return None
+        other = self.varied(self.mesh.mirrored(axis))
+        for entry, items in other.boundary.items():
+            if entry.endswith(" " + "xy"[axis]):
+                for name in items:
+                    items[name] = -items[name]
+        for zone in other.zones:
+            if zone.obstacle:
+                kind, numbers = zone.obstacle.split(": ")
+                values = [float(v) for v in numbers.split(",")]
+                for k in range(axis, len(values) - (kind == "circle"), 2):
+                    values[k] *= -1
+                zone.obstacle = kind + ": " + ", ".join(map(number, values))
+        return other
+
+    def renumbered(self, rng):
+        return self.varied(self.mesh.renumbered(rng))
+
+    def reordered(self):
+        """The bodies in the opposite order."""
+        other = self.varied(copy.copy(self.mesh))
+        other.mesh.bodies = self.mesh.bodies[::-1]
+        return other

@@ -1,0 +1,127 @@
+"""Deformed surfaces as polylines: distances, normals, what lies inside."""
+# SPDX-License-Identifier: LGPL-2.1-or-later
+import numpy as np
+
+import elements
+
+# Pieces of an edge of degree 2.
+PIECES = 24
+
+
+class Polyline:
+    """The lines of a group, each with its body on the left."""
+
+    def __init__(self, lines, x):
+        self.lines = lines
+        if lines.shape[1] == 2:
+            begin, end = x[lines[:, 0]], x[lines[:, 1]]
+            self.line = np.arange(len(lines))
+        else:
+            cuts = np.array([elements.edge(s, 2)[0] for s in
+                             np.linspace(-1, 1, PIECES + 1)])
+            points = np.einsum("ca,eai->eci", cuts, x[lines])
+            begin = points[:, :-1].reshape(-1, 2)
+            end = points[:, 1:].reshape(-1, 2)
+            self.line = np.repeat(np.arange(len(lines)), PIECES)
+        self.begin, self.end = begin, end
+        along = end - begin
+        self.length = np.maximum(np.hypot(*along.T), 1e-300)
+        self.tangent = along / self.length[:, None]
+        self.normal = np.stack([self.tangent[:, 1], -self.tangent[:, 0]], 1)
+
+    def closest(self, points):
+        """For each point: distance, piece, place on the piece in [0, 1]."""
+        r = points[:, None] - self.begin[None]
+        s = np.einsum("psi,si->ps", r, self.tangent) / self.length
+        s = np.clip(s, 0, 1)
+        foot = self.begin + s[..., None] * (self.end - self.begin)
+        distance = np.hypot(*np.moveaxis(points[:, None] - foot, 2, 0))
+        piece = distance.argmin(1)
+        k = np.arange(len(points))
+        return distance[k, piece], piece, s[k, piece]
+
+    def contains(self, points):
+        """Of closed lines: what is inside (crossings of a ray)."""
+        a, b = self.begin[None], self.end[None]
+        x, y = points[:, 0, None], points[:, 1, None]
+        straddles = (a[..., 1] > y) != (b[..., 1] > y)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            cut = (a[..., 0] + (y - a[..., 1]) / (b[..., 1] - a[..., 1]) *
+                   (b[..., 0] - a[..., 0]))
+        return (straddles & (x < cut)).sum(1) % 2 == 1
+
+
+class HalfPlane:
+    def __init__(self, x, y, nx, ny):
+        self.point = np.array([x, y])
+        self.n = np.array([nx, ny]) / np.hypot(nx, ny)
+
+    def gap(self, points):
+        return (points - self.point) @ self.n
+
+    def normals(self, points):
+        return np.broadcast_to(self.n, points.shape)
+
+
+class Circle:
+    """A rigid disk; a hole in a rigid body if the radius is negative."""
+
+    def __init__(self, x, y, radius):
+        self.centre = np.array([x, y])
+        self.radius = abs(radius)
+        self.sign = 1 if radius > 0 else -1
+
+    def gap(self, points):
+        return self.sign * (np.hypot(*(points - self.centre).T) - self.radius)
+
+    def normals(self, points):
+        r = points - self.centre
+        return self.sign * r / np.hypot(*r.T)[:, None]
+
+
+def obstacle(text):
+    kind, numbers = text.split(": ")
+    values = [float(v) for v in numbers.split(",")]
+    return HalfPlane(*values) if kind == "half plane" else Circle(*values)
+
+
+def outlines(model, lines, x):
+    """The closed boundaries of the bodies that lines of a group belong to."""
+    mesh = model.scene.mesh
+    return [Polyline(model.complete(mesh.boundary[mesh.bodies[body]]), x)
+            for body in np.unique(model.body_of[lines[:, 0]])]
+
+
+class DeformedBody:
+    """The master of a zone: its group, and the whole outline of its bodies."""
+
+    def __init__(self, model, zone, x):
+        self.group = Polyline(model.lines[zone.master], x)
+        self.outlines = outlines(model, model.lines[zone.master], x)
+
+    def gap(self, points):
+        """The distance to the group; minus the depth inside of the body."""
+        gap, _, _ = self.group.closest(points)
+        for outline in self.outlines:
+            inside = outline.contains(points)
+            if inside.any():
+                gap[inside] = -outline.closest(points[inside])[0]
+        return gap
+
+    def normals(self, points):
+        _, piece, _ = self.group.closest(points)
+        return self.group.normal[piece]
+
+
+def master_of(model, zone, x):
+    if zone.obstacle:
+        return obstacle(zone.obstacle)
+    return DeformedBody(model, zone, x)
+
+
+def samples(model, lines, x, per_line=9):
+    """Points on each line of a group, (lines, points, 2), and the weights of
+    the line's nodes there."""
+    shapes = np.array([elements.edge(s, model.degree)[0]
+                       for s in np.linspace(-1, 1, per_line)])
+    return np.einsum("ca,eai->eci", shapes, x[lines]), shapes

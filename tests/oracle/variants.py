@@ -1,0 +1,63 @@
+"""The same scene in other words: mirrored, renumbered, its bodies in another
+order, on two processes. Its results have to be the same."""
+# SPDX-License-Identifier: LGPL-2.1-or-later
+import random
+
+import numpy as np
+
+import check
+import results
+
+# Of the largest displacement of all increments. The program drives residuals to
+# 1e-8 of the load, and pairs once more before each step of Newton's method.
+SAME = 1e-6
+NAMES = ("mirrored", "renumbered", "reordered", "two ranks")
+
+
+def make(scene, name):
+    """Another scene, what its displacements have to be multiplied with, and
+    the number of processes; None if there is none."""
+    one = np.ones(2)
+    if name == "mirrored":
+        other = scene.mirrored()
+        sign = np.array([1.0, -1.0] if scene.axisymmetric else [-1.0, 1.0])
+        return other and (other, sign, 1)
+    if name == "renumbered":
+        return scene.renumbered(random.Random(scene.seed)), one, 1
+    if name == "reordered":
+        return scene.reordered(), one, 1
+    return scene, one, 2
+
+
+def displacements(scene, run):
+    """Those of the last increment, and the largest of all increments."""
+    fields = [results.vertex_displacements(i, len(scene.mesh.X))
+              for i in run.summary["increments"] if i["converged"]]
+    return fields[-1], max(np.abs(u).max() for u in fields)
+
+
+def compare(scene, base, name, binary, directory):
+    """(column, sentence), None if there is nothing to say: 'wrong' if the
+    variant is found wrong by itself, 'differs' if both may be right."""
+    made = make(scene, name)
+    if made is None:
+        return None
+    other, sign, ranks = made
+    other.write(directory)
+    run = results.run(binary, directory, ranks)
+    if ranks > 1 and run.status == 2:
+        return None
+    if run.status != 0:
+        crashed = run.status not in (1, 2, 3)
+        return "crash" if crashed else "differs", "%s: exit status %s: %s" % (
+            name, run.status, run.message)
+    (u, largest), (v, _) = displacements(scene, base), displacements(other, run)
+    v = v[getattr(other.mesh, "order", slice(None))] * sign
+    off = np.abs(u - v).max() / max(largest, 1e-300)
+    if off <= SAME:
+        return None
+    found = check.problems(other, run)
+    if found:
+        return "wrong", "%s (%.1e off): %s" % (name, off, found[0])
+    return "differs", "%s: %.1e of the largest displacement; both in " \
+        "equilibrium" % (name, off)

@@ -1,0 +1,318 @@
+"""Forces and gaps of a contact zone, seen on the deformed surfaces."""
+# SPDX-License-Identifier: LGPL-2.1-or-later
+import numpy as np
+
+import surfaces
+
+# Of the largest displacement: what a geometry loop may leave (0.001), and by
+# how much a weighted gap lets single places overlap.
+PENETRATION = {"nodal": 0.01, "mortar": 0.1, "Gauss": 0.2}
+# Of single places between the nodes, likewise.
+PLACES = 0.8
+# Gap beyond which no force may act, likewise.
+APART = 0.05
+# Angle by which a force may leave its cone: surfaces turn between two pairings.
+ANGLE = 0.03
+# A force that counts, of the largest one.
+COUNTS = 1e-3
+
+
+class Problem:
+    def __init__(self, reason, detail, size=0.0):
+        self.reason = reason
+        self.detail = detail
+        self.size = size
+
+    def __str__(self):
+        return "%s: %s" % (self.reason, self.detail)
+
+
+def connected(lines):
+    """The nodes of lines that hang together."""
+    found = []
+    for line in lines.tolist():
+        nodes = set(line)
+        for other in [c for c in found if c & nodes]:
+            found.remove(other)
+            nodes |= other
+        found.append(nodes)
+    return found
+
+
+class ZoneCheck:
+    """Forces and gaps of a zone."""
+
+    def __init__(self, scene, model, state, zone, largest, shared):
+        self.scene, self.model, self.state = scene, model, state
+        self.zone = zone
+        self.rule = scene.rule_of(zone)
+        self.lines = model.lines[zone.slave]
+        self.nodes = np.unique(self.lines)
+        self.master = surfaces.master_of(model, zone, state.x)
+        self.largest = largest
+        # What has moved, but no less than the resolution of the mesh file.
+        self.slack = largest + 1e-9 * scene.size
+        self.points, _ = surfaces.samples(model, self.lines, state.x)
+        flat = self.points.reshape(-1, 2)
+        self.gaps = self.master.gap(flat).reshape(self.points.shape[:2])
+        self.normals = self.master.normals(flat).reshape(self.points.shape)
+        self.own = surfaces.Polyline(self.lines, state.x)
+        self.judged = ~shared[self.nodes] & ~state.held[self.nodes].any(1)
+        self.force = state.residual[self.nodes]
+        # Lines of the slave that lie on the master: more than one place of them
+        # touches.
+        self.touching = self.gaps <= APART * self.slack
+        self.lying = self.touching.sum(1) > 1
+        self.is_free = self.judged.copy()
+        # The lines that what acts on a node may come from.
+        self.around = [np.flatnonzero((self.lines == n).any(1))
+                       for n in self.nodes]
+        if self.rule == "mortar":
+            self.add_neighbours()
+        self.size = np.hypot(*self.force.T)
+        noise = 10 * np.hypot(*state.error[self.nodes].T)
+        self.counts = self.judged & (self.size > np.maximum(
+            noise, COUNTS * max(self.size.max(), 1e-4 * state.scale)))
+
+    def problems(self, before):
+        found = self.check_penetration()
+        for k in np.flatnonzero(self.counts):
+            problem = self.check_force(k)
+            if problem:
+                found.append(problem)
+                break
+        if not found:
+            found += self.check_resultant()
+        if before is not None and not found:
+            found += self.check_slip(before)
+        return found
+
+    def add_neighbours(self):
+        """The rule mortar spreads what acts on part of an edge over all of its
+        nodes, with the signs of the shape functions there: where an edge does
+        not face the master as a whole, the nodes around are taken together."""
+        lengths = np.bincount(self.own.line, self.own.length)
+        near = 0.05 * lengths + self.slack
+        partly = (self.gaps.max(1) > near) & (self.gaps.min(1) <= near)
+        force = self.force.copy()
+        for nodes in connected(self.lines[partly]):
+            together = np.isin(self.nodes, list(nodes))
+            lines = np.flatnonzero(np.isin(self.lines, self.nodes[
+                together]).any(1))
+            force[together] = self.force[together].sum(0)
+            self.judged[together] = self.judged[together].all()
+            for k in np.flatnonzero(together):
+                self.around[k] = lines
+        self.force = force
+
+    def check_penetration(self):
+        allowed = PENETRATION[self.rule] * self.slack + self.sagitta()
+        if self.rule == "nodal":
+            n = self.nodes[self.state.held[self.nodes].sum(1) < 2]
+            gaps = self.master.gap(self.state.x[n])
+            lowest = gaps.min(initial=0)
+        else:
+            # In the mean over an edge, and at single places of it.
+            deepest = min(self.gaps.min(), -self.depth_of_master())
+            lowest = min(self.gaps.mean(1).min(),
+                         deepest * PENETRATION[self.rule] / PLACES)
+            allowed += self.facets()
+        if lowest >= -allowed:
+            return []
+        return [Problem("penetration", "%.3g mm, displacements %.3g mm, "
+                        "rule %s" % (-lowest, self.largest, self.rule),
+                        -lowest / self.slack)]
+
+    def depth_of_master(self):
+        """How deep nodes of the master are inside of the slave's bodies."""
+        if self.zone.obstacle:
+            return 0.0
+        points = self.master.group.begin
+        depth = 0.0
+        for outline in surfaces.outlines(self.model, self.lines, self.state.x):
+            inside = outline.contains(points)
+            if inside.any():
+                depth = max(depth, outline.closest(points[inside])[0].max())
+        return depth
+
+    def facets(self):
+        """By how much the corners of polygons overlap where round surfaces
+        touch: edge^2 / 8 R of either side, R from the turns."""
+        deepest = 0.0
+        for line in [self.own] + ([self.master.group] if hasattr(
+                self.master, "group") else []):
+            turn = np.abs(np.cross(line.tangent[:-1], line.tangent[1:]))
+            joined = np.abs(line.end[:-1] - line.begin[1:]).max(1) == 0
+            turn = np.where(joined & (turn < 0.5), turn, 0)
+            length = np.maximum(line.length[:-1], line.length[1:])
+            deepest = max(deepest, (turn * length / 4).max(initial=0))
+        return deepest
+
+    def sagitta(self):
+        """Of the pieces that an edge of degree 2 is cut into."""
+        if self.model.degree == 1 or self.zone.obstacle:
+            return 0.0
+        line = self.master.group
+        turn = np.abs(np.cross(line.tangent[:-1], line.tangent[1:]))
+        turn[surfaces.PIECES - 1::surfaces.PIECES] = 0
+        return (turn * line.length[1:]).max(initial=0) / 8
+
+    def check_force(self, k):
+        """The force on a slave node: where there is contact, into the body,
+        inside of the cone."""
+        where = self.around[k]
+        gap = min(self.gaps[where].min(), self.distance_of_master(where))
+        if gap > APART * self.slack + self.facets():
+            return self.problem("force without contact", k, "gap %.3g mm" % gap)
+        if self.rule == "Gauss" and self.model.degree == 2:
+            return None
+        low, high = self.range_of_normals(k, where)
+        angle = self.turn(self.force[k], self.reference)
+        friction = np.arctan(self.zone.mu) + ANGLE
+        if low - friction <= angle <= high + friction:
+            return None
+        inward = self.force[k] @ self.reference
+        return self.problem("tension" if inward < 0 else "cone", k,
+                            "%.3g rad outside of the cone, mu %.3g" % (
+                                max(low - angle, angle - high) - friction +
+                                ANGLE, self.zone.mu))
+
+    def distance_of_master(self, where):
+        """Of the master's nodes from lines of the slave: a corner may lie
+        between the places on these."""
+        if self.zone.obstacle:
+            return np.inf
+        part = surfaces.Polyline(self.lines[where], self.state.x)
+        return part.closest(self.master.group.begin)[0].min()
+
+    def range_of_normals(self, k, where):
+        """The directions in which the master may push here: its normals where
+        the slave's edges face it, and the slave's own, turned round, where
+        those lie on it."""
+        normals = self.normals[where].reshape(-1, 2)
+        gaps = self.gaps[where].ravel()
+        near = gaps <= gaps.min() + 0.5 * self.own.length.max()
+        candidates = list(normals[near])
+        lying = np.intersect1d(where, np.flatnonzero(self.lying))
+        own = -self.own.normal[np.isin(self.own.line, lying)]
+        if self.rule == "mortar" and len(lying):
+            # The last node of a contact has the mean of its two edges.
+            own = np.concatenate([own, self.mean_normals(lying)])
+        self.reference = normals[gaps.argmin()]
+        candidates += [n for n in own if n @ self.reference > 0]
+        candidates += self.corners(where)
+        angles = [self.turn(n, self.reference) for n in candidates]
+        angles = [a for a in angles if abs(a) < np.pi / 2]
+        return min(angles), max(angles)
+
+    def corners(self, where):
+        """The normals on both sides of the master's corners that touch these
+        lines: what acts there has any direction between them."""
+        if self.zone.obstacle:
+            return []
+        group = self.master.group
+        part = surfaces.Polyline(self.lines[where], self.state.x)
+        touch = part.closest(group.begin)[0] <= APART * self.slack
+        found = []
+        for k in np.flatnonzero(touch):
+            before = (group.end == group.begin[k]).all(1)
+            if before.any():
+                found += [group.normal[k], group.normal[before][0]]
+        return [n for n in found if n @ self.reference > 0]
+
+    def mean_normals(self, lying):
+        """Those of the nodes of lines, turned round."""
+        found = []
+        for n in np.unique(self.lines[lying]):
+            around = np.flatnonzero((self.lines == n).any(1))
+            normal = -self.own.normal[np.isin(self.own.line, around)].sum(0)
+            found.append(normal / max(np.hypot(*normal), 1e-300))
+        return found
+
+    @staticmethod
+    def turn(a, b):
+        return np.arctan2(b[0] * a[1] - b[1] * a[0], a @ b)
+
+    def problem(self, reason, k, detail):
+        n = self.nodes[k]
+        return Problem(reason, "%s; %.3g N, largest %.3g N at (%.5g, %.5g)"
+                       % (detail, self.size[k], self.size.max(),
+                          *self.model.X[n]), self.size[k])
+
+    def check_resultant(self):
+        """A flat master pushes along its own normal."""
+        if not (self.counts & self.is_free).any() or not self.is_flat() or (
+                not self.touching.any()):
+            return []
+        # What acts on other nodes is not that of contact alone.
+        lines = self.touching.any(1)
+        if not self.is_free[np.isin(self.nodes, self.lines[lines])].all():
+            return []
+        # Where an edge of the slave lies on an end of the master, its own.
+        normals = np.concatenate([
+            self.normals[self.touching],
+            -self.own.normal[np.isin(self.own.line,
+                                     np.flatnonzero(self.lying))]])
+        reference = normals.mean(0)
+        reference /= np.hypot(*reference)
+        angles = [self.turn(n, reference) for n in normals]
+        if max(map(abs, angles)) > 0.3:
+            return []
+        total = self.state.residual[self.nodes[self.is_free]].sum(0)
+        if self.model.axisymmetric and abs(reference[0]) > 0.1:
+            return []
+        angle = self.turn(total, reference)
+        friction = np.arctan(self.zone.mu) + 0.02
+        if min(angles) - friction <= angle <= max(angles) + friction:
+            return []
+        return [Problem("resultant", "turned by %.3g from the master's normal, "
+                        "mu %.3g, %.3g N" % (angle, self.zone.mu,
+                                             np.hypot(*total)))]
+
+    def is_flat(self):
+        if self.zone.obstacle:
+            return self.zone.obstacle.startswith("half")
+        tangents = surfaces.Polyline(self.model.lines[self.zone.master],
+                                     self.model.X).tangent
+        return np.abs(tangents - tangents[0]).max() < 1e-9
+
+    def check_slip(self, before):
+        """Friction acts against the slip; what sticks does not slip."""
+        if self.zone.mu == 0 or self.zone.obstacle or self.model.degree == 2:
+            return []
+        step = self.state.u - before.u
+        group = self.master.group
+        _, piece, s = group.closest(self.state.x[self.nodes])
+        line = self.lines_of_master()[group.line[piece]]
+        of_master = ((1 - s)[:, None] * step[line[:, 0]] +
+                     s[:, None] * step[line[:, 1]])
+        n = group.normal[piece]
+        t = np.stack([-n[:, 1], n[:, 0]], 1)
+        slip = np.einsum("ki,ki->k", step[self.nodes] - of_master, t)
+        shear = np.einsum("ki,ki->k", self.force, t)
+        push = np.einsum("ki,ki->k", self.force, n)
+        # At the end of a master the tangent is another one.
+        judged = self.counts & (self.parallel(n) > 0.99)
+        work = (shear * slip)[judged].sum()
+        scale = np.abs(shear * slip)[judged].sum()
+        # What sticks moves by round-off.
+        moved = max(np.abs(step).max(), 1e-6 * self.largest)
+        total = np.abs(push).sum() * moved
+        if work > 0.1 * scale + 1e-2 * self.zone.mu * total:
+            return [Problem("friction", "does work: %.3g of %.3g N mm" %
+                            (work, total))]
+        return []
+
+    def parallel(self, normals):
+        """By the nodes: the cosine of the angle between given normals and the
+        slave's own ones turned round."""
+        own = np.zeros_like(normals)
+        for k, n in enumerate(self.nodes):
+            pieces = (self.lines == n).any(1)
+            own[k] = -self.own.normal[np.isin(self.own.line, np.flatnonzero(
+                pieces))].sum(0)
+        own /= np.maximum(np.hypot(*own.T), 1e-300)[:, None]
+        return np.einsum("ki,ki->k", own, normals)
+
+    def lines_of_master(self):
+        return self.model.lines[self.zone.master]
