@@ -94,6 +94,7 @@
 #include <set>
 #include <sstream>
 
+#include "aitken.h"
 #include "command_line.h"
 #include "condensed_system.h"
 #include "contact_interface.h"
@@ -182,6 +183,7 @@ namespace Contact
 
     void        pair_bodies();
     void        pair_bodies(const Vector<double> &configuration);
+    void        pair_bodies_ahead(const bool after_a_step);
     void        renew_pairing(Relaxation &relaxation);
     double      misfit_of_new_pairing();
     VolumeRatio assemble_forces_of_bodies();
@@ -262,8 +264,9 @@ namespace Contact
 
     // The displacements under which the points were paired, and whether these
     // pairs stay, see PairingGuard.
-    Vector<double> paired_at;
-    bool           pairing_is_frozen = false;
+    Vector<double>      paired_at;
+    bool                pairing_is_frozen = false;
+    AitkenExtrapolation extrapolation;
 
     // What nothing holds by itself in this increment.
     std::vector<FreeMotion> softly_held;
@@ -1042,7 +1045,7 @@ namespace Contact
                                                    const bool one_at_a_time)
   {
     if (geometry_follows() && pairs_each_step() && !pairing_is_frozen)
-      pair_bodies();
+      pair_bodies_ahead(after_a_step);
 
     Outcome outcome;
     outcome.volume = assemble_forces_of_bodies();
@@ -1150,6 +1153,30 @@ namespace Contact
       condensed->update_pattern();
     else
       saddle_point->update_pattern(changed);
+  }
+
+
+
+  // @sect4{ContactProblem::pair_bodies_ahead}
+  //
+  // Before each Newton step the bodies are paired where they are; if the
+  // tangent does not know how the pairing moves with them, and steps in one and
+  // the same direction become but slowly shorter, where these lead to.
+  void ContactProblem::pair_bodies_ahead(const bool after_a_step)
+  {
+    if (!after_a_step || linearization.moving_geometry)
+      {
+        extrapolation.forget();
+        pair_bodies();
+        return;
+      }
+    Vector<double> step(summary.n_displacements);
+    for (unsigned int i = 0; i < step.size(); ++i)
+      step[i] = solution[i] - paired_at[i];
+    const double   length        = extrapolation.length(step);
+    Vector<double> configuration = paired_at;
+    configuration.sadd(1 - length, length, solution);
+    pair_bodies(length == 1 ? solution : configuration);
   }
 
 

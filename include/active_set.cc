@@ -48,16 +48,27 @@ namespace Contact
                                 Vector<double>       &update)
   {
     collect(solution, u_start);
+    Vector<double> corrected = update;
+    if (!search(update, corrected) &&
+        !(linearization.moving_bound && search_by_turns(update, corrected)))
+      return false;
+    update = corrected;
+    return true;
+  }
 
-    // All points decide at once, which is fast. Decisions that were there
-    // before are a cycle: then one point at a time, the first that wants to,
-    // which ends for every uniquely solvable frictionless contact problem
-    // (Murty's least-index rule for linear complementarity problems).
-    Vector<double>                     corrected = update;
+
+
+  // All points decide at once, which is fast. Decisions that were there before
+  // are a cycle: then one point at a time, the first that wants to, which ends
+  // for every uniquely solvable frictionless contact problem (Murty's
+  // least-index rule for linear complementarity problems).
+  bool ActiveSetSearch::search(const Vector<double> &update,
+                               Vector<double>       &corrected)
+  {
     std::set<std::vector<signed char>> seen{signature()};
     bool                               one_by_one = false;
     unsigned int                       n_rounds   = 0;
-    const unsigned int                 max_rounds = 20 + 2 * points.size();
+    const unsigned int                 max_rounds = 20 + 20 * points.size();
     while (decide(corrected, one_by_one))
       {
         if (++n_rounds > max_rounds)
@@ -66,8 +77,52 @@ namespace Contact
         add_responses();
         corrected = solve_changes(update);
       }
-    update = corrected;
     return true;
+  }
+
+
+
+  bool ActiveSetSearch::search_by_turns(const Vector<double> &update,
+                                        Vector<double>       &corrected)
+  {
+    // What decides are signs: bounds to a thousandth are enough.
+    const unsigned int max_turns = 20;
+    const double       tolerance = 1e-3;
+
+    for (unsigned int q = 0; q < points.size(); ++q)
+      points[q].decision = interface.points[q].decision;
+    bounds_are_frozen = true;
+    corrected         = update;
+    bool   is_found   = true;
+    double change     = 1;
+    for (unsigned int turn = 0;
+         turn < max_turns && change > tolerance && is_found;
+         ++turn)
+      {
+        change   = freeze_bounds(corrected);
+        is_found = search(update, corrected);
+      }
+    bounds_are_frozen = false;
+    return is_found;
+  }
+
+
+
+  double ActiveSetSearch::freeze_bounds(const Vector<double> &update)
+  {
+    double change = 0, largest = 0;
+    for (unsigned int q = 0; q < points.size(); ++q)
+      {
+        ContactPoint &point = interface.points[q];
+        const double  p =
+          points[q].p +
+          dot(points[q].rows.unknowns, points[q].rows.p_trial, update);
+        const double bound = interface.zone(point).law.bound(p);
+        change  = std::max(change, std::abs(bound - point.tresca_bound));
+        largest = std::max(largest, bound);
+        point.tresca_bound = bound;
+      }
+    return largest > 0 ? change / largest : 0;
   }
 
 
@@ -101,17 +156,21 @@ namespace Contact
       {
         LinearPoint &point    = points[q];
         const auto  &unknowns = point.rows.unknowns;
-        const auto   decision =
+        Decision     decision =
           interface.decide(interface.points[q],
                            point.p + dot(unknowns, point.rows.p_trial, update),
                            point.q + dot(unknowns, point.rows.q_trial, update),
-                           linearization.moving_bound);
+                           bound_moves());
+        // Slip turns round by way of sticking: where all points of a body slip,
+        // none would hold it, whichever way they do.
+        if (decision.slip_direction * point.decision.slip_direction < 0)
+          decision = {Status::stick, 0};
         if (decision == point.decision)
           continue;
         changed           = true;
         point.has_changed = true;
         point.decision    = decision;
-        if (!linearization.moving_bound && decision.status == Status::open)
+        if (!bound_moves() && decision.status == Status::open)
           interface.drop_bound(q);
       }
     return changed;
@@ -187,7 +246,7 @@ namespace Contact
                                           points[q].decision,
                                           p,
                                           points[q].q,
-                                          linearization.moving_bound);
+                                          bound_moves());
     if (tangential)
       return {t.q - t.dq_dp * p - t.dq_dq * points[q].q, t.dq_dp, t.dq_dq};
     return {t.p - t.dp_dp * p, t.dp_dp, 0.};

@@ -30,6 +30,12 @@ namespace Contact
    * costs one back substitution, once. (Woodbury's formula for the change of
    * the tangent, in the space of the contact points.)
    *
+   * With a bound of the shear that moves with the pressure the linearised
+   * problem is not symmetric, and the iteration may cycle. Then it is run with
+   * frozen bounds, which is a convex problem, and the bounds follow the
+   * pressures from turn to turn: the fixed point over Tresca's problems, on
+   * the contact points alone.
+   *
    * The step that results is one of sequential quadratic programming: the
    * number of Newton steps does not grow with the number of points by which
    * the guess of the contact area was wrong.
@@ -83,6 +89,25 @@ namespace Contact
     };
 
     void collect(const Vector<double> &solution, const Vector<double> &u_start);
+
+    /// Find the active set under which @p corrected is the update, from the
+    /// @p update of the old one. Returns whether it was found.
+    bool search(const Vector<double> &update, Vector<double> &corrected);
+
+    /// The same with bounds that are frozen in turns. Where this ends, the
+    /// decisions are those of the last turn.
+    bool search_by_turns(const Vector<double> &update,
+                         Vector<double>       &corrected);
+
+    /// Freeze the bounds under the pressures of @p update. Returns the largest
+    /// change by the largest bound.
+    double freeze_bounds(const Vector<double> &update);
+
+    bool bound_moves() const
+    {
+      return linearization.moving_bound && !bounds_are_frozen;
+    }
+
     /// Let the points decide under the @p update, all or only the first that
     /// changes its mind. Returns whether there was one.
     bool decide(const Vector<double> &update, const bool one_by_one);
@@ -103,6 +128,7 @@ namespace Contact
     const DirectSolver                   &solver;
     const ContactInterface::Linearization linearization;
 
+    bool                     bounds_are_frozen = false;
     std::vector<LinearPoint> points;
     std::vector<Response>    responses;
   };

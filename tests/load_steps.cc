@@ -33,7 +33,7 @@ namespace
             exact           = exact && step.to == static_cast<double>(k) / n &&
                     step.increment == k && step.is_whole &&
                     step.starts_increment && step.ends_increment;
-            steps.accept();
+            steps.accept(3);
           }
         exact = exact && steps.finished();
       }
@@ -55,12 +55,23 @@ namespace
     std::cout << "  from then on:";
     while (!steps.finished())
       {
-        steps.accept();
+        steps.accept(3);
         if (!steps.finished())
           std::cout << ' ' << steps.next().to
                     << (steps.next().ends_increment ? "!" : "");
       }
     std::cout << std::endl;
+
+    // A step that was hard is followed by one of the same length.
+    LoadSteps hard(1, 3);
+    hard.cut();
+    hard.cut();
+    hard.accept(3);
+    check("after an easy one the same, until it fits", hard.next().to == 0.5);
+    hard.accept(20);
+    check("after a hard one the same", hard.next().to == 0.75);
+    hard.accept(3);
+    check("to the end", hard.next().to == 1);
 
     // Steps that fail beyond half of every increment.
     LoadSteps    fragile(3, 10);
@@ -73,7 +84,7 @@ namespace
         else
           {
             ends += step.ends_increment;
-            fragile.accept();
+            fragile.accept(3);
           }
       }
     check("every increment is reached", ends == 3 && n < 100);
@@ -81,8 +92,9 @@ namespace
 
 
 
-  // Proves that a residual may rise once, but not above the last five, that
-  // what is no number never passes, and when only one point may change.
+  // Proves that a residual may rise for ten steps, but then not above the last
+  // five, that what is no number never passes, and when only one point may
+  // change.
   void check_guard()
   {
     headline("guard of Newton's method");
@@ -91,11 +103,16 @@ namespace
     check("but a number", !guard.accepts(std::nan("")));
     guard.advance(1);
     guard.advance(0.1);
-    check("up again, below the largest", guard.accepts(0.9));
-    check("not above it", !guard.accepts(1.1));
-    for (unsigned int i = 0; i < 4; ++i)
-      guard.advance(0.1);
-    check("what is long ago does not count", !guard.accepts(0.9));
+    for (unsigned int i = 0; i < 9; ++i)
+      {
+        check("uphill for a while", guard.accepts(1e3));
+        guard.advance(0.5);
+      }
+    guard.advance(0.5);
+    check("then not above the largest of the last five",
+          guard.accepts(0.5) && !guard.accepts(0.6));
+    guard.advance(0.05);
+    check("progress: uphill again", guard.accepts(1e3));
     guard.forget();
     check("after a new start anything", guard.accepts(7));
 
