@@ -95,7 +95,8 @@ class ZoneCheck:
         not face the master as a whole, the nodes around are taken together."""
         lengths = np.bincount(self.own.line, self.own.length)
         near = 0.05 * lengths + self.slack
-        partly = (self.gaps.max(1) > near) & (self.gaps.min(1) <= near)
+        partly = ((self.gaps.max(1) > APART * self.slack) &
+                  (self.gaps.min(1) <= near))
         force = self.force.copy()
         for nodes in connected(self.lines[partly]):
             together = np.isin(self.nodes, list(nodes))
