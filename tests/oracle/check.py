@@ -71,8 +71,13 @@ def states_of(scene, model, run):
             refine_middles(model, run, increments[k]["load_factor"], u, error)
         found.append(State(model, u, increments[k]["load_factor"], error))
     # The program measures its residual by the forces that have acted so far.
-    for before, state in zip(found, found[1:]):
-        state.scale = max(state.scale, before.scale)
+    so_far = 0.0
+    for state in found:
+        state.scale = so_far = max(so_far, state.scale)
+    if model.degree == 2 and found:
+        found[-1].scale = max([found[-1].scale] + [
+            sum(abs(f) for force in i["reactions"].values()
+                for f in force.values()) for i in increments])
     return found
 
 

@@ -64,7 +64,26 @@ def settle(rng, scene, increments=(1, 2, 4), large=None):
     entries["Solution/Increments"] = rng.choice(increments)
     if rng.random() < 0.25:
         other_loops(rng, scene)
+    if scene.rule == "nodal":
+        prefer_finer(scene)
     return scene
+
+
+def prefer_finer(scene):
+    """A body does not stand on a node or two: the other surface is the slave
+    where too few nodes of this one face it."""
+    X = scene.mesh.X
+    for zone in scene.zones:
+        if zone.obstacle:
+            continue
+        slave, master = ({n for line in scene.mesh.lines[name] for n in line}
+                         for name in (zone.slave, zone.master))
+        low, high = X[list(master)].min(0), X[list(master)].max(0)
+        size = 0.01 * scene.size
+        facing = [n for n in slave if (X[n] > low - size).all() and
+                  (X[n] < high + size).all()]
+        if len(facing) < 3 and len(master) > len(facing):
+            zone.slave, zone.master = zone.master, zone.slave
 
 
 def other_loops(rng, scene):

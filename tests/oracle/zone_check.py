@@ -13,6 +13,8 @@ PLACES = 0.8
 APART = 0.05
 # Angle by which a force may leave its cone: surfaces turn between two pairings.
 ANGLE = 0.03
+# More than this angle between two edges is a corner (its sine).
+ROUND = 0.6
 # A force that counts, of the largest one.
 COUNTS = 1e-3
 
@@ -93,7 +95,8 @@ class ZoneCheck:
         not face the master as a whole, the nodes around are taken together."""
         lengths = np.bincount(self.own.line, self.own.length)
         near = 0.05 * lengths + self.slack
-        partly = (self.gaps.max(1) > near) & (self.gaps.min(1) <= near)
+        partly = ((self.gaps.max(1) > APART * self.slack) &
+                  (self.gaps.min(1) <= near))
         force = self.force.copy()
         for nodes in connected(self.lines[partly]):
             together = np.isin(self.nodes, list(nodes))
@@ -141,11 +144,14 @@ class ZoneCheck:
         deepest = 0.0
         for line in [self.own] + ([self.master.group] if hasattr(
                 self.master, "group") else []):
-            turn = np.abs(np.cross(line.tangent[:-1], line.tangent[1:]))
-            joined = np.abs(line.end[:-1] - line.begin[1:]).max(1) == 0
-            turn = np.where(joined & (turn < 0.5), turn, 0)
-            length = np.maximum(line.length[:-1], line.length[1:])
-            deepest = max(deepest, (turn * length / 4).max(initial=0))
+            follows = {tuple(p): k for k, p in enumerate(line.begin)}
+            for k, p in enumerate(line.end):
+                n = follows.get(tuple(p))
+                turn = 0.0 if n is None else abs(np.cross(line.tangent[k],
+                                                          line.tangent[n]))
+                if turn < ROUND:
+                    deepest = max(deepest, turn / 4 * max(line.length[k],
+                                                          line.length[n or 0]))
         return deepest
 
     def sagitta(self):
