@@ -965,7 +965,7 @@ namespace Contact
         print_step(step, now.residual, now.n_changes);
         if (step > 0)
           now = shorten_step(now, guard, last, last_decisions);
-        const bool progress = guard.advance(now.force) || now.n_changes > 0;
+        const bool progress = guard.advance(now.force);
         if (step > 0 && follows)
           pairing.advance(interface->largest_change(solution, last),
                           way(),
@@ -1243,13 +1243,14 @@ namespace Contact
 
   // @sect4{ContactProblem::assemble_forces_of_contact}
   //
-  // Returns the norm of the whole residual.
+  // Returns the norm of the whole residual, the same on all ranks: it decides
+  // for all of them what comes next.
   double ContactProblem::assemble_forces_of_contact()
   {
     TimerOutput::Scope scope(timer, "residual");
     if (interface)
       interface->assemble(solution, start, linearization, system_rhs, nullptr);
-    return residual_norm();
+    return Utilities::MPI::max(residual_norm(), communicator);
   }
 
 
@@ -1434,6 +1435,10 @@ namespace Contact
     record.works            = found.works();
     record.violations       = found.violations;
     record.reactions        = found.reactions;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      for (const std::string &note : found.notes)
+        std::cerr << parameters.name << ", load factor " << load_factor
+                  << ": note: " << note << std::endl;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       for (const std::string &violation : found.violations)
         std::cerr << parameters.name << ", load factor " << load_factor

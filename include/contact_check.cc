@@ -9,6 +9,8 @@
 #include <limits>
 #include <sstream>
 
+#include "contact_depth.h"
+
 namespace Contact
 {
   namespace
@@ -139,7 +141,11 @@ namespace Contact
   {
     for (const auto &zone : interface.zones)
       if (zone->master)
-        check_balance(*zone, slack, found);
+        {
+          check_balance(*zone, slack, found);
+          if (!zone->tied)
+            check_depth(*zone, found);
+        }
     check_normal(slack, found);
     check_tangential(slack, found);
   }
@@ -245,6 +251,35 @@ namespace Contact
         " N",
       "Slave points and their feet are apart along the surface: lower "
       "'Solution/Geometry tolerance'.");
+  }
+
+
+
+  void ContactCheck::check_depth(const ContactZone &zone,
+                                 ContactInvariants &found) const
+  {
+    const Vector<double> none(u_start.size());
+    const ContactDepth   now = largest_depth(zone, solution);
+    if (now.depth == 0)
+      return;
+    double way = 0;
+    for (const Surface *surface : {&zone.slave, &*zone.master})
+      for (const Surface::Node &node : surface->nodes)
+        for (const auto dof : node.dofs)
+          way = std::max(way, std::abs(solution[dof]));
+    const double overlap = largest_depth(zone, none).depth;
+    if (now.depth - overlap <= 0.5 * way)
+      return;
+    found.notes.push_back(
+      "depth: the node of the " +
+      std::string(now.of_master ? "master" : "slave") + " at X = (" +
+      brief(now.X[0]) + ", " + brief(now.X[1]) + ") mm is " + brief(now.depth) +
+      " mm inside of the other body, of surfaces that move "
+      "by " +
+      brief(way) + " mm. The mesh is too coarse there: " +
+      (now.of_master ? "the slave's edges are too long to see it: exchange "
+                       "slave and master, or refine them."
+                     : "no contact point looks there: refine it."));
   }
 
 

@@ -54,6 +54,10 @@ namespace Contact
     /// where, what to do.
     std::vector<std::string> violations;
 
+    /// One sentence for each thing that a user should know of this state though
+    /// the discrete equations hold.
+    std::vector<std::string> notes;
+
     /// Add a sentence if @p value is above @p limit, or not a number.
     void judge(const std::string &name,
                const double       value,
@@ -104,6 +108,12 @@ namespace Contact
    * face nothing, they pull its multipliers to zero, and what is left is a
    * penalty -c g, with c far below the stiffness of the bodies: if that makes
    * half of the largest pressure, the bodies pass through each other.
+   *
+   * @par Depth
+   * On a mesh that is too coarse the discrete conditions may hold while a node
+   * is deep inside of the other body. There is a note if it is deeper, by more
+   * than half of the largest displacement of the two surfaces, than it was
+   * undeformed.
    */
   class ContactCheck
   {
@@ -133,6 +143,7 @@ namespace Contact
     void check_balance(const ContactZone &zone,
                        const Slack       &slack,
                        ContactInvariants &found) const;
+    void check_depth(const ContactZone &zone, ContactInvariants &found) const;
     void check_normal(const Slack &slack, ContactInvariants &found) const;
     void check_tangential(const Slack &slack, ContactInvariants &found) const;
 

@@ -238,6 +238,13 @@ namespace Contact
                          discretization,
                          u);
         changed = changed || point.dofs != old_dofs;
+
+        // Where several points share multipliers, one that faces nothing pulls
+        // them to zero, as weakly as a spring of the stiffness c: it must not
+        // be the softer one beside points in contact.
+        if (!has_point_per_multiplier())
+          point.complementarity =
+            (point.facing ? complementarity : 1e3) * stiffness(point);
       }
     return changed;
   }

@@ -80,10 +80,11 @@ namespace Contact
     const double round_off =
       std::numeric_limits<double>::epsilon() * modulus * (coordinate + way) *
       std::sqrt(static_cast<double>(discretization.dof_handler.n_dofs()));
-    return std::max({dead,
-                     std::min(acting, dead + most),
-                     so_far,
-                     round_off / newton_tolerance});
+    return Utilities::MPI::max(std::max({dead,
+                                         std::min(acting, dead + most),
+                                         so_far,
+                                         round_off / newton_tolerance}),
+                               discretization.communicator);
   }
 
 

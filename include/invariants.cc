@@ -200,6 +200,29 @@ namespace Contact
     end.external += reactions;
     add_up(reactions, found);
 
+    // The force scale knows the round-off of the stiffest body. Where that is
+    // more than the loads, these are not in the solution.
+    const double loads = elasticity.dead_loads.whole();
+    if (loads > 0)
+      found.judge("resolution",
+                  residual.l2_norm() / loads,
+                  1e-3,
+                  "of loads of " + brief(loads) + " N" +
+                    discretization.per_thickness() + " " +
+                    brief(residual.l2_norm()) + " N" +
+                    discretization.per_thickness() +
+                    " are lost in the round-off of the stiffest body",
+                  "Take a smaller Young's modulus, or an obstacle instead of "
+                  "that body.");
+    if (hold_forces != nullptr)
+      found.judge("stabilization",
+                  end.holds.l2_norm() / slack.reference,
+                  1e-3,
+                  "springs that hold a body still carry " +
+                    brief(end.holds.l2_norm()) + " N" +
+                    discretization.per_thickness(),
+                  "Support the body in the motion that is named above, or "
+                  "refine its surfaces.");
     found.equilibrium = residual.l2_norm() / slack.reference;
     found.judge("equilibrium",
                 found.equilibrium,

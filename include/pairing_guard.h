@@ -32,8 +32,7 @@ namespace Contact
     }
 
     /// A Newton step has moved the surfaces by @p step [mm], since the start of
-    /// the increment by @p way [mm]. Progress is a residual below all before,
-    /// or a point that has changed its status.
+    /// the increment by @p way [mm]. Progress is a residual below all before.
     void advance(const double step, const double way, const bool progress)
     {
       n_short += step <= tolerance * way;
