@@ -32,16 +32,24 @@ namespace Contact
 
 
 
-    /// Whether a support leaves the slave free to move along @p normal.
+    /// Whether supports leave one of the first @p n_nodes nodes of a point free
+    /// to move along @p normal, other than by round-off of its coefficient.
     bool is_free_along(const ContactPoint   &point,
+                       const unsigned int    n_nodes,
                        const Tensor<1, 2>   &normal,
                        const Discretization &discretization)
     {
-      for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
+      const double round_off = 1e-8;
+      double       free = 0, all = 0;
+      for (unsigned int a = 0; a < n_nodes; ++a)
         for (unsigned int i = 0; i < 2; ++i)
-          if (normal[i] != 0 && !discretization.is_fixed(point.dofs[a][i]))
-            return true;
-      return false;
+          {
+            const double share = std::abs(point.C[a] * normal[i]);
+            all += share;
+            if (!discretization.is_fixed(point.dofs[a][i]))
+              free += share;
+          }
+      return free > round_off * all;
     }
 
 
@@ -327,6 +335,11 @@ namespace Contact
     point.metric  = along.norm();
     point.tangent = along / point.metric;
     point.normal  = Tensor<1, 2>({point.tangent[1], -point.tangent[0]});
+
+    // Where supports hold both sides there is no unknown for a pressure.
+    point.facing =
+      point.facing &&
+      is_free_along(point, point.n_nodes, point.normal, discretization);
     point.tangential_row_is_void =
       tangential_row_is_void(point, discretization);
   }
@@ -342,8 +355,9 @@ namespace Contact
                           const Discretization &discretization,
                           const Vector<double> &u)
   {
-    const auto foot      = obstacle.closest_point(slave_position(point, u));
-    point.facing         = is_free_along(point, foot.normal, discretization);
+    const auto foot = obstacle.closest_point(slave_position(point, u));
+    point.facing =
+      is_free_along(point, point.n_slave_nodes, foot.normal, discretization);
     point.master_edge    = numbers::invalid_unsigned_int;
     point.foot           = foot.x;
     point.normal         = foot.normal;

@@ -244,6 +244,10 @@ namespace Contact
         const double    metric =
           MortarSegments::at(now.master_x, m_edge, foot.first).norm();
 
+        const Tensor<1, 2> distance =
+          MortarSegments::at(now.slave_x, edge, shape.value) -
+          MortarSegments::at(now.master_x, m_edge, foot.value);
+
         for (unsigned int k = 0; k < nodes.size(); ++k)
           {
             double phi = 0;
@@ -260,6 +264,7 @@ namespace Contact
                 of_node.master[m_edge.nodes[a]] += phi * foot.value[a];
                 of_node.shift[m_edge.nodes[a]] += phi * foot.first[a] / metric;
               }
+            of_node.distances.push_back(distance);
             add_normals(now, slave_edge, nodes[k], sample, phi, of_node);
           }
       }
@@ -327,6 +332,29 @@ namespace Contact
 
 
 
+  // By how much the weighted gap is beyond the distances that it is a mean of.
+  double MortarRule::excess(const MortarSegments &now,
+                            const Integrals      &integrals,
+                            const double          shift,
+                            const Tensor<1, 2>   &normal) const
+  {
+    double gap = 0, smallest = std::numeric_limits<double>::max(),
+           largest = -smallest;
+    for (const auto &[a, integral] : integrals.slave)
+      gap += integral / integrals.weight * (now.slave_x[a] * normal);
+    for (const auto &[m, integral] : integrals.master)
+      gap -= (integral + shift * integrals.shift.at(m)) / integrals.weight *
+             (now.master_x[m] * normal);
+    for (const Tensor<1, 2> &distance : integrals.distances)
+      {
+        smallest = std::min(smallest, distance * normal);
+        largest  = std::max(largest, distance * normal);
+      }
+    return gap - std::max(smallest, std::min(largest, gap));
+  }
+
+
+
   void MortarRule::fill_in(const MortarSegments &now,
                            const Integrals      &integrals,
                            ContactPoint         &point) const
@@ -379,6 +407,9 @@ namespace Contact
     for (const auto &[m, integral] : integrals.master)
       add(master.nodes[m],
           -(integral + shift * integrals.shift.at(m)) / weight);
+
+    point.foot =
+      Point<2>(excess(now, integrals, shift, point.normal) * point.normal);
 
     // The node itself has to be free to stick.
     point.tangential_row_is_void = discretization.is_fixed(point.dofs[0][0]) ||

@@ -44,6 +44,11 @@ namespace Contact
    * the error of the discretization.
    *
    * Where this differs from the papers:
+   *  - A dual function is negative somewhere, and weighted with it a gap that
+   *    grows fast beside the node, as on a mesh that is coarse beside a round
+   *    counterface, may come out far below all distances, also as a
+   *    penetration where there is none. A mean is between the smallest and the
+   *    largest distance that it is of: what it is beyond is taken off.
    *  - At a corner of the slave each edge is projected along its own normal.
    *  - At an edge that faces the master in part or in several parts (the master
    *    has holes, or several pieces), and at nodes that carry no
@@ -96,6 +101,8 @@ namespace Contact
       Tensor<1, 2> master_mean;       // |Phi_k| times normals
 
       std::map<unsigned int, double> master_edges; // |Phi_k|, by edge
+
+      std::vector<Tensor<1, 2>> distances; // x_slave - x_master [mm]
     };
 
     /// The nodes of an edge, by their number in it, that have a dual function.
@@ -127,6 +134,11 @@ namespace Contact
     /// The direction n_k of a node.
     Tensor<1, 2> direction(const unsigned int node,
                            const Integrals   &integrals) const;
+
+    double excess(const MortarSegments &now,
+                  const Integrals      &integrals,
+                  const double          shift,
+                  const Tensor<1, 2>   &normal) const;
 
     void fill_in(const MortarSegments &now,
                  const Integrals      &integrals,
