@@ -986,6 +986,10 @@ namespace Contact
                  pairing.accepts(misfit_of_new_pairing(), way())))
               return;
             is_to_be_paired = true;
+            screen << "      paired anew: the surfaces have moved by "
+                   << interface->largest_change(solution, paired_at)
+                   << " mm of " << way() << " mm since they were paired"
+                   << std::endl;
           }
         if (step >= max_steps + n_single)
           throw NotConverged("Newton's method ends with the residual " +

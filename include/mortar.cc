@@ -150,8 +150,12 @@ namespace Contact
           candidates.push_back(a);
           nearest = std::min(nearest, overlap.distance(node_coordinates[a]));
         }
+    // The pressures of an edge are others with another set of nodes: where
+    // both surfaces end at the same place, the set must not depend on which way
+    // they deform.
     for (const unsigned int a : candidates)
-      if (overlap.distance(node_coordinates[a]) <= nearest + round_off)
+      if (overlap.distance(node_coordinates[a]) <=
+          nearest + SurfaceSearch::overhang)
         nodes.push_back(a);
     const bool all_seen = overlap.parts.size() == 1 && nearest < round_off;
     if (!all_seen && nodes.size() > 1 && nodes.back() == 2)
