@@ -116,7 +116,7 @@ namespace Contact
 
   void CondensedSystem::update_pattern()
   {
-    if (has_pattern && couplings.serve())
+    if (!on_any_rank(!has_pattern || !couplings.serve()))
       return;
     TimerOutput::Scope scope(timer, "setup");
     couplings.make();
@@ -133,8 +133,9 @@ namespace Contact
       TimerOutput::Scope scope(timer, "assembly");
       elimination.make(solution, u_start, interface_dofs);
     }
-    const bool misses_cells    = add_eliminable();
-    const bool misses_partners = couplings.add_missing(elimination);
+    const bool misses_cells = on_any_rank(add_eliminable());
+    const bool misses_partners =
+      on_any_rank(couplings.add_missing(elimination));
     if (!misses_cells && !misses_partners)
       return;
     TimerOutput::Scope scope(timer, "setup");
@@ -142,6 +143,16 @@ namespace Contact
       collect_interface();
     make_pattern();
     elimination.make(solution, u_start, interface_dofs);
+  }
+
+
+
+  // Whether something is to be made anew is decided by all ranks together: what
+  // each of them sees may differ by round-off.
+  bool CondensedSystem::on_any_rank(const bool condition) const
+  {
+    return Utilities::MPI::max(static_cast<unsigned int>(condition),
+                               discretization.communicator) > 0;
   }
 
 
@@ -308,11 +319,13 @@ namespace Contact
   bool CondensedSystem::assemble(const Vector<double> &solution,
                                  Vector<double>       &rhs)
   {
-    const bool tangents_serve = tangents_are_known && elasticity.is_linear() &&
-                                tangent_version == elasticity.tangent_version();
+    const bool tangents_serve =
+      !on_any_rank(!tangents_are_known || !elasticity.is_linear() ||
+                   tangent_version != elasticity.tangent_version());
     const auto signature = elimination.signature();
-    const bool is_new    = !tangents_serve || signature != assembled_lines;
-    assembled_lines      = signature;
+    const bool is_new =
+      on_any_rank(!tangents_serve || signature != assembled_lines);
+    assembled_lines = signature;
     if (!tangents_serve)
       assemble_tangents(solution);
     else if (is_new)

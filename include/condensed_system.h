@@ -64,6 +64,7 @@ namespace Contact
 
     void collect_interface();
     bool add_eliminable();
+    bool on_any_rank(const bool condition) const;
     void make_pattern();
     void eliminate(const Vector<double> &solution,
                    const Vector<double> &u_start);

@@ -245,10 +245,18 @@ namespace Contact
   // A named point is a vertex of the coarse mesh, which all ranks number alike.
   void Discretization::share_named_points()
   {
+    std::vector<types::global_dof_index *> shared;
+    std::vector<types::global_dof_index>   dofs;
     for (const auto &[name, vertex] : mesh.points)
       if (vertex != numbers::invalid_unsigned_int)
         for (auto &dof : vertex_dofs[vertex])
-          dof = Utilities::MPI::min(dof, communicator);
+          {
+            shared.push_back(&dof);
+            dofs.push_back(dof);
+          }
+    Utilities::MPI::min(dofs, communicator, dofs);
+    for (unsigned int i = 0; i < shared.size(); ++i)
+      *shared[i] = dofs[i];
   }
 
 

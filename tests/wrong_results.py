@@ -1,0 +1,219 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Scenes whose results were wrong with exit status 0, or that crashed.
+
+Proves that
+
+- a block that friction alone carries stays on its base, with every loop of
+  friction, and a stack of blocks is pressed, not thrown;
+- an overlap goes, in any units, whether there are other forces or not, and
+  displacements scale with the lengths;
+- a cantilever bends as beam theory has it, in few Newton steps, without contact
+  and with contact it never comes to;
+- masters with teeth do not end in an error of the program, nor in much memory;
+- a slave with lines of its master's own body is refused;
+- loads that round-off swallows are named;
+- a contact zone that ends where supports hold both bodies converges, and one
+  where slave and master end at the same place.
+
+Usage: wrong_results.py CONTACT PARAMETERS MESHES
+"""
+
+import sys
+
+from block_scenes import Mesh, box, check, failures, rows, run
+
+
+def solids(young="A: 1000, B: 1000", poisson="A: 0.3, B: 0.3",
+           kinematics="small strain"):
+    return {"Solids/Young's modulus": young, "Solids/Poisson's ratio": poisson,
+            "Solids/Kinematics": kinematics}
+
+
+CONTACT = {"Contact/Slave": "Sole", "Contact/Master": "Ground"}
+
+
+def carried():
+    """A pressed block on a base that moves by 0.1 mm: it goes along."""
+    mesh = Mesh()
+    mesh.block("A", 6, 2, box(-6, -5, 6, 0), {"bottom": "Base", "top": "Ground"})
+    mesh.block("B", 5, 2, box(-3, 0, 3, 4), {"bottom": "Sole", "top": "Head"})
+    mesh.write("carried")
+    for rule in ("mortar", "nodal", "Gauss"):
+        for loop in ("fixed point", "Newton"):
+            status, said, _ = run("carried", {
+                "Mesh/File": "carried.msh", **solids(), **CONTACT,
+                "Boundary conditions/Displacement x": "Base: 0.1",
+                "Boundary conditions/Displacement y": "Base: 0",
+                "Boundary conditions/Pressure": "Head: 1",
+                "Contact/Rule": rule, "Contact/Friction coefficient": "0.3",
+                "Solution/Friction": loop, "Solution/System": "saddle point",
+                "Output/Nodes": "true"})
+            check(f"{rule}, friction by {loop}: converges", status == 0,
+                  said[:300])
+            if status == 0:
+                block = [n for n in rows("carried", "nodes.csv")
+                         if n["body"] == "B"]
+                mean = sum(n["displacement_x_mm"] for n in block) / len(block)
+                check("  it goes along with its base", abs(mean - 0.1) < 1e-3,
+                      str(mean))
+
+
+def overlap():
+    """Two blocks that overlap by a hundredth of their height: the face goes to
+    where the stresses of both are equal; in other units as well."""
+    reference = None
+    for length, young in ((1, 1e3), (1, 1e-9), (1e3, 210e3), (1e-3, 1e6)):
+        mesh = Mesh()
+        low = box(-6 * length, -4 * length, 6 * length, 0)
+        high = box(-6 * length, -0.04 * length, 6 * length, 3.96 * length)
+        mesh.block("A", 8, 4, low, {"bottom": "Base", "top": "Ground"})
+        mesh.block("B", 7, 4, high, {"bottom": "Sole", "top": "Head"})
+        mesh.write("overlap")
+        for rule in ("mortar", "nodal", "Gauss"):
+            status, said, summary = run("overlap", {
+                "Mesh/File": "overlap.msh",
+                **solids(f"A: {young}, B: {2 * young}"), **CONTACT,
+                "Boundary conditions/Displacement x": "Base: 0, Head: 0",
+                "Boundary conditions/Displacement y": "Base: 0, Head: 0",
+                "Contact/Rule": rule, "Solution/Increments": "1",
+                "Output/Nodes": "true"})
+            what = f"lengths times {length:g}, E = {young:g} MPa, {rule}"
+            check(what + ": converges", status == 0, said[:300])
+            if status != 0:
+                continue
+            face = [n["displacement_y_mm"] / length
+                    for n in rows("overlap", "nodes.csv")
+                    if n["body"] == "A" and abs(n["Y_mm"]) < 1e-9 * length]
+            middle = sorted(face)[len(face) // 2]
+            # E and 2 E: a third and two thirds of the overlap, but for the ends.
+            check("  the overlap goes", -0.03 < middle < -0.02, str(middle))
+            force = summary["contact"]["normal_force"] / length / young
+            if rule == "mortar":
+                reference = reference or force
+                check("  the force scales", abs(force / reference - 1) < 1e-6,
+                      f"{force} {reference}")
+
+
+def cantilever():
+    """100 x 5, E = 70000, nu = 0.3, F = 20 at the tip: 12 F L^3 (1 - nu^2) /
+    (3 E h^3) up to the shortening of large displacements."""
+    theory = 4 * 20 * 100**3 * (1 - 0.3**2) / (70000 * 5**3)
+    for what, contact in (("without contact", {}),
+                          ("with contact far away", {
+                              "Contact/Slave": "Below",
+                              "Contact/Obstacle": "half plane: 0, -50, 0, 1",
+                              "Contact/Rule": "nodal"})):
+        mesh = Mesh()
+        mesh.block("A", 40, 2, box(0, 0, 100, 5),
+                   {"left": "Wall", "right": "Tip", "bottom": "Below"})
+        mesh.write("cantilever")
+        status, said, summary = run("cantilever", {
+            "Mesh/File": "cantilever.msh",
+            **solids("A: 70000", "A: 0.3", "large displacement"),
+            "Element/Degree": "2",
+            "Boundary conditions/Displacement x": "Wall: 0",
+            "Boundary conditions/Displacement y": "Wall: 0",
+            "Boundary conditions/Spread force y": "Tip: -20",
+            "Solution/Increments": "1", "Output/Nodes": "true", **contact})
+        check(what + ": converges", status == 0, said[:300])
+        if status == 0:
+            steps = sum(i["newton_iterations"] for i in summary["increments"])
+            check("  in few steps", steps <= 12, str(steps))
+            tip = min(n["displacement_y_mm"]
+                      for n in rows("cantilever", "nodes.csv"))
+            check("  as beam theory has it", abs(tip / theory + 1) < 0.02,
+                  f"{tip} {-theory}")
+
+
+def teeth():
+    """A block on combs: a slave edge faces several pieces of the master."""
+    for n in (2, 3, 5):
+        mesh = Mesh()
+        for k in range(n):
+            mesh.block("A", 2, 2, box(k * 10 / n, -2, (k + 0.6) * 10 / n, 0),
+                       {"bottom": "Base", "top": "Ground"})
+        mesh.block("B", 4, 2, box(0, 0, 10, 3), {"bottom": "Sole", "top": "Head"})
+        mesh.write("teeth")
+        for geometry in ("undeformed", "each step"):
+            for system in ("condensed", "saddle point"):
+                status, said, summary = run("teeth", {
+                    "Mesh/File": "teeth.msh", **solids(), **CONTACT,
+                    "Boundary conditions/Displacement x": "Base: 0, Head: 0.01",
+                    "Boundary conditions/Displacement y": "Base: 0, Head: -0.1",
+                    "Contact/Rule": "mortar", "Solution/System": system,
+                    "Solution/Geometry": geometry})
+                check(f"{n} teeth, {geometry}, {system}: converges",
+                      status == 0, said[:300])
+                if status == 0:
+                    check("  without much memory",
+                          summary["peak_memory_mb"] < 1000)
+
+
+def own_master():
+    mesh = Mesh()
+    mesh.block("A", 6, 2, box(-6, -5, 6, 0), {"bottom": "Sole", "top": "Ground"})
+    mesh.block("B", 5, 2, box(-3, 0, 3, 4), {"bottom": "Sole", "top": "Head"})
+    mesh.write("own_master")
+    status, said, _ = run("own_master", {
+        "Mesh/File": "own_master.msh", **solids(), **CONTACT,
+        "Boundary conditions/Displacement x": "Sole: 0, Head: 0",
+        "Boundary conditions/Displacement y": "Sole: 0, Head: -0.1"})
+    check("lines of the master's own body are refused",
+          status == 2 and "'A'" in said and "Contact/Slave" in said, said[:300])
+
+
+def round_off():
+    """1 N on a body 1e15 times as stiff as the one below it."""
+    mesh = Mesh()
+    mesh.block("A", 6, 2, box(-6, -5, 6, 0), {"bottom": "Base", "top": "Ground"})
+    mesh.block("B", 5, 2, box(-3, 0, 3, 4), {"bottom": "Sole", "top": "Head"})
+    mesh.write("round_off")
+    status, said, _ = run("round_off", {
+        "Mesh/File": "round_off.msh", **solids("A: 1, B: 1e15"), **CONTACT,
+        "Boundary conditions/Displacement x": "Base: 0, Head: 0",
+        "Boundary conditions/Displacement y": "Base: 0",
+        "Boundary conditions/Spread force y": "Head: -0.1"})
+    check("loads that round-off swallows are no result with status 0",
+          status in (1, 3), f"{status} {said[:200]}")
+
+
+def held_ends():
+    """Two leaves, one above the other, their left ends clamped; and a slave
+    that reaches beyond its master, both with nodes where that ends."""
+    mesh = Mesh()
+    mesh.block("A", 10, 2, box(0, -4, 100, 0), {"left": "Wall", "top": "Ground"})
+    mesh.block("B", 10, 2, box(0, 0, 100, 4),
+               {"left": "Wall", "bottom": "Sole", "right": "Tip"})
+    mesh.write("leaves")
+    for rule in ("nodal", "mortar"):
+        status, said, _ = run("leaves", {
+            "Mesh/File": "leaves.msh", **solids(), **CONTACT,
+            "Boundary conditions/Displacement x": "Wall: 0",
+            "Boundary conditions/Displacement y": "Wall: 0",
+            "Boundary conditions/Spread force y": "Tip: -0.01",
+            "Contact/Rule": rule})
+        check(f"leaves, {rule}: converges", status == 0, said[:300])
+
+    mesh = Mesh()
+    mesh.block("A", 8, 4, box(-20, -10, 20, 0), {"bottom": "Base", "top": "Top"})
+    mesh.block("B", 5, 3, box(-10, 0, 10, 8), {"bottom": "Foot", "top": "Head"})
+    mesh.write("ends")
+    for rule in ("nodal", "mortar"):
+        status, said, summary = run("ends", {
+            "Mesh/File": "ends.msh", **solids(), "Contact/Slave": "Top",
+            "Contact/Master": "Foot", "Contact/Friction coefficient": "0.3",
+            "Boundary conditions/Displacement x": "Base: 0, Head: 0.02",
+            "Boundary conditions/Displacement y": "Base: 0, Head: -0.1",
+            "Contact/Rule": rule})
+        check(f"a slave longer than its master, {rule}: converges", status == 0,
+              said[:300])
+        steps = sum(i["newton_iterations"] for i in summary["increments"])
+        check("  in few steps", steps <= 30, str(steps))
+
+
+for scene in (carried, overlap, cantilever, teeth, own_master, round_off,
+              held_ends):
+    print(scene.__name__)
+    scene()
+sys.exit(len(failures) > 0)
