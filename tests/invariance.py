@@ -56,8 +56,8 @@ end
 subsection Solution
   set Increments         = 2
   set Geometry           = each step
-  set Geometry tolerance = 1e-8
-  set Newton tolerance   = 1e-9
+  set Geometry tolerance = 1e-9
+  set Newton tolerance   = 1e-10
 end
 subsection Probes
   set Probes = CX: displacement x, C; CY: displacement y, C; BX: displacement x, B; BY: displacement y, B
