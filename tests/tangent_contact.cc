@@ -259,7 +259,7 @@ namespace
     parameters.contact.rule                 = "nodal";
     parameters.contact.friction_coefficient = 0.4;
     ContactModel model(parameters);
-    randomize(model, 0.5);
+    randomize(model, 1);
 
     model.interface.pair(model.solution);
     bool over_corner = true;
