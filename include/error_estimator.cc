@@ -267,9 +267,9 @@ namespace Contact
 
 
 
-  // The integral is over the undeformed cell, as all others are. In a triangle
-  // of degree 1 the stress has one point, for it is constant; the recovered one
-  // is linear, and its square takes three points.
+  // The integral is over the undeformed cell, as all others are, in the points
+  // of the stresses. In a triangle of degree 1 the stress has one point, for it
+  // is constant; the recovered one is linear, and its square takes more points.
   void ErrorEstimator::add_bulk_terms(
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
     const Vector<double>                     &solution,
@@ -277,8 +277,11 @@ namespace Contact
   {
     const auto stresses = elasticity.stresses(solution);
 
+    const Quadrature<2>     &of_triangles = discretization.quadrature[1];
     const hp::QCollection<2> quadratures(discretization.quadrature[0],
-                                         QGaussSimplex<2>(2));
+                                         of_triangles.size() == 1
+                                           ? QGaussSimplex<2>(2)
+                                           : of_triangles);
     hp::FEValues<2>          hp_fe_values(discretization.mapping,
                                  discretization.fe,
                                  quadratures,

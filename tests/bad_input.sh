@@ -168,10 +168,10 @@ expect "where:  Probes/Probes, 'p'" "$good" \
 expect "mortar segments" "$good" --set Contact/Rule=mortar --set "$saddle" \
   --set Solution/Geometry=Newton
 expect "projections move" "$good" --set Contact/Rule=mortar \
-  --set Solution/Geometry=Newton
+  --set "$condensed" --set Solution/Geometry=Newton
 expect "projections move" "$good" --set "$condensed" \
   --set Solution/Geometry=Newton
-expect "in a loop or in the tangent" "$friction" \
+expect "in a loop or in the tangent" "$friction" --set "$saddle" \
   --set "Solution/Friction=each step"
 
 # Loads, geometry and theories

@@ -54,9 +54,10 @@ subsection Contact
   set Friction coefficient = 0.15
 end
 subsection Solution
-  set Increments       = 2
-  set Geometry         = each step
-  set Newton tolerance = 1e-9
+  set Increments         = 2
+  set Geometry           = each step
+  set Geometry tolerance = 1e-9
+  set Newton tolerance   = 1e-10
 end
 subsection Probes
   set Probes = CX: displacement x, C; CY: displacement y, C; BX: displacement x, B; BY: displacement y, B

@@ -461,7 +461,12 @@ namespace
                                                    model.tolerance,
                                                    model.force,
                                                    &holds);
-    check("no alarm", held.violations.empty());
+    // Springs that carry so much are an alarm of their own, and no other is.
+    const auto only_stabilization = [](const Invariants &found) {
+      return found.violations.size() == 1 &&
+             found.violations[0].find("stabilization") != std::string::npos;
+    };
+    check("no alarm but what they carry", only_stabilization(held));
     check("they work", std::abs(held.stabilization_work) > 1e-3);
     check_small("as the supports did",
                 std::abs((held.external_work + held.stabilization_work) /
@@ -470,22 +475,20 @@ namespace
                 1e-12);
     holds *= 1.01;
     check("more of them do not change what the supports balance",
-          model.invariants
-            .check(model.solution,
-                   model.load_factor,
-                   model.tolerance,
-                   model.force,
-                   &holds)
-            .violations.empty());
+          only_stabilization(model.invariants.check(model.solution,
+                                                    model.load_factor,
+                                                    model.tolerance,
+                                                    model.force,
+                                                    &holds)));
     holds[model.interface.zones[0]->slave.nodes[3].dofs[1]] += 1e-3;
     check("but where no support acts they raise an alarm",
-          !model.invariants
-             .check(model.solution,
-                    model.load_factor,
-                    model.tolerance,
-                    model.force,
-                    &holds)
-             .violations.empty());
+          model.invariants
+              .check(model.solution,
+                     model.load_factor,
+                     model.tolerance,
+                     model.force,
+                     &holds)
+              .violations.size() > 1);
   }
 } // namespace
 

@@ -94,7 +94,12 @@ const std::string modeling_a = R"json({
     "Rule": "Gauss",
     "Gauss points": 3
   },
-  "Solution": {"Increments": 2, "Geometry tolerance": 0.01},
+  "Solution": {
+    "Increments": 2,
+    "Geometry": "fixed point",
+    "Geometry tolerance": 0.01,
+    "Friction": "fixed point"
+  },
   "Probes": {
     "Probes": {"DY(B)": ["displacement y", "B"], "SIYY(B)": "stress yy, B"},
     "Hertz": [50, 35000],

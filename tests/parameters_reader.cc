@@ -396,7 +396,7 @@ namespace
     report_lines("Contact",
                  pair + "set Friction coefficient = 0.1\nset Tresca limit = 1");
     report_lines("Contact", "set Rule = nodal\nset Excluded points = C");
-    report_lines("Contact", pair + "set Excluded points = C");
+    report_lines("Contact", pair + "set Rule = Gauss\nset Excluded points = C");
     report_lines("Contact",
                  pair + "set Rule = nodal\nset Excluded points = C, C");
     report_lines("Contact",
@@ -506,8 +506,10 @@ namespace
         "Excluded points": ["C", "D"],
         "Friction coefficient": 1e-1
       },
-      "Contact_20left_5f2": {"Slave": "S2", "Master": "M2"},
-      "Contact right_2": {"Slave": "S3", "Master": "M3"},
+      "Contact_20left_5f2": {
+        "Slave": "S2", "Master": "M2", "Rule": "nodal"
+      },
+      "Contact right_2": {"Slave": "S3", "Master": "M3", "Rule": "nodal"},
       "Solution": {"Geometry": "Newton"},
       "Probes": {
         "Probes": {

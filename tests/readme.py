@@ -64,6 +64,7 @@ ELSEWHERE = {
     "./run hard": "program/hard",
     "apt-get install python3-h5py python3-meshio": "./run test",
     "./run fuzz": "program/quick_fuzz",
+    "./run oracle": "program/oracle_quick",
     "./run study": "program/quick_study",
     "./run study --quick": "program/quick_study",
     "./run study --problem hertz": "program/quick_study",
