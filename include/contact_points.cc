@@ -336,10 +336,17 @@ namespace Contact
     point.tangent = along / point.metric;
     point.normal  = Tensor<1, 2>({point.tangent[1], -point.tangent[0]});
 
-    // Where supports hold both sides there is no unknown for a pressure.
-    point.facing =
-      point.facing &&
-      is_free_along(point, point.n_nodes, point.normal, discretization);
+    // Where supports hold both sides there is no unknown for a pressure. It is
+    // missed only where they press them into each other.
+    if (!is_free_along(point, point.n_nodes, point.normal, discretization))
+      {
+        double gap = 0;
+        for (unsigned int b = 0; b < point.n_nodes; ++b)
+          for (unsigned int i = 0; i < 2; ++i)
+            gap += point.C[b] * point.normal[i] *
+                   (point.X[b][i] + u[point.dofs[b][i]]);
+        point.facing = point.facing && gap < -1e-8 * point.metric;
+      }
     point.tangential_row_is_void =
       tangential_row_is_void(point, discretization);
   }

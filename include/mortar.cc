@@ -336,25 +336,25 @@ namespace Contact
 
 
 
-  // By how much the weighted gap is beyond the distances that it is a mean of.
+  // By how much the weighted gap is below all distances that it is a mean of.
   double MortarRule::excess(const MortarSegments &now,
+                            const unsigned int    slave_edge,
                             const Integrals      &integrals,
                             const double          shift,
                             const Tensor<1, 2>   &normal) const
   {
-    double gap = 0, smallest = std::numeric_limits<double>::max(),
-           largest = -smallest;
+    double gap = 0, smallest = std::numeric_limits<double>::max();
     for (const auto &[a, integral] : integrals.slave)
       gap += integral / integrals.weight * (now.slave_x[a] * normal);
     for (const auto &[m, integral] : integrals.master)
       gap -= (integral + shift * integrals.shift.at(m)) / integrals.weight *
              (now.master_x[m] * normal);
     for (const Tensor<1, 2> &distance : integrals.distances)
-      {
-        smallest = std::min(smallest, distance * normal);
-        largest  = std::max(largest, distance * normal);
-      }
-    return gap - std::max(smallest, std::min(largest, gap));
+      smallest = std::min(smallest, distance * normal);
+    // Of less than a hundredth of an edge, which counts as touching elsewhere,
+    // the moment of the shear would be more than that of the gap.
+    const double slack = 0.01 * slave.reference_length(slave_edge);
+    return smallest > 0 && smallest - gap > slack ? gap - smallest : 0.;
   }
 
 
@@ -413,7 +413,8 @@ namespace Contact
           -(integral + shift * integrals.shift.at(m)) / weight);
 
     point.foot =
-      Point<2>(excess(now, integrals, shift, point.normal) * point.normal);
+      Point<2>(excess(now, point.slave_edge, integrals, shift, point.normal) *
+               point.normal);
 
     // The node itself has to be free to stick.
     point.tangential_row_is_void = discretization.is_fixed(point.dofs[0][0]) ||

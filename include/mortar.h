@@ -47,8 +47,8 @@ namespace Contact
    *  - A dual function is negative somewhere, and weighted with it a gap that
    *    grows fast beside the node, as on a mesh that is coarse beside a round
    *    counterface, may come out far below all distances, also as a
-   *    penetration where there is none. A mean is between the smallest and the
-   *    largest distance that it is of: what it is beyond is taken off.
+   *    penetration where there is none. Where the surfaces are apart all around
+   *    the node, the gap is no less than the smallest of the distances.
    *  - At a corner of the slave each edge is projected along its own normal.
    *  - At an edge that faces the master in part or in several parts (the master
    *    has holes, or several pieces), and at nodes that carry no
@@ -136,6 +136,7 @@ namespace Contact
                            const Integrals   &integrals) const;
 
     double excess(const MortarSegments &now,
+                  const unsigned int    slave_edge,
                   const Integrals      &integrals,
                   const double          shift,
                   const Tensor<1, 2>   &normal) const;
