@@ -70,11 +70,16 @@ send() {
   fail "$2: over before the signal $1, five times"
 }
 
-# compare DIRECTORY: probes, contact, works and reactions are those of the whole run
+# compare DIRECTORY: probes, contact, works and reactions are those of the whole
+# run within $agreement, which is 1e-10, and 1e-8 where the bound of the shear
+# follows the pressure one step behind: there the last of Newton's steps gains one
+# digit only, and the two runs do not end at the same point within their tolerance.
+agreement=1e-10
 compare() {
-  python3 - "whole/$name/summary.json" "$1/$name/summary.json" <<'PYTHON' ||
+  python3 - "whole/$name/summary.json" "$1/$name/summary.json" $agreement <<'PYTHON' ||
 import json, sys
-whole, other = (json.load(open(name)) for name in sys.argv[1:])
+whole, other = (json.load(open(name)) for name in sys.argv[1:3])
+agreement = float(sys.argv[3])
 def numbers(s):
     last = s["increments"][-1]
     return ([p["value"] for p in s["probes"]] + list(s["contact"].values()) +
@@ -83,9 +88,9 @@ def numbers(s):
 worst = max(abs(a - b) / max(abs(a), 1e-3)
             for a, b in zip(numbers(whole), numbers(other)))
 same = len(whole["increments"]) == len(other["increments"])
-good = worst < 1e-10 and same and other["converged"]
-print("  largest relative difference %s 1e-10, increments %s" %
-      ("<" if worst < 1e-10 else "%.1e, not <" % worst,
+good = worst < agreement and same and other["converged"]
+print("  largest relative difference %s %.0e, increments %s" %
+      ("<" if worst < agreement else "%.1e, not <" % worst, agreement,
        "the same" if same else "NOT the same"))
 sys.exit(0 if good else 1)
 PYTHON
@@ -168,6 +173,16 @@ subsection Output
 end
 PRM
 case=levels.prm
+agreement=1e-8
+everything
+cat >newton.prm <<PRM
+include levels.prm
+subsection Solution
+  set Friction = Newton
+end
+PRM
+case=newton.prm
+agreement=1e-10
 everything
 launcher="mpirun -np 2"
 everything
