@@ -270,16 +270,43 @@ namespace Contact
     const double overlap = largest_depth(zone, none).depth;
     if (now.depth - overlap <= 0.5 * way)
       return;
-    found.notes.push_back(
-      "depth: the node of the " +
-      std::string(now.of_master ? "master" : "slave") + " at X = (" +
-      brief(now.X[0]) + ", " + brief(now.X[1]) + ") mm is " + brief(now.depth) +
+    const std::string what =
+      "the node of the " + std::string(now.of_master ? "master" : "slave") +
+      " at X = (" + brief(now.X[0]) + ", " + brief(now.X[1]) + ") mm is " +
+      brief(now.depth) +
       " mm inside of the other body, of surfaces that move "
       "by " +
-      brief(way) + " mm. The mesh is too coarse there: " +
-      (now.of_master ? "the slave's edges are too long to see it: exchange "
-                       "slave and master, or refine them."
-                     : "no contact point looks there: refine it."));
+      brief(way) + " mm";
+    const std::string advice =
+      now.of_master ? "The slave's edges are too long to see a corner of the "
+                      "master: exchange slave and master, or refine the slave."
+                    : "No contact point looks there: refine the mesh.";
+    // Surfaces that push each other overlap by what the mesh does not resolve;
+    // others have passed each other unseen.
+    if (carries_force(zone, now.slave_edge))
+      found.notes.push_back("depth: " + what + ". " + advice);
+    else
+      found.judge("depth",
+                  now.depth - overlap,
+                  0.5 * way,
+                  what + ", and no force acts there",
+                  advice);
+  }
+
+
+
+  bool ContactCheck::carries_force(const ContactZone &zone,
+                                   const unsigned int slave_edge) const
+  {
+    for (const ContactPoint &point : interface.points)
+      if (&interface.zone(point) == &zone &&
+          point.decision.status != Status::open)
+        for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
+          for (unsigned int b = 0; b < zone.slave.n_nodes_per_edge(); ++b)
+            if (point.dofs[a] ==
+                zone.slave.nodes[zone.slave.edges[slave_edge].nodes[b]].dofs)
+              return true;
+    return false;
   }
 
 

@@ -144,6 +144,10 @@ namespace Contact
                        const Slack       &slack,
                        ContactInvariants &found) const;
     void check_depth(const ContactZone &zone, ContactInvariants &found) const;
+
+    /// Whether a node of a slave edge is pushed.
+    bool carries_force(const ContactZone &zone,
+                       const unsigned int slave_edge) const;
     void check_normal(const Slack &slack, ContactInvariants &found) const;
     void check_tangential(const Slack &slack, ContactInvariants &found) const;
 

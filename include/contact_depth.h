@@ -12,18 +12,21 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// How deep a node of one surface is inside of the other one.
+  /// How deep a node of one surface is inside of the other one, over what the
+  /// polygons of round surfaces overlap.
   struct ContactDepth
   {
-    double   depth     = 0; // [mm]
-    bool     of_master = false;
-    Point<2> X; // the undeformed place of the node [mm]
+    double       depth     = 0; // [mm]
+    bool         of_master = false;
+    Point<2>     X;              // the undeformed place of the node [mm]
+    unsigned int slave_edge = 0; // that it is in, or belongs to
   };
 
   /**
    * The deepest node of both surfaces of a zone with a meshed master, under the
    * displacement @p u: the distance from the closest point of the other
-   * surface, of nodes on its inner side that face it.
+   * surface, of nodes on its inner side that face it, less what the edges of
+   * both surfaces, by the angles between them, may be beside a curve.
    *
    * All contact discretizations let surfaces pass through each other between
    * the places where they look, which vanishes with the mesh size. On a mesh

@@ -318,22 +318,25 @@ namespace Contact
                                    const Segment     &segment,
                                    MortarOverlap     &overlap) const
   {
-    const auto     &s_edge = slave.edges[slave_edge];
-    const double    length = segment.high - segment.low;
+    const auto  &s_edge = slave.edges[slave_edge];
+    const double length = segment.high - segment.low;
+    const auto   add    = [&](const double part, const double weight) {
+      const double    xi = segment.low + part * length;
+      const EdgeShape shape(slave.degree, xi);
+      overlap.samples.push_back(
+        {xi,
+         weight * length * slave.reference_jacobian(s_edge, shape),
+         segment.master_edge,
+         foot_on_edge(at(slave_x, s_edge, shape.value),
+                      slave_normal(slave_edge, shape.value),
+                      segment.master_edge)});
+    };
     const QGauss<1> quadrature(slave.degree + 2);
     for (unsigned int q = 0; q < quadrature.size(); ++q)
-      {
-        const double    xi = segment.low + quadrature.point(q)[0] * length;
-        const EdgeShape shape(slave.degree, xi);
-        overlap.samples.push_back(
-          {xi,
-           quadrature.weight(q) * length *
-             slave.reference_jacobian(s_edge, shape),
-           segment.master_edge,
-           foot_on_edge(at(slave_x, s_edge, shape.value),
-                        slave_normal(slave_edge, shape.value),
-                        segment.master_edge)});
-      }
+      add(quadrature.point(q)[0], quadrature.weight(q));
+    // The ends count for the distances only.
+    for (const double end : {0., 1.})
+      add(end, 0);
 
     if (!overlap.parts.empty() &&
         segment.low - overlap.parts.back().high < round_off)

@@ -22,7 +22,7 @@ namespace Contact
 
 
 
-  /// A quadrature point of a segment.
+  /// A quadrature point of a segment, or one of its ends, with no weight.
   struct MortarSample
   {
     double       xi;     // on the slave edge

@@ -6,6 +6,8 @@ import elements
 
 # Pieces of an edge of degree 2.
 PIECES = 24
+# Sine of the angle beyond which the closest place is not straight ahead.
+BESIDE = 0.3
 
 
 class Polyline:
@@ -59,6 +61,9 @@ class HalfPlane:
     def gap(self, points):
         return (points - self.point) @ self.n
 
+    def faces(self, points):
+        return np.ones(len(points), bool)
+
     def normals(self, points):
         return np.broadcast_to(self.n, points.shape)
 
@@ -73,6 +78,9 @@ class Circle:
 
     def gap(self, points):
         return self.sign * (np.hypot(*(points - self.centre).T) - self.radius)
+
+    def faces(self, points):
+        return np.ones(len(points), bool)
 
     def normals(self, points):
         r = points - self.centre
@@ -107,6 +115,15 @@ class DeformedBody:
             if inside.any():
                 gap[inside] = -outline.closest(points[inside])[0]
         return gap
+
+    def faces(self, points):
+        """Whether the closest place of the group is straight ahead, not an end
+        or a corner that a point is beside of."""
+        distance, piece, s = self.group.closest(points)
+        foot = self.group.begin[piece] + s[:, None] * (
+            self.group.end - self.group.begin)[piece]
+        aside = np.abs(((points - foot) * self.group.tangent[piece]).sum(1))
+        return aside <= BESIDE * distance
 
     def normals(self, points):
         _, piece, _ = self.group.closest(points)

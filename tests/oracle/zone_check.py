@@ -95,8 +95,9 @@ class ZoneCheck:
         not face the master as a whole, the nodes around are taken together."""
         lengths = np.bincount(self.own.line, self.own.length)
         near = 0.05 * lengths + self.slack
-        partly = ((self.gaps.max(1) > APART * self.slack) &
-                  (self.gaps.min(1) <= near))
+        misses = ((self.gaps > APART * self.slack) & ~self.master.faces(
+            self.points.reshape(-1, 2)).reshape(self.gaps.shape))
+        partly = misses.any(1) & (self.gaps.min(1) <= near)
         force = self.force.copy()
         for nodes in connected(self.lines[partly]):
             together = np.isin(self.nodes, list(nodes))
