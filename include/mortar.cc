@@ -354,7 +354,7 @@ namespace Contact
     // Of less than a hundredth of an edge, which counts as touching elsewhere,
     // the moment of the shear would be more than that of the gap.
     const double slack = 0.01 * slave.reference_length(slave_edge);
-    return smallest > 0 && smallest - gap > slack ? gap - smallest : 0.;
+    return smallest - gap > slack ? gap - smallest : 0.;
   }
 
 
