@@ -1151,7 +1151,8 @@ namespace Contact
     const bool changed =
       interface && interface->pair(parameters.solution.geometry == "undeformed"
                                      ? Vector<double>(solution.size())
-                                     : configuration);
+                                     : configuration,
+                                   linearization.moving_geometry);
     timer.leave_subsection();
     if (condensed)
       condensed->update_pattern();

@@ -117,13 +117,15 @@ namespace Contact
 
 
 
-  bool ContactInterface::pair(const Vector<double> &u)
+  bool ContactInterface::pair(const Vector<double> &u,
+                              const bool            with_derivatives)
   {
     bool changed = false;
     for (const auto &zone : zones)
-      changed =
-        zone->pair({points.data() + zone->first_point, zone->n_points}, u) ||
-        changed;
+      changed = zone->pair({points.data() + zone->first_point, zone->n_points},
+                           u,
+                           with_derivatives) ||
+                changed;
     return changed;
   }
 
@@ -479,6 +481,11 @@ namespace Contact
     if (has_friction(point))
       for (unsigned int k = 0; k < point.n_multipliers; ++k)
         unknowns.push_back(tangential_index(point.multipliers[k]));
+    const unsigned int n_own = 2 * point.n_nodes;
+    for (const auto dof : point.change.dofs)
+      if (std::find(unknowns.begin(), unknowns.begin() + n_own, dof) ==
+          unknowns.begin() + n_own)
+        unknowns.push_back(dof);
   }
 
 

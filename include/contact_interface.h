@@ -105,9 +105,10 @@ namespace Contact
     /**
      * Pair all points with the master in the configuration @p u. Returns
      * whether a point changed its master edge: then the matrix couples other
-     * unknowns than before.
+     * unknowns than before. A tangent with moving geometry asks for the
+     * derivatives of the pairing.
      */
-    bool pair(const Vector<double> &u);
+    bool pair(const Vector<double> &u, const bool with_derivatives = false);
 
     /// The largest |gap| of points in contact, and of a penetration of those
     /// that are open [mm].
@@ -272,6 +273,10 @@ namespace Contact
     Motion motion(const ContactPoint   &point,
                   const Vector<double> &solution,
                   const Vector<double> &u_start) const;
+    Motion motion_of_projection(const ContactPoint   &point,
+                                const Vector<double> &solution,
+                                const Tensor<1, 2>   &r) const;
+    Motion motion_of_change(const ContactPoint &point) const;
 
     void assemble_point(const ContactPoint   &point,
                         const Vector<double> &solution,

@@ -5,21 +5,25 @@
 
 // The kernel of ContactInterface: what a point adds to the linear system.
 
+#include <algorithm>
+#include <numeric>
+
 #include "contact_interface.h"
 #include "counters.h"
 
 namespace Contact
 {
-  /// How foot point and edge of a contact point move with the bodies.
+  /// How the pairing of a contact point moves with the bodies: derivatives with
+  /// respect to its unknowns, by their place in Rows::unknowns.
   struct ContactInterface::Motion
   {
-    // By unknown of the nodes: the foot's coordinate, and the rotation,
-    // d_n = -omega t, d_t = omega n.
-    std::vector<double> d_xi, omega;
+    std::vector<unsigned int> columns;
 
-    double offset;       // t . (x_slave - x_master): zero but over a corner
-    double slip_normal;  // n . sum C_a (u_a - start)
-    double slip_stretch; // t . sum C1_a (u_a - start)
+    FullMatrix<double>  C;      // of the coefficients, by node
+    std::vector<double> weight; // of the weight, relative
+    std::vector<double> omega;  // d_n = -omega t, d_t = omega n
+    std::vector<double> gap;    // of the gap, but for n . sum C_a du_a
+    std::vector<double> slip;   // of the slip, but for t . sum C_a du_a
   };
 
 
@@ -29,45 +33,103 @@ namespace Contact
   //   (m^2 - g n.kappa) d_xi = tau . sum C_a du_a - g n . sum C1_a du_a
   // (C1 carries the minus of the master side), and the edge turns by
   //   omega = n . d_tau / m.
+  // The mortar rule brings derivatives of its own.
   ContactInterface::Motion
   ContactInterface::motion(const ContactPoint   &point,
                            const Vector<double> &solution,
                            const Vector<double> &u_start) const
   {
-    Tensor<1, 2> kappa = point.foot_curvature, r = -point.foot, d_r, d_r1;
+    Tensor<1, 2> r = -point.foot, d_r;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
         {
           const double u = solution[point.dofs[a][i]];
-          const double x = point.X[a][i] + u;
-          const double d = u - u_start[point.dofs[a][i]];
-          kappa[i] -= point.C2[a] * x;
-          r[i] += point.C[a] * x;
-          d_r[i] += point.C[a] * d;
-          d_r1[i] += point.C1[a] * d;
+          r[i] += point.C[a] * (point.X[a][i] + u);
+          d_r[i] += point.C[a] * (u - u_start[point.dofs[a][i]]);
         }
+
+    Motion motion = point.change.dofs.empty()
+                      ? motion_of_projection(point, solution, r)
+                      : motion_of_change(point);
+    // Of the gap and of the slip, what C, n and t make.
+    const unsigned int n = motion.columns.size();
+    motion.slip.resize(n);
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        motion.gap[j] -= (point.tangent * r) * motion.omega[j];
+        motion.slip[j] = (point.normal * d_r) * motion.omega[j];
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          for (unsigned int i = 0; i < 2; ++i)
+            {
+              const double u = solution[point.dofs[a][i]];
+              motion.gap[j] +=
+                motion.C(a, j) * point.normal[i] * (point.X[a][i] + u);
+              motion.slip[j] += motion.C(a, j) * point.tangent[i] *
+                                (u - u_start[point.dofs[a][i]]);
+            }
+      }
+    return motion;
+  }
+
+
+
+  // The foot is on the edge however it moves: along it the gap does not change.
+  ContactInterface::Motion
+  ContactInterface::motion_of_projection(const ContactPoint   &point,
+                                         const Vector<double> &solution,
+                                         const Tensor<1, 2>   &r) const
+  {
+    Tensor<1, 2> kappa = point.foot_curvature;
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      for (unsigned int i = 0; i < 2; ++i)
+        kappa[i] -= point.C2[a] * (point.X[a][i] + solution[point.dofs[a][i]]);
     const double gap   = point.normal * r;
     const double curve = point.normal * kappa;
     const double slope = point.metric * point.metric - gap * curve;
 
-    Motion motion;
-    motion.d_xi.resize(2 * point.n_nodes);
-    motion.omega.resize(2 * point.n_nodes);
-    motion.offset       = point.tangent * r;
-    motion.slip_normal  = point.normal * d_r;
-    motion.slip_stretch = point.tangent * d_r1;
+    const unsigned int n = 2 * point.n_nodes;
+    Motion             motion;
+    motion.columns.resize(n);
+    std::iota(motion.columns.begin(), motion.columns.end(), 0);
+    motion.C.reinit(point.n_nodes, n);
+    motion.weight.resize(n);
+    motion.omega.resize(n);
+    motion.gap.resize(n);
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
         {
-          const unsigned int j = 2 * a + i;
+          const unsigned int j    = 2 * a + i;
+          double             d_xi = 0;
           if (!point.foot_is_clipped)
-            motion.d_xi[j] = (point.metric * point.tangent[i] * point.C[a] -
-                              gap * point.normal[i] * point.C1[a]) /
-                             slope;
+            d_xi = (point.metric * point.tangent[i] * point.C[a] -
+                    gap * point.normal[i] * point.C1[a]) /
+                   slope;
           motion.omega[j] =
-            (curve * motion.d_xi[j] - point.C1[a] * point.normal[i]) /
-            point.metric;
+            (curve * d_xi - point.C1[a] * point.normal[i]) / point.metric;
+          for (unsigned int b = 0; b < point.n_nodes; ++b)
+            motion.C(b, j) = point.C1[b] * d_xi;
         }
+    return motion;
+  }
+
+
+
+  // Unknowns that are not of the point's own nodes come behind its multipliers.
+  ContactInterface::Motion
+  ContactInterface::motion_of_change(const ContactPoint &point) const
+  {
+    std::vector<types::global_dof_index> unknowns;
+    collect_unknowns(point, unknowns);
+    Motion motion;
+    for (const auto dof : point.change.dofs)
+      motion.columns.push_back(
+        std::find(unknowns.begin(), unknowns.end(), dof) - unknowns.begin());
+    motion.C      = point.change.C;
+    motion.weight = point.change.weight;
+    motion.omega  = point.change.turn;
+    motion.gap    = point.change.foot;
+    for (double &gap : motion.gap)
+      gap *= -1;
     return motion;
   }
 
@@ -114,12 +176,11 @@ namespace Contact
     if (linearization.moving_geometry && !zone(point).tied)
       {
         const Motion moves = motion(point, solution, u_start);
-        for (unsigned int j = 0; j < n_u; ++j)
+        for (unsigned int j = 0; j < moves.columns.size(); ++j)
           {
-            rows.p_trial[j] += c * moves.offset * moves.omega[j];
+            rows.p_trial[moves.columns[j]] -= c * moves.gap[j];
             if (has_friction(point))
-              rows.q_trial[j] -= c * (moves.slip_normal * moves.omega[j] +
-                                      moves.slip_stretch * moves.d_xi[j]);
+              rows.q_trial[moves.columns[j]] -= c * moves.slip[j];
           }
       }
   }
@@ -158,7 +219,8 @@ namespace Contact
       }
 
     // The constraints w psi_k (p - lambda)/c = 0 take the multipliers off.
-    const double scale = point.weight / point.complementarity;
+    const double       scale         = point.weight / point.complementarity;
+    const unsigned int n_constraints = (has_friction(point) ? 2 : 1) * n_m;
     for (unsigned int k = 0; k < n_m; ++k)
       for (unsigned int b = 0; b < (has_friction(point) ? 2 : 1); ++b)
         {
@@ -171,18 +233,25 @@ namespace Contact
         }
 
     // The loads turn and travel with the master edge.
-    if (linearization.moving_geometry && !zone(point).tied &&
-        point.decision.status != Status::open)
+    const bool acts =
+      point.decision.status != Status::open || !point.change.dofs.empty();
+    if (linearization.moving_geometry && !zone(point).tied && acts)
       {
         const Motion       moves  = motion(point, solution, u_start);
         const Tensor<1, 2> along  = t.p * point.normal + t.q * point.tangent;
         const Tensor<1, 2> turned = t.q * point.normal - t.p * point.tangent;
-        for (unsigned int a = 0; a < point.n_nodes; ++a)
-          for (unsigned int i = 0; i < 2; ++i)
-            for (unsigned int j = 0; j < n_u; ++j)
-              matrix(2 * a + i, j) -=
-                point.weight * (turned[i] * point.C[a] * moves.omega[j] +
-                                along[i] * point.C1[a] * moves.d_xi[j]);
+        for (unsigned int j = 0; j < moves.columns.size(); ++j)
+          {
+            const unsigned int column = moves.columns[j];
+            for (unsigned int a = 0; a < point.n_nodes; ++a)
+              for (unsigned int i = 0; i < 2; ++i)
+                matrix(2 * a + i, column) -=
+                  point.weight *
+                  (turned[i] * point.C[a] * moves.omega[j] +
+                   along[i] * (moves.C(a, j) + point.C[a] * moves.weight[j]));
+            for (unsigned int k = n_u; k < n_u + n_constraints; ++k)
+              matrix(k, column) += moves.weight[j] * residual[k];
+          }
       }
   }
 

@@ -6,6 +6,8 @@
 #ifndef contact_contact_points_h
 #define contact_contact_points_h
 
+#include <deal.II/lac/full_matrix.h>
+
 #include <boost/container/small_vector.hpp>
 
 #include "friction_law.h"
@@ -52,6 +54,23 @@ namespace Contact
     {
       return code() == other.code();
     }
+  };
+
+
+
+  /**
+   * How the pairing of a point changes with the displacements of the nodes
+   * around it, where the rule finds that by itself: derivatives with respect
+   * to the unknowns @p dofs.
+   */
+  struct PairingChange
+  {
+    std::vector<types::global_dof_index> dofs;
+
+    FullMatrix<double>  C;      // of the coefficients, by node [1/mm]
+    std::vector<double> weight; // of the weight, relative [1/mm]
+    std::vector<double> turn;   // omega: d_n = -omega t, d_t = omega n [1/mm]
+    std::vector<double> foot;   // of the foot's place along the normal [1]
   };
 
 
@@ -131,6 +150,10 @@ namespace Contact
 
     // Over a vertex of the master the foot stays there.
     bool foot_is_clipped = false;
+
+    // Empty where master_xi and the derivatives of C with respect to it say how
+    // the pairing changes.
+    PairingChange change;
 
     // A tangential row that says no more than the normal one is dropped: so
     // at a slave node on a symmetry line.

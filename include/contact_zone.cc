@@ -201,15 +201,17 @@ namespace Contact
 
   // What is glued is glued where it faces each other undeformed.
   bool ContactZone::pair(const ArrayView<ContactPoint> &points,
-                         const Vector<double>          &u) const
+                         const Vector<double>          &u,
+                         const bool                     with_derivatives) const
   {
     if (tied)
       {
         const Vector<double> undeformed(u.size());
-        return mortar ? mortar->pair(points, undeformed)
+        return mortar ? mortar->pair(points, undeformed, false)
                       : project(points, undeformed);
       }
-    return mortar ? mortar->pair(points, u) : project(points, u);
+    return mortar ? mortar->pair(points, u, with_derivatives)
+                  : project(points, u);
   }
 
 

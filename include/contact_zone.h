@@ -61,10 +61,12 @@ namespace Contact
     std::vector<ContactPoint> make_points(const unsigned int first_multiplier,
                                           const unsigned int first_point);
 
-    /// Pair the points of this zone in the configuration @p u. Returns whether
-    /// one has other nodes than before.
+    /// Pair the points of this zone in the configuration @p u, with what the
+    /// tangent needs to know how the pairing moves or without. Returns whether
+    /// one has other unknowns than before.
     bool pair(const ArrayView<ContactPoint> &points,
-              const Vector<double>          &u) const;
+              const Vector<double>          &u,
+              const bool                     with_derivatives) const;
 
     /// The same by the closest points of the master, wherever on the slave the
     /// points lie.

@@ -65,7 +65,14 @@ namespace Contact
     /// strain, the circumference 2 pi x of its ring with axisymmetry [mm].
     double circumference(const Point<2> &X) const
     {
-      return axisymmetric ? 2 * numbers::PI * X[0] : 1.;
+      return circumference_at(X[0]);
+    }
+
+    /// The same by the distance from the axis.
+    template<typename Number>
+    Number circumference_at(const Number &x) const
+    {
+      return axisymmetric ? Number(2 * numbers::PI * x) : Number(1);
     }
 
     /// Whether a place is on the axis of symmetry.

@@ -7,16 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
+#include <set>
 
 namespace Contact
 {
   namespace
   {
     const unsigned int none = numbers::invalid_unsigned_int;
-
-    /// Of coordinates and coefficients, which are of the order of one.
-    const double round_off = 1e-11;
 
     /// Coordinates of the nodes of an edge: first, last, middle.
     const std::array<double, 3> node_coordinates{{-1, 1, 0}};
@@ -28,19 +26,6 @@ namespace Contact
                        node_coordinates.end(),
                        point.slave_xi) -
              node_coordinates.begin();
-    }
-
-
-
-    /// The key of the largest value.
-    unsigned int largest(const std::map<unsigned int, double> &values)
-    {
-      return std::max_element(values.begin(),
-                              values.end(),
-                              [](const auto &a, const auto &b) {
-                                return a.second < b.second;
-                              })
-        ->first;
     }
   } // namespace
 
@@ -103,23 +88,34 @@ namespace Contact
 
 
   bool MortarRule::pair(const ArrayView<ContactPoint> &points,
-                        const Vector<double>          &u) const
+                        const Vector<double>          &u,
+                        const bool                     with_derivatives) const
   {
-    const MortarSegments   now(slave, master, discretization, u);
-    std::vector<Integrals> integrals(slave.nodes.size());
+    const MortarGeometry<double> now(slave, master, discretization, u);
+    const MortarSegments         segments(now, u);
+    MortarIntegrals<double>      integrals(now, carries, discretization);
+    std::vector<MortarOverlap>   overlaps(slave.edges.size());
     for (unsigned int e = 0; e < slave.edges.size(); ++e)
       {
-        const MortarOverlap facing = now.overlap(e);
-        if (!facing.samples.empty())
-          integrate_edge(now, e, facing, integrals);
+        overlaps[e] = segments.overlap(e);
+        if (!overlaps[e].segments.empty())
+          integrals.add_edge(e, overlaps[e]);
       }
 
+    std::optional<MortarGeometry<WithDerivatives>> moving;
+    if (with_derivatives)
+      moving.emplace(slave, master, discretization, u);
     bool changed = false;
     for (ContactPoint &point : points)
       {
-        const auto old_dofs = point.dofs;
-        fill_in(now, integrals[slave_node(point)], point);
-        changed = changed || point.dofs != old_dofs;
+        const auto old_dofs    = point.dofs;
+        const auto old_changes = point.change.dofs;
+        fill_in(now, integrals.pairing(slave_node(point)), point);
+        point.change = PairingChange();
+        if (moving && point.facing)
+          differentiate(*moving, overlaps, point);
+        changed =
+          changed || point.dofs != old_dofs || point.change.dofs != old_changes;
       }
     return changed;
   }
@@ -133,241 +129,15 @@ namespace Contact
 
 
 
-  // Where an edge faces the master in part, the nodes beyond the parts have no
-  // dual function; if that would be all, the nearest one has, or both if they
-  // are as near. On an edge of degree 2 with a hole, the integrals of its shape
-  // functions may be negative, those of linear ones are not: there the middle
-  // has one only if no end has.
-  std::vector<unsigned int>
-  MortarRule::carrying_nodes(const unsigned int   slave_edge,
-                             const MortarOverlap &overlap) const
-  {
-    std::vector<unsigned int> candidates, nodes;
-    double                    nearest = std::numeric_limits<double>::max();
-    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
-      if (carries[slave_edge][a])
-        {
-          candidates.push_back(a);
-          nearest = std::min(nearest, overlap.distance(node_coordinates[a]));
-        }
-    // The pressures of an edge are others with another set of nodes: where
-    // both surfaces end at the same place, the set must not depend on which way
-    // they deform.
-    for (const unsigned int a : candidates)
-      if (overlap.distance(node_coordinates[a]) <=
-          nearest + SurfaceSearch::overhang)
-        nodes.push_back(a);
-    const bool all_seen = overlap.parts.size() == 1 && nearest < round_off;
-    if (!all_seen && nodes.size() > 1 && nodes.back() == 2)
-      nodes.pop_back();
-    return nodes;
-  }
-
-
-
-  // A node without a dual function leaves its shape function to the nearest
-  // node that has one; one in the middle, to both ends. The functions still sum
-  // up to one, and their integrals are positive, which those of the linear
-  // functions on two of three nodes are not.
-  std::vector<double>
-  MortarRule::test_functions(const std::vector<unsigned int> &nodes,
-                             const EdgeShape                 &shape) const
-  {
-    std::vector<double> values(nodes.size());
-    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
-      {
-        const auto distance = [&](const unsigned int b) {
-          return std::abs(node_coordinates[a] - node_coordinates[b]);
-        };
-        double       nearest = 3;
-        unsigned int n       = 0;
-        for (const unsigned int b : nodes)
-          {
-            n       = distance(b) < nearest ? 1 : n + (distance(b) == nearest);
-            nearest = std::min(nearest, distance(b));
-          }
-        for (unsigned int j = 0; j < nodes.size(); ++j)
-          if (distance(nodes[j]) == nearest)
-            values[j] += shape.value[a] / n;
-      }
-    return values;
-  }
-
-
-
-  // Phi_k = sum_i a_ki xi^i with as many terms as there are nodes, from
-  //   sum_i a_ki integral xi^i M_j ds = delta_kj integral M_j ds
-  // with the test functions M_j: on a full edge the shape functions. Summed
-  // over k this says that sum_k Phi_k - 1 is orthogonal to all M_j: the dual
-  // functions sum up to one. Summed over j, that D_k = integral M_k ds.
-  FullMatrix<double>
-  MortarRule::dual_functions(const std::vector<unsigned int> &nodes,
-                             const MortarOverlap             &overlap) const
-  {
-    const unsigned int n = nodes.size();
-    FullMatrix<double> moments(n, n), coefficients(n, n);
-    Vector<double>     integrals(n);
-    for (const MortarSample &sample : overlap.samples)
-      {
-        const auto test =
-          test_functions(nodes, EdgeShape(slave.degree, sample.xi));
-        for (unsigned int j = 0; j < n; ++j)
-          {
-            integrals[j] += sample.weight * test[j];
-            for (unsigned int i = 0; i < n; ++i)
-              moments(i, j) += sample.weight * std::pow(sample.xi, i) * test[j];
-          }
-      }
-
-    // a M = diag(integrals)
-    moments.gauss_jordan();
-    for (unsigned int k = 0; k < n; ++k)
-      for (unsigned int i = 0; i < n; ++i)
-        coefficients(k, i) = integrals[k] * moments(k, i);
-    return coefficients;
-  }
-
-
-
-  void MortarRule::integrate_edge(const MortarSegments   &now,
-                                  const unsigned int      slave_edge,
-                                  const MortarOverlap    &overlap,
-                                  std::vector<Integrals> &integrals) const
-  {
-    const auto &edge  = slave.edges[slave_edge];
-    const auto  nodes = carrying_nodes(slave_edge, overlap);
-    if (nodes.empty())
-      return;
-
-    const auto dual = dual_functions(nodes, overlap);
-    for (const MortarSample &sample : overlap.samples)
-      {
-        const EdgeShape shape(slave.degree, sample.xi);
-        const EdgeShape foot(master.degree, sample.master_xi);
-        const auto     &m_edge = master.edges[sample.master_edge];
-        const double    metric =
-          MortarSegments::at(now.master_x, m_edge, foot.first).norm();
-
-        const Tensor<1, 2> distance =
-          MortarSegments::at(now.slave_x, edge, shape.value) -
-          MortarSegments::at(now.master_x, m_edge, foot.value);
-
-        for (unsigned int k = 0; k < nodes.size(); ++k)
-          {
-            double phi = 0;
-            for (unsigned int i = 0; i < nodes.size(); ++i)
-              phi += dual(k, i) * std::pow(sample.xi, i);
-            phi *= sample.weight;
-
-            Integrals &of_node = integrals[edge.nodes[nodes[k]]];
-            of_node.weight += phi;
-            for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
-              of_node.slave[edge.nodes[a]] += phi * shape.value[a];
-            for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
-              {
-                of_node.master[m_edge.nodes[a]] += phi * foot.value[a];
-                of_node.shift[m_edge.nodes[a]] += phi * foot.first[a] / metric;
-              }
-            of_node.distances.push_back(distance);
-            add_normals(now, slave_edge, nodes[k], sample, phi, of_node);
-          }
-      }
-  }
-
-
-
-  void MortarRule::add_normals(const MortarSegments &now,
-                               const unsigned int    slave_edge,
-                               const unsigned int    a,
-                               const MortarSample   &sample,
-                               const double          phi,
-                               Integrals            &integrals) const
-  {
-    const auto     &edge = master.edges[sample.master_edge];
-    const EdgeShape foot(master.degree, sample.master_xi);
-    Tensor<1, 2>    normal;
-    double          turn_square = 0;
-    for (unsigned int b = 0; b < master.n_nodes_per_edge(); ++b)
-      {
-        normal += foot.value[b] * now.master_normals[sample.master_edge][b];
-        // Beyond a corner is another face, or none: that it is seen, its normal
-        // tells.
-        if (b == 2 || !(edge.corner[b] ||
-                        (b == 0 ? edge.begins_surface : edge.ends_surface)))
-          turn_square +=
-            std::abs(foot.value[b]) * std::pow(master.turns[edge.nodes[b]], 2);
-      }
-    const double size = std::abs(phi);
-    integrals.slave_normal += phi * now.slave_normals[slave_edge][a];
-    integrals.master_normal += phi * normal;
-    integrals.magnitude += size;
-    integrals.master_turn += size * turn_square;
-    integrals.master_square += size * normal.norm_square();
-    integrals.master_mean += size * normal;
-    integrals.master_edges[sample.master_edge] += size;
-  }
-
-
-
-  Tensor<1, 2> MortarRule::direction(const unsigned int node,
-                                     const Integrals   &integrals) const
-  {
-    const Tensor<1, 2> n_s =
-      integrals.slave_normal / integrals.slave_normal.norm();
-    // Flat, but for the digits of a mesh file [rad].
-    const double flat = 1e-3;
-    if (slave.turns[node] < flat || integrals.master_normal.norm() == 0)
-      return n_s;
-
-    // Of the master the turn between its nodes and what its normals differ by.
-    const double size = integrals.magnitude;
-    const double master_square =
-      (integrals.master_turn + integrals.master_square -
-       integrals.master_mean.norm_square() / size) /
-      size;
-    const Tensor<1, 2> n_m =
-      integrals.master_normal / integrals.master_normal.norm();
-    const Tensor<1, 2> n = free_part(std::max(0., master_square) * n_s +
-                                       std::pow(slave.turns[node], 2) * n_m,
-                                     slave.nodes[node],
-                                     discretization);
-    return n.norm_square() == 0 || n * n_s <= 0 ? n_s : n / n.norm();
-  }
-
-
-
-  // By how much the weighted gap is below all distances that it is a mean of.
-  double MortarRule::excess(const MortarSegments &now,
-                            const unsigned int    slave_edge,
-                            const Integrals      &integrals,
-                            const double          shift,
-                            const Tensor<1, 2>   &normal) const
-  {
-    double gap = 0, smallest = std::numeric_limits<double>::max();
-    for (const auto &[a, integral] : integrals.slave)
-      gap += integral / integrals.weight * (now.slave_x[a] * normal);
-    for (const auto &[m, integral] : integrals.master)
-      gap -= (integral + shift * integrals.shift.at(m)) / integrals.weight *
-             (now.master_x[m] * normal);
-    for (const Tensor<1, 2> &distance : integrals.distances)
-      smallest = std::min(smallest, distance * normal);
-    // Of less than a hundredth of an edge, which counts as touching elsewhere,
-    // the moment of the shear would be more than that of the gap.
-    const double slack = 0.01 * slave.reference_length(slave_edge);
-    return smallest - gap > slack ? gap - smallest : 0.;
-  }
-
-
-
-  void MortarRule::fill_in(const MortarSegments &now,
-                           const Integrals      &integrals,
-                           ContactPoint         &point) const
+  void MortarRule::fill_in(const MortarGeometry<double> &now,
+                           const MortarPairing<double>  &pairing,
+                           ContactPoint                 &point) const
   {
     const unsigned int node = slave_node(point);
-    point.facing            = integrals.weight > 0;
-    point.weight            = integrals.weight;
+    point.facing            = pairing.facing;
+    point.weight            = pairing.weight;
     point.normal            = point.facing
-                                ? direction(node, integrals)
+                                ? pairing.normal
                                 : now.slave_normals[point.slave_edge][node_in_edge(point)];
     point.tangent           = Tensor<1, 2>({-point.normal[1], point.normal[0]});
     point.metric            = 1;
@@ -383,41 +153,90 @@ namespace Contact
         return;
       }
 
-    point.master_edge = largest(integrals.master_edges);
-
-    // The offset of the feet along the tangent, and how far a unit of shift
-    // carries them.
-    const double weight = integrals.weight;
-    double       offset = 0, reach = 0;
-    for (const auto &[a, integral] : integrals.slave)
-      offset += integral * (now.slave_x[a] * point.tangent);
-    for (const auto &[m, integral] : integrals.master)
-      {
-        offset -= integral * (now.master_x[m] * point.tangent);
-        reach += integrals.shift.at(m) * (now.master_x[m] * point.tangent);
-      }
-    const double shift = offset / reach;
-
-    point.add_node(slave.nodes[node], integrals.slave.at(node) / weight, 0, 0);
-    const auto add = [&](const Surface::Node &node, const double c) {
-      // Biorthogonality leaves round-off where the coefficient is zero.
-      if (std::abs(c) > round_off)
-        point.add_node(node, c, 0, 0);
-    };
-    for (const auto &[a, integral] : integrals.slave)
+    point.master_edge = pairing.master_edge;
+    point.add_node(slave.nodes[node], pairing.slave.at(node), 0, 0);
+    for (const auto &[a, c] : pairing.slave)
       if (a != node)
-        add(slave.nodes[a], integral / weight);
+        point.add_node(slave.nodes[a], c, 0, 0);
     point.n_slave_nodes = point.n_nodes;
-    for (const auto &[m, integral] : integrals.master)
-      add(master.nodes[m],
-          -(integral + shift * integrals.shift.at(m)) / weight);
-
-    point.foot =
-      Point<2>(excess(now, point.slave_edge, integrals, shift, point.normal) *
-               point.normal);
+    for (const auto &[m, c] : pairing.master)
+      point.add_node(master.nodes[m], c, 0, 0);
+    point.foot = Point<2>(pairing.excess * point.normal);
 
     // The node itself has to be free to stick.
     point.tangential_row_is_void = discretization.is_fixed(point.dofs[0][0]) ||
                                    discretization.is_fixed(point.dofs[0][1]);
+  }
+
+
+
+  // The pairing depends on the nodes of the edges around the slave node, of the
+  // master edges that these face, and of the neighbours of both, by their
+  // normals.
+  void MortarRule::differentiate(MortarGeometry<WithDerivatives>  &now,
+                                 const std::vector<MortarOverlap> &overlaps,
+                                 ContactPoint                     &point) const
+  {
+    const unsigned int     node = slave_node(point);
+    std::set<unsigned int> slave_nodes, master_nodes;
+    const auto             add =
+      [](const Surface &surface, const unsigned int e, auto &all) {
+        for (const unsigned int near :
+             {e, surface.edges[e].previous, surface.edges[e].next})
+          if (near != none)
+            for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
+              all.insert(surface.edges[near].nodes[a]);
+      };
+    for (const unsigned int e : slave.edges_of_node[node])
+      {
+        add(slave, e, slave_nodes);
+        for (const auto &segment : overlaps[e].segments)
+          {
+            add(master, segment.master_edge, master_nodes);
+            for (const auto &cut : {segment.low, segment.high})
+              if (cut.master_node != none)
+                master_nodes.insert(cut.master_node);
+          }
+      }
+
+    now.follow(slave_nodes, master_nodes);
+    MortarIntegrals<WithDerivatives> integrals(now, carries, discretization);
+    for (const unsigned int e : slave.edges_of_node[node])
+      if (!overlaps[e].segments.empty())
+        integrals.add_edge(e, overlaps[e], node);
+    const MortarPairing<WithDerivatives> pairing = integrals.pairing(node);
+
+    PairingChange &change = point.change;
+    for (const unsigned int i : slave_nodes)
+      for (const auto dof : slave.nodes[i].dofs)
+        change.dofs.push_back(dof);
+    for (const unsigned int i : master_nodes)
+      for (const auto dof : master.nodes[i].dofs)
+        change.dofs.push_back(dof);
+    const unsigned int n = change.dofs.size();
+    change.C.reinit(point.n_nodes, n);
+    change.weight.resize(n);
+    change.turn.resize(n);
+    change.foot.resize(n);
+    const auto add_coefficients = [&](const Surface &surface, const auto &all) {
+      for (const auto &[i, c] : all)
+        {
+          const unsigned int a = std::find(point.dofs.begin(),
+                                           point.dofs.end(),
+                                           surface.nodes[i].dofs) -
+                                 point.dofs.begin();
+          for (unsigned int j = 0; j < n && a < point.n_nodes; ++j)
+            change.C(a, j) = c.dx(j);
+        }
+    };
+    add_coefficients(slave, pairing.slave);
+    add_coefficients(master, pairing.master);
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        change.weight[j] = pairing.weight.dx(j) / point.weight;
+        change.foot[j]   = pairing.excess.dx(j);
+        for (unsigned int i = 0; i < 2; ++i)
+          change.turn[j] -= point.tangent[i] * pairing.normal[i].dx(j);
+      }
   }
 } // namespace Contact

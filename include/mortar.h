@@ -7,10 +7,9 @@
 #define contact_mortar_h
 
 #include <deal.II/base/array_view.h>
-#include <deal.II/lac/full_matrix.h>
 
 #include "contact_points.h"
-#include "mortar_segments.h"
+#include "mortar_integrals.h"
 
 namespace Contact
 {
@@ -80,70 +79,22 @@ namespace Contact
      * Integrate in the configuration @p u, and fill in what belongs to the
      * pairing: weight, normal, nodes and coefficients. Points whose
      * surroundings do not face the master are marked so. Returns whether a
-     * point has other nodes than before.
+     * point has other unknowns than before.
      */
     bool pair(const ArrayView<ContactPoint> &points,
-              const Vector<double>          &u) const;
+              const Vector<double>          &u,
+              const bool                     with_derivatives) const;
 
   private:
-    /// Integrals over the dual function of one slave node.
-    struct Integrals
-    {
-      double                         weight = 0; // D_k [mm]; of rings, [mm^2]
-      std::map<unsigned int, double> slave;      // Phi_k N_a, by slave node
-      std::map<unsigned int, double> master;     // Phi_k N_m, by master node
-      std::map<unsigned int, double> shift; // Phi_k dN_m/ds, by master node
+    void fill_in(const MortarGeometry<double> &now,
+                 const MortarPairing<double>  &pairing,
+                 ContactPoint                 &point) const;
 
-      Tensor<1, 2> slave_normal, master_normal; // times Phi_k
-      double       magnitude     = 0;           // of |Phi_k|
-      double       master_turn   = 0; // |Phi_k| times the squared angle
-      double       master_square = 0; // |Phi_k| times normals squared
-      Tensor<1, 2> master_mean;       // |Phi_k| times normals
-
-      std::map<unsigned int, double> master_edges; // |Phi_k|, by edge
-
-      std::vector<Tensor<1, 2>> distances; // x_slave - x_master [mm]
-    };
-
-    /// The nodes of an edge, by their number in it, that have a dual function.
-    std::vector<unsigned int>
-    carrying_nodes(const unsigned int   slave_edge,
-                   const MortarOverlap &overlap) const;
-
-    /// What the dual functions of these nodes are biorthogonal to.
-    std::vector<double> test_functions(const std::vector<unsigned int> &nodes,
-                                       const EdgeShape &shape) const;
-
-    /// The coefficients of the dual functions of these nodes: row k holds those
-    /// of 1, xi, xi^2.
-    FullMatrix<double> dual_functions(const std::vector<unsigned int> &nodes,
-                                      const MortarOverlap &overlap) const;
-
-    void integrate_edge(const MortarSegments   &now,
-                        const unsigned int      slave_edge,
-                        const MortarOverlap    &overlap,
-                        std::vector<Integrals> &integrals) const;
-
-    void add_normals(const MortarSegments &now,
-                     const unsigned int    slave_edge,
-                     const unsigned int    a,
-                     const MortarSample   &sample,
-                     const double          phi,
-                     Integrals            &integrals) const;
-
-    /// The direction n_k of a node.
-    Tensor<1, 2> direction(const unsigned int node,
-                           const Integrals   &integrals) const;
-
-    double excess(const MortarSegments &now,
-                  const unsigned int    slave_edge,
-                  const Integrals      &integrals,
-                  const double          shift,
-                  const Tensor<1, 2>   &normal) const;
-
-    void fill_in(const MortarSegments &now,
-                 const Integrals      &integrals,
-                 ContactPoint         &point) const;
+    /// What the pairing of a point changes with, by the segments of the edges
+    /// around it.
+    void differentiate(MortarGeometry<WithDerivatives>  &now,
+                       const std::vector<MortarOverlap> &overlaps,
+                       ContactPoint                     &point) const;
 
     unsigned int slave_node(const ContactPoint &point) const;
 

@@ -19,45 +19,7 @@ namespace Contact
 
     /// Of coordinates, which are of the order of one.
     const double round_off = 1e-11;
-
-    double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-    {
-      return a[0] * b[1] - a[1] * b[0];
-    }
-
-
-
-    /// Newton's method for a root of a smooth function near @p xi; edges are
-    /// short against their curvature, so that few steps suffice.
-    template<typename Function>
-    double find_root(double xi, const Function &value_and_slope)
-    {
-      for (unsigned int iteration = 0; iteration < 30; ++iteration)
-        {
-          const auto [value, slope] = value_and_slope(xi);
-          if (slope == 0)
-            break;
-          const double step = -value / slope;
-          xi                = std::max(-3., std::min(3., xi + step));
-          if (std::abs(step) < 1e-14)
-            break;
-        }
-      return xi;
-    }
   } // namespace
-
-
-
-  Tensor<1, 2> free_part(const Tensor<1, 2>   &direction,
-                         const Surface::Node  &node,
-                         const Discretization &discretization)
-  {
-    Tensor<1, 2> free = direction;
-    for (unsigned int c = 0; c < 2; ++c)
-      if (discretization.is_fixed(node.dofs[c]))
-        free[c] = 0;
-    return free;
-  }
 
 
 
@@ -72,36 +34,13 @@ namespace Contact
 
 
 
-  MortarSegments::MortarSegments(const Surface        &slave,
-                                 const Surface        &master,
-                                 const Discretization &discretization,
-                                 const Vector<double> &u)
-    : slave_normals(slave.edge_normals(u))
-    , master_normals(master.edge_normals(u))
-    , slave(slave)
-    , master(master)
-    , search(master, u)
+  MortarSegments::MortarSegments(const MortarGeometry<double> &geometry,
+                                 const Vector<double>         &u)
+    : now(geometry)
+    , search(geometry.master, u)
   {
-    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
-      slave_x.push_back(slave.position(i, u));
-    for (unsigned int i = 0; i < master.nodes.size(); ++i)
-      master_x.push_back(master.position(i, u));
-
-    for (unsigned int e = 0; e < slave.edges.size(); ++e)
-      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
-        {
-          const auto   &node   = slave.nodes[slave.edges[e].nodes[a]];
-          Tensor<1, 2> &normal = slave_normals[e][a];
-          normal *= -1;
-          // Against a support the node carries no multiplier, and its own
-          // normal serves for the projection.
-          const auto free = free_part(normal, node, discretization);
-          if (free.norm_square() > 0.5)
-            normal = free / free.norm();
-        }
-
-    Tensor<1, 2> low = slave_x[0], high = low;
-    for (const auto *all : {&slave_x, &master_x})
+    Tensor<1, 2> low = now.slave_x[0], high = low;
+    for (const auto *all : {&now.slave_x, &now.master_x})
       for (const Tensor<1, 2> &x : *all)
         for (unsigned int i = 0; i < 2; ++i)
           {
@@ -113,68 +52,12 @@ namespace Contact
 
 
 
-  Tensor<1, 2> MortarSegments::at(const std::vector<Tensor<1, 2>> &values,
-                                  const Surface::Edge             &edge,
-                                  const std::array<double, 3>     &shape)
-  {
-    // A shape function that an edge of degree 1 does not have is zero, and so
-    // is the number of its node.
-    Tensor<1, 2> sum;
-    for (unsigned int a = 0; a < 3; ++a)
-      sum += shape[a] * values[edge.nodes[a]];
-    return sum;
-  }
-
-
-
-  double MortarSegments::foot_on_edge(const Tensor<1, 2> &x,
-                                      const Tensor<1, 2> &n,
-                                      const unsigned int  master_edge) const
-  {
-    const auto &edge = master.edges[master_edge];
-    return find_root(0, [&](const double xi) {
-      const EdgeShape shape(master.degree, xi);
-      return std::make_pair(cross(at(master_x, edge, shape.value) - x, n),
-                            cross(at(master_x, edge, shape.first), n));
-    });
-  }
-
-
-
-  Tensor<1, 2>
-  MortarSegments::slave_normal(const unsigned int           slave_edge,
-                               const std::array<double, 3> &shape) const
-  {
-    Tensor<1, 2> sum;
-    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
-      sum += shape[a] * slave_normals[slave_edge][a];
-    return sum;
-  }
-
-
-
-  double MortarSegments::slave_coordinate(const unsigned int  slave_edge,
-                                          const Tensor<1, 2> &x) const
-  {
-    const auto &edge = slave.edges[slave_edge];
-    return find_root(0, [&](const double xi) {
-      const EdgeShape    shape(slave.degree, xi);
-      const Tensor<1, 2> r = at(slave_x, edge, shape.value) - x;
-      return std::make_pair(cross(r, slave_normal(slave_edge, shape.value)),
-                            cross(at(slave_x, edge, shape.first),
-                                  slave_normal(slave_edge, shape.value)) +
-                              cross(r, slave_normal(slave_edge, shape.first)));
-    });
-  }
-
-
-
   // What is near is looked at first; further and further away, until all of
   // the edge has a partner that nothing can hide.
   MortarOverlap MortarSegments::overlap(const unsigned int slave_edge) const
   {
-    const auto &ends  = slave.edges[slave_edge].nodes;
-    double      reach = 2 * (slave_x[ends[1]] - slave_x[ends[0]]).norm();
+    const auto &ends = now.slave.edges[slave_edge].nodes;
+    double reach     = 2 * (now.slave_x[ends[1]] - now.slave_x[ends[0]]).norm();
     std::vector<Segment> found;
     while (true)
       {
@@ -182,7 +65,7 @@ namespace Contact
         double covered = 0, distance = 0;
         for (const Segment &segment : found)
           {
-            covered += segment.high - segment.low;
+            covered += segment.high.xi - segment.low.xi;
             distance = std::max(distance, segment.distance);
           }
         if (reach >= size || (covered > 2 - round_off && distance < reach / 2))
@@ -191,8 +74,13 @@ namespace Contact
       }
 
     MortarOverlap overlap;
+    overlap.segments = found;
     for (const Segment &segment : found)
-      add_samples(slave_edge, segment, overlap);
+      if (!overlap.parts.empty() &&
+          segment.low.xi - overlap.parts.back().high < round_off)
+        overlap.parts.back().high = segment.high.xi;
+      else
+        overlap.parts.push_back({segment.low.xi, segment.high.xi});
     return overlap;
   }
 
@@ -202,12 +90,12 @@ namespace Contact
   MortarSegments::candidates(const unsigned int slave_edge,
                              const double       reach) const
   {
-    const auto           &nodes = slave.edges[slave_edge].nodes;
+    const auto           &nodes = now.slave.edges[slave_edge].nodes;
     std::vector<Point<2>> corners;
-    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+    for (unsigned int a = 0; a < now.slave.n_nodes_per_edge(); ++a)
       for (const double side : {-1., 1.})
-        corners.emplace_back(slave_x[nodes[a]] +
-                             side * reach * slave_normals[slave_edge][a]);
+        corners.emplace_back(now.slave_x[nodes[a]] +
+                             side * reach * now.slave_normals[slave_edge][a]);
 
     // Of the edges near by those between the lines: not all on one side of all
     // of them.
@@ -215,13 +103,13 @@ namespace Contact
     for (const unsigned int m : search.edges_in(BoundingBox<2>(corners)))
       {
         bool left = false, right = false;
-        for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+        for (unsigned int a = 0; a < now.slave.n_nodes_per_edge(); ++a)
           for (const Tensor<1, 2> &x : search.hull(m))
             {
-              const double side =
-                cross(x - slave_x[nodes[a]], slave_normals[slave_edge][a]);
-              left  = left || side >= 0;
-              right = right || side <= 0;
+              const double side = cross(x - now.slave_x[nodes[a]],
+                                        now.slave_normals[slave_edge][a]);
+              left              = left || side >= 0;
+              right             = right || side <= 0;
             }
         if (left && right)
           candidates.push_back(m);
@@ -237,28 +125,32 @@ namespace Contact
   MortarSegments::segments(const unsigned int               slave_edge,
                            const std::vector<unsigned int> &candidates) const
   {
-    std::vector<double> cuts{-1, 1};
+    std::vector<Cut> cuts{{-1}, {1}};
     for (const unsigned int m : candidates)
       for (unsigned int a = 0; a < 2; ++a)
-        cuts.push_back(std::max(
-          -1.,
-          std::min(1.,
-                   slave_coordinate(slave_edge,
-                                    master_x[master.edges[m].nodes[a]]))));
-    std::sort(cuts.begin(), cuts.end());
+        {
+          const unsigned int node = now.master.edges[m].nodes[a];
+          const double       xi =
+            now.slave_coordinate(slave_edge, now.master_x[node]);
+          if (std::abs(xi) < 1)
+            cuts.push_back({xi, node});
+        }
+    std::sort(cuts.begin(), cuts.end(), [](const Cut &a, const Cut &b) {
+      return a.xi < b.xi;
+    });
 
     std::vector<Segment> segments;
     for (unsigned int i = 1; i < cuts.size(); ++i)
       {
         // Shorter segments are round-off at nodes that face each other.
-        if (cuts[i] - cuts[i - 1] < round_off)
+        if (cuts[i].xi - cuts[i - 1].xi < round_off)
           continue;
         const auto [m, distance] =
-          partner(slave_edge, (cuts[i - 1] + cuts[i]) / 2, candidates);
+          partner(slave_edge, (cuts[i - 1].xi + cuts[i].xi) / 2, candidates);
         if (m == none)
           continue;
         if (!segments.empty() && segments.back().master_edge == m &&
-            cuts[i - 1] - segments.back().high < round_off)
+            cuts[i - 1].xi - segments.back().high.xi < round_off)
           {
             segments.back().high = cuts[i];
             segments.back().distance =
@@ -285,18 +177,22 @@ namespace Contact
     };
     Hit ahead, behind;
 
-    const EdgeShape shape(slave.degree, xi);
-    const auto      x = at(slave_x, slave.edges[slave_edge], shape.value);
-    auto            n = slave_normal(slave_edge, shape.value);
+    const EdgeShape shape(now.slave.degree, xi);
+    const auto      x = MortarGeometry<double>::at(now.slave_x,
+                                              now.slave.edges[slave_edge],
+                                              shape.value);
+    auto            n = now.slave_normal(slave_edge, shape.value);
     n /= n.norm();
     const NormalCone direction{-n, -n};
     for (const unsigned int m : candidates)
       {
-        const double master_xi = foot_on_edge(x, n, m);
+        const double master_xi = now.foot_on_edge(x, n, m);
         if (std::abs(master_xi) > 1)
           continue;
-        const EdgeShape foot(master.degree, master_xi);
-        const auto      r = x - at(master_x, master.edges[m], foot.value);
+        const EdgeShape foot(now.master.degree, master_xi);
+        const auto      r = x - MortarGeometry<double>::at(now.master_x,
+                                                      now.master.edges[m],
+                                                      foot.value);
         // A line beside a parallel edge has no foot there.
         if (std::abs(cross(r, n)) > 1e-8 * size)
           continue;
@@ -314,34 +210,58 @@ namespace Contact
 
 
 
-  void MortarSegments::add_samples(const unsigned int slave_edge,
-                                   const Segment     &segment,
-                                   MortarOverlap     &overlap) const
+  template<typename Number>
+  std::vector<MortarSample<Number>>
+  mortar_samples(const MortarGeometry<Number> &geometry,
+                 const unsigned int            slave_edge,
+                 const MortarOverlap          &overlap)
   {
-    const auto  &s_edge = slave.edges[slave_edge];
-    const double length = segment.high - segment.low;
-    const auto   add    = [&](const double part, const double weight) {
-      const double    xi = segment.low + part * length;
-      const EdgeShape shape(slave.degree, xi);
-      overlap.samples.push_back(
-        {xi,
-         weight * length * slave.reference_jacobian(s_edge, shape),
-         segment.master_edge,
-         foot_on_edge(at(slave_x, s_edge, shape.value),
-                      slave_normal(slave_edge, shape.value),
-                      segment.master_edge)});
+    const Surface       &slave  = geometry.slave;
+    const Surface::Edge &s_edge = slave.edges[slave_edge];
+    const QGauss<1>      quadrature(slave.degree + 2);
+    const auto           coordinate = [&](const MortarOverlap::Cut &cut) {
+      return cut.master_node == none
+                         ? Number(cut.xi)
+                         : geometry.slave_coordinate(slave_edge,
+                                           geometry.master_x[cut.master_node]);
     };
-    const QGauss<1> quadrature(slave.degree + 2);
-    for (unsigned int q = 0; q < quadrature.size(); ++q)
-      add(quadrature.point(q)[0], quadrature.weight(q));
-    // The ends count for the distances only.
-    for (const double end : {0., 1.})
-      add(end, 0);
 
-    if (!overlap.parts.empty() &&
-        segment.low - overlap.parts.back().high < round_off)
-      overlap.parts.back().high = segment.high;
-    else
-      overlap.parts.push_back({segment.low, segment.high});
+    std::vector<MortarSample<Number>> samples;
+    for (const auto &segment : overlap.segments)
+      {
+        const Number low    = coordinate(segment.low);
+        const Number length = coordinate(segment.high) - low;
+        const auto   add    = [&](const double part, const double weight) {
+          const Number             xi = low + part * length;
+          const EdgeShapes<Number> shape(slave.degree, xi);
+          samples.push_back(
+            {xi,
+             weight * length * slave.reference_jacobian(s_edge, shape),
+             segment.master_edge,
+             geometry.foot_on_edge(MortarGeometry<Number>::at(geometry.slave_x,
+                                                              s_edge,
+                                                              shape.value),
+                                   geometry.slave_normal(slave_edge,
+                                                         shape.value),
+                                   segment.master_edge)});
+        };
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          add(quadrature.point(q)[0], quadrature.weight(q));
+        // The ends count for the distances only.
+        for (const double end : {0., 1.})
+          add(end, 0);
+      }
+    return samples;
   }
+
+
+
+  template std::vector<MortarSample<double>>
+  mortar_samples(const MortarGeometry<double> &,
+                 const unsigned int,
+                 const MortarOverlap &);
+  template std::vector<MortarSample<WithDerivatives>>
+  mortar_samples(const MortarGeometry<WithDerivatives> &,
+                 const unsigned int,
+                 const MortarOverlap &);
 } // namespace Contact

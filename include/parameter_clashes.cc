@@ -78,8 +78,6 @@ namespace Contact
       };
       const auto shared = find(
         [](const Contact &zone) { return !zone.has_point_per_multiplier(); });
-      const auto mortar =
-        find([](const Contact &zone) { return zone.rule == "mortar"; });
       const bool is_frictional = find([](const Contact &zone) {
                                    return zone.frictional();
                                  }) != zones.end();
@@ -132,10 +130,6 @@ namespace Contact
                   {"Refinement/Levels", system},
                   "set 'System = condensed', with the rule nodal or mortar, or "
                   "refine the first mesh with Mesh/Refinements");
-          if (mortar != zones.end() && solution.geometry == "Newton")
-            clash("The tangent does not know how mortar segments move.",
-                  {"Solution/Geometry", mortar->section() + "/Rule"},
-                  "set 'Geometry = each step'");
           return;
         }
 

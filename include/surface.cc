@@ -86,24 +86,6 @@ namespace Contact
 
 
 
-  EdgeShape::EdgeShape(const unsigned int degree, const double xi)
-  {
-    if (degree == 1)
-      {
-        value  = {{(1 - xi) / 2, (1 + xi) / 2, 0}};
-        first  = {{-0.5, 0.5, 0}};
-        second = {{0, 0, 0}};
-      }
-    else
-      {
-        value  = {{xi * (xi - 1) / 2, xi * (xi + 1) / 2, 1 - xi * xi}};
-        first  = {{xi - 0.5, xi + 0.5, -2 * xi}};
-        second = {{1, 1, -2}};
-      }
-  }
-
-
-
   Surface::Surface(const Discretization               &discretization,
                    const std::set<types::boundary_id> &boundary_ids,
                    const std::string                  &name)
@@ -259,8 +241,13 @@ namespace Contact
   void Surface::link_edges()
   {
     std::map<unsigned int, unsigned int> begins_at;
+    edges_of_node.resize(nodes.size());
     for (unsigned int e = 0; e < edges.size(); ++e)
-      begins_at[edges[e].nodes[0]] = e;
+      {
+        begins_at[edges[e].nodes[0]] = e;
+        for (unsigned int a = 0; a < n_nodes_per_edge(); ++a)
+          edges_of_node[edges[e].nodes[a]].push_back(e);
+      }
     for (unsigned int e = 0; e < edges.size(); ++e)
       if (!edges[e].ends_surface)
         {
@@ -387,20 +374,6 @@ namespace Contact
   {
     const auto &ends = edges[edge].nodes;
     return nodes[ends[0]].X.distance(nodes[ends[1]].X);
-  }
-
-
-
-  double Surface::reference_jacobian(const Edge      &edge,
-                                     const EdgeShape &shape) const
-  {
-    Tensor<1, 2> X, tangent;
-    for (unsigned int a = 0; a <= degree; ++a)
-      {
-        X += shape.value[a] * nodes[edge.nodes[a]].X;
-        tangent += shape.first[a] * nodes[edge.nodes[a]].X;
-      }
-    return tangent.norm() * discretization.circumference(Point<2>(X));
   }
 
 

@@ -7,6 +7,7 @@
 #define contact_surface_h
 
 #include <array>
+#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
@@ -19,12 +20,29 @@ namespace Contact
 
   /// The Lagrange functions of an edge, on [-1, 1], and two derivatives. Node
   /// order: first, last, middle.
-  struct EdgeShape
+  template<typename Number>
+  struct EdgeShapes
   {
-    EdgeShape(const unsigned int degree, const double xi);
+    EdgeShapes(const unsigned int degree, const Number &xi)
+    {
+      if (degree == 1)
+        {
+          value  = {{(1 - xi) / 2, (1 + xi) / 2, 0}};
+          first  = {{-0.5, 0.5, 0}};
+          second = {{0, 0, 0}};
+        }
+      else
+        {
+          value  = {{xi * (xi - 1) / 2, xi * (xi + 1) / 2, 1 - xi * xi}};
+          first  = {{xi - 0.5, xi + 0.5, -2 * xi}};
+          second = {{1, 1, -2}};
+        }
+    }
 
-    std::array<double, 3> value, first, second;
+    std::array<Number, 3> value, first, second;
   };
+
+  using EdgeShape = EdgeShapes<double>;
 
 
 
@@ -77,6 +95,9 @@ namespace Contact
     std::vector<Node>  nodes; // along the chain, mid-sides in their place
     std::vector<Edge>  edges; // along the chain
 
+    /// The edges that meet at each node.
+    std::vector<std::vector<unsigned int>> edges_of_node;
+
     /// The largest angle by which one edge turns against the one before it
     /// [degrees], of those that are no corners.
     double largest_bend() const;
@@ -111,7 +132,19 @@ namespace Contact
 
     /// The measure of integrals per unit of an edge's coordinate, undeformed:
     /// its length [mm]; of rings the area [mm^2].
-    double reference_jacobian(const Edge &edge, const EdgeShape &shape) const;
+    template<typename Number>
+    Number reference_jacobian(const Edge               &edge,
+                              const EdgeShapes<Number> &shape) const
+    {
+      Tensor<1, 2, Number> X, tangent;
+      for (unsigned int a = 0; a <= degree; ++a)
+        {
+          X += shape.value[a] * Tensor<1, 2>(nodes[edge.nodes[a]].X);
+          tangent += shape.first[a] * Tensor<1, 2>(nodes[edge.nodes[a]].X);
+        }
+      using std::sqrt;
+      return sqrt(tangent * tangent) * discretization.circumference_at(X[0]);
+    }
 
     /// Arc length of all nodes from the first one [mm], from the positions
     /// @p x of the nodes.
