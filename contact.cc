@@ -369,8 +369,7 @@ namespace Contact
     discretization =
       std::make_unique<Discretization>(*mesh, parameters, communicator);
 
-    linearization.moving_geometry = parameters.solution.geometry == "Newton";
-    linearization.moving_bound    = parameters.solution.friction == "Newton";
+    linearization.moving_bound = parameters.solution.friction == "Newton";
     make_interface();
     timer.leave_subsection();
 
@@ -437,6 +436,8 @@ namespace Contact
   void ContactProblem::make_linear_system()
   {
     TimerOutput::Scope scope(timer, "setup");
+    linearization.moving_geometry =
+      parameters.geometry(summary.n_displacements) == "Newton";
     if (!parameters.is_condensed(summary.n_displacements))
       {
         saddle_point = std::make_unique<SaddlePointSystem>(*discretization,
@@ -953,9 +954,11 @@ namespace Contact
     const auto            way = [&]() {
       return interface->largest_change(solution, start);
     };
-    const bool follows =
-      geometry_follows() && pairs_each_step() && !linearization.moving_geometry;
-    pairing_is_frozen = false;
+    const bool follows = geometry_follows() && pairs_each_step();
+    const bool moving_geometry =
+      parameters.geometry(summary.n_displacements) == "Newton";
+    pairing_is_frozen             = false;
+    linearization.moving_geometry = moving_geometry;
     for (unsigned int step = 0;; ++step)
       {
         stop_if_interrupted(communicator);
@@ -972,9 +975,10 @@ namespace Contact
                           progress);
         // After a step the residual is that under the new status of all points:
         // a point may change it for ever where pressure and gap both vanish.
-        const bool status_is_new = step > 0 && !one_at_a_time;
-        pairing_is_frozen        = follows && pairing.is_frozen();
-        bool is_to_be_paired     = false;
+        const bool status_is_new      = step > 0 && !one_at_a_time;
+        pairing_is_frozen             = follows && pairing.is_frozen();
+        linearization.moving_geometry = moving_geometry && !pairing_is_frozen;
+        bool is_to_be_paired          = false;
         if ((status_is_new || now.n_changes == 0) &&
             !discretization->update_is_prescribed() &&
             now.residual <= newton_tolerance())
@@ -1784,8 +1788,8 @@ namespace Contact
 
   bool ContactProblem::pairs_each_step() const
   {
-    return parameters.solution.geometry == "each step" ||
-           parameters.solution.geometry == "Newton";
+    return parameters.solution.geometry != "undeformed" &&
+           parameters.solution.geometry != "fixed point";
   }
 
 

@@ -140,10 +140,12 @@ namespace Contact
     if (zones.empty())
       effects.push_back({"contact", "none", "no multipliers", "Contact/Slave"});
     else if (!interface->is_tied())
-      effects.push_back({"geometry",
-                         parameters.solution.geometry,
-                         pairing(parameters.solution.geometry),
-                         "Solution/Geometry"});
+      {
+        const std::string geometry =
+          parameters.geometry(discretization.dof_handler.n_dofs());
+        effects.push_back(
+          {"geometry", geometry, pairing(geometry), "Solution/Geometry"});
+      }
 
     effects.push_back(
       {"system",

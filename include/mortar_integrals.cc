@@ -317,12 +317,12 @@ namespace Contact
         if (value_of(along) < value_of(smallest))
           smallest = along;
       }
-    // Of less than a hundredth of an edge, which counts as touching elsewhere,
-    // the moment of the shear would be more than that of the gap.
+    // A hundredth of an edge, which counts as touching elsewhere, is left to the
+    // mean: the excess adds to the moment of the shear.
     const double slack =
       0.01 * slave.reference_length(slave.edges_of_node[node].front());
-    return value_of(smallest) - value_of(gap) > slack ? Number(gap - smallest)
-                                                      : Number(0);
+    const Number excess = gap - smallest + slack;
+    return value_of(excess) < 0 ? excess : Number(0);
   }
 
 

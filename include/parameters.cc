@@ -115,6 +115,15 @@ namespace Contact
                return zone.has_point_per_multiplier();
              });
     }
+
+
+
+    std::string All::geometry(const std::size_t n_displacements) const
+    {
+      if (solution.geometry != "automatic")
+        return solution.geometry;
+      return is_condensed(n_displacements) ? "each step" : "Newton";
+    }
   } // namespace Parameters
 
 

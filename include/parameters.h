@@ -226,8 +226,9 @@ namespace Contact
       unsigned int n_increments = 2;
       unsigned int max_cuts     = 6; // of an increment to half
 
-      /// "undeformed", "fixed point", "each step" or "Newton".
-      std::string  geometry                = "each step";
+      /// "undeformed", "fixed point", "each step", "Newton", or "automatic":
+      /// see All::geometry().
+      std::string  geometry                = "automatic";
       double       geometry_tolerance      = 1e-3;
       unsigned int max_geometry_iterations = 30;
 
@@ -365,6 +366,10 @@ namespace Contact
       /// Whether the multipliers are eliminated from the linear system, of a
       /// mesh with so many displacements; 0: as far as the entries tell.
       bool is_condensed(const std::size_t n_displacements = 0) const;
+
+      /// The geometry loop: Newton's where the system knows how the pairing
+      /// moves, unless the file asks for another one.
+      std::string geometry(const std::size_t n_displacements) const;
 
       void add_parameters(ParameterHandler &prm);
 

@@ -30,7 +30,7 @@ namespace Contact
       const Patterns::Integer   at_least_one(1);
       const Patterns::Selection loop("fixed point|each step|Newton");
       const Patterns::Selection geometry_loop(
-        "undeformed|fixed point|each step|Newton");
+        "automatic|undeformed|fixed point|each step|Newton");
 
       prm.enter_subsection("Solution");
       prm.add_parameter("Increments",
@@ -52,7 +52,8 @@ namespace Contact
                         "renewed before each Newton step, until these move "
                         "the surfaces by less than the geometry tolerance; "
                         "Newton: with the displacements, in the tangent as "
-                        "well (rules nodal and Gauss, saddle point system).",
+                        "well (saddle point system); automatic: Newton, in "
+                        "the condensed system each step.",
                         geometry_loop);
       prm.add_parameter(
         "Geometry tolerance",

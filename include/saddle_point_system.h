@@ -66,12 +66,12 @@ namespace Contact
                                 Vector<double>       &rhs);
     void add_tangent_of_linear_bodies(const Vector<double> &solution);
 
-    const Discretization                 &discretization;
-    const Elasticity                     &elasticity;
-    ContactInterface                     *interface;
-    const ContactInterface::Linearization linearization;
-    const bool                            geometry_follows;
-    TimerOutput                          &timer;
+    const Discretization                  &discretization;
+    const Elasticity                      &elasticity;
+    ContactInterface                      *interface;
+    const ContactInterface::Linearization &linearization;
+    const bool                             geometry_follows;
+    TimerOutput                           &timer;
 
     SparsityPattern      pattern;
     SparseMatrix<double> matrix;
