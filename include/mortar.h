@@ -47,7 +47,7 @@ namespace Contact
    *    grows fast beside the node, as on a mesh that is coarse beside a round
    *    counterface, may come out far below all distances, also as a
    *    penetration where there is none. The gap is no less than the smallest of
-   *    the distances that it is a mean of, less a hundredth of an edge.
+   *    the distances that it is a mean of, less 1e-4 of an edge.
    *  - At a corner of the slave each edge is projected along its own normal.
    *  - At an edge that faces the master in part or in several parts (the master
    *    has holes, or several pieces), and at nodes that carry no

@@ -317,10 +317,10 @@ namespace Contact
         if (value_of(along) < value_of(smallest))
           smallest = along;
       }
-    // A hundredth of an edge, which counts as touching elsewhere, is left to the
-    // mean: the excess adds to the moment of the shear.
+    // A ten-thousandth of an edge is left to the mean: flat surfaces that touch
+    // are as uneven as that.
     const double slack =
-      0.01 * slave.reference_length(slave.edges_of_node[node].front());
+      1e-4 * slave.reference_length(slave.edges_of_node[node].front());
     const Number excess = gap - smallest + slack;
     return value_of(excess) < 0 ? excess : Number(0);
   }

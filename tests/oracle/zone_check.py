@@ -15,6 +15,8 @@ APART = 0.05
 ANGLE = 0.03
 # More than this angle between two edges is a corner (its sine).
 ROUND = 0.6
+# Forces along surfaces that bend by more are not taken together [rad].
+BUNDLE = 2.0
 # A force that counts, of the largest one.
 COUNTS = 1e-3
 
@@ -95,11 +97,16 @@ class ZoneCheck:
         not face the master as a whole, the nodes around are taken together."""
         lengths = np.bincount(self.own.line, self.own.length)
         near = 0.05 * lengths + self.slack
+        partly = ((self.gaps.max(1) > APART * self.slack) &
+                  (self.gaps.min(1) <= near))
         misses = ((self.gaps > APART * self.slack) & ~self.master.faces(
-            self.points.reshape(-1, 2)).reshape(self.gaps.shape))
-        partly = misses.any(1) & (self.gaps.min(1) <= near)
+            self.points.reshape(-1, 2)).reshape(self.gaps.shape)).any(1)
         force = self.force.copy()
-        for nodes in connected(self.lines[partly]):
+        bundles = connected(self.lines[partly])
+        if any(self.bends(nodes) > BUNDLE for nodes in bundles):
+            # Conforming surfaces, which are near each other all around.
+            bundles = connected(self.lines[partly & misses])
+        for nodes in bundles:
             together = np.isin(self.nodes, list(nodes))
             lines = np.flatnonzero(np.isin(self.lines, self.nodes[
                 together]).any(1))
@@ -108,6 +115,12 @@ class ZoneCheck:
             for k in np.flatnonzero(together):
                 self.around[k] = lines
         self.force = force
+
+    def bends(self, nodes):
+        """The largest angle between normals of lines of these nodes."""
+        n = self.own.normal[np.isin(self.lines, list(nodes)).all(1)[
+            self.own.line]]
+        return np.arccos(np.clip((n @ n.T).min(initial=1), -1, 1))
 
     def check_penetration(self):
         allowed = PENETRATION[self.rule] * self.slack + self.sagitta()
