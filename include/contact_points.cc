@@ -309,6 +309,25 @@ namespace Contact
 
 
 
+  void skip_where_held(ContactPoint         &point,
+                       const Discretization &discretization,
+                       const Vector<double> &u)
+  {
+    if (is_free_along(point, point.n_nodes, point.normal, discretization))
+      return;
+    double gap = 0, size = 0;
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      {
+        for (unsigned int i = 0; i < 2; ++i)
+          gap += point.C[a] * point.normal[i] *
+                 (point.X[a][i] + u[point.dofs[a][i]]);
+        size = std::max(size, point.X[a].distance(point.X[0]));
+      }
+    point.facing = point.facing && gap < -1e-8 * size;
+  }
+
+
+
   void pair_with_master(ContactPoint         &point,
                         const NormalCone     &directions,
                         const Surface        &master,
@@ -336,17 +355,7 @@ namespace Contact
     point.tangent = along / point.metric;
     point.normal  = Tensor<1, 2>({point.tangent[1], -point.tangent[0]});
 
-    // Where supports hold both sides there is no unknown for a pressure. It is
-    // missed only where they press them into each other.
-    if (!is_free_along(point, point.n_nodes, point.normal, discretization))
-      {
-        double gap = 0;
-        for (unsigned int b = 0; b < point.n_nodes; ++b)
-          for (unsigned int i = 0; i < 2; ++i)
-            gap += point.C[b] * point.normal[i] *
-                   (point.X[b][i] + u[point.dofs[b][i]]);
-        point.facing = point.facing && gap < -1e-8 * point.metric;
-      }
+    skip_where_held(point, discretization, u);
     point.tangential_row_is_void =
       tangential_row_is_void(point, discretization);
   }

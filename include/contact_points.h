@@ -205,6 +205,15 @@ namespace Contact
   bool tangential_row_is_void(const ContactPoint   &point,
                               const Discretization &discretization);
 
+  /**
+   * Where supports hold both sides there is no unknown for a pressure: the
+   * point does not face the master. The pressure is missed only where they
+   * press the bodies into each other.
+   */
+  void skip_where_held(ContactPoint         &point,
+                       const Discretization &discretization,
+                       const Vector<double> &u);
+
   /// Where a point of the slave looks, by the normals of Surface::edge_normals.
   NormalCone
   directions_of(const ContactPoint                                    &point,

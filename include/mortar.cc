@@ -40,17 +40,9 @@ namespace Contact
     , discretization(discretization)
     , carries(slave.edges.size())
   {
-    const Vector<double> at_rest(discretization.dof_handler.n_dofs());
-    const auto           normals = slave.edge_normals(at_rest);
     for (unsigned int e = 0; e < slave.edges.size(); ++e)
       for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
-        {
-          const unsigned int node = slave.edges[e].nodes[a];
-          carries[e][a] =
-            excluded.count(node) == 0 &&
-            free_part(normals[e][a], slave.nodes[node], discretization)
-                .norm_square() > 0.5;
-        }
+        carries[e][a] = excluded.count(slave.edges[e].nodes[a]) == 0;
   }
 
 
@@ -110,7 +102,7 @@ namespace Contact
       {
         const auto old_dofs    = point.dofs;
         const auto old_changes = point.change.dofs;
-        fill_in(now, integrals.pairing(slave_node(point)), point);
+        fill_in(now, integrals.pairing(slave_node(point)), u, point);
         point.change = PairingChange();
         if (moving && point.facing)
           differentiate(*moving, overlaps, point);
@@ -131,6 +123,7 @@ namespace Contact
 
   void MortarRule::fill_in(const MortarGeometry<double> &now,
                            const MortarPairing<double>  &pairing,
+                           const Vector<double>         &u,
                            ContactPoint                 &point) const
   {
     const unsigned int node = slave_node(point);
@@ -142,10 +135,16 @@ namespace Contact
     point.tangent           = Tensor<1, 2>({-point.normal[1], point.normal[0]});
     point.metric            = 1;
     point.keep_nodes(0);
+    if (point.facing)
+      {
+        add_nodes(pairing, point);
+        skip_where_held(point, discretization, u);
+      }
     if (!point.facing)
       {
         // Only to keep the equation of its multiplier, which is zero. In the
         // middle of the edge, which is never on an axis.
+        point.keep_nodes(0);
         point.weight = slave.reference_jacobian(slave.edges[point.slave_edge],
                                                 EdgeShape(slave.degree, 0));
         point.add_node(slave.nodes[node], 1, 0, 0);
@@ -154,6 +153,19 @@ namespace Contact
       }
 
     point.master_edge = pairing.master_edge;
+    point.foot        = Point<2>(pairing.excess * point.normal);
+
+    // The node itself has to be free to stick.
+    point.tangential_row_is_void = discretization.is_fixed(point.dofs[0][0]) ||
+                                   discretization.is_fixed(point.dofs[0][1]);
+  }
+
+
+
+  void MortarRule::add_nodes(const MortarPairing<double> &pairing,
+                             ContactPoint                &point) const
+  {
+    const unsigned int node = slave_node(point);
     point.add_node(slave.nodes[node], pairing.slave.at(node), 0, 0);
     for (const auto &[a, c] : pairing.slave)
       if (a != node)
@@ -161,11 +173,6 @@ namespace Contact
     point.n_slave_nodes = point.n_nodes;
     for (const auto &[m, c] : pairing.master)
       point.add_node(master.nodes[m], c, 0, 0);
-    point.foot = Point<2>(pairing.excess * point.normal);
-
-    // The node itself has to be free to stick.
-    point.tangential_row_is_void = discretization.is_fixed(point.dofs[0][0]) ||
-                                   discretization.is_fixed(point.dofs[0][1]);
   }
 
 

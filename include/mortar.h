@@ -51,7 +51,7 @@ namespace Contact
    *  - At a corner of the slave each edge is projected along its own normal.
    *  - At an edge that faces the master in part or in several parts (the master
    *    has holes, or several pieces), and at nodes that carry no
-   *    multiplier (supported against the normal, or excluded), the dual
+   *    multiplier (excluded, or where supports hold both sides), the dual
    *    functions of the edge are polynomials of a lower degree, as many as
    *    there are nodes left, that still sum up to one: a constant pressure is
    *    in the space everywhere, and D_k > 0. Other nodes of the edge are then
@@ -88,7 +88,11 @@ namespace Contact
   private:
     void fill_in(const MortarGeometry<double> &now,
                  const MortarPairing<double>  &pairing,
+                 const Vector<double>         &u,
                  ContactPoint                 &point) const;
+
+    void add_nodes(const MortarPairing<double> &pairing,
+                   ContactPoint                &point) const;
 
     /// What the pairing of a point changes with, by the segments of the edges
     /// around it.
