@@ -309,8 +309,9 @@ class ZoneCheck:
         n = group.normal[piece]
         t = np.stack([-n[:, 1], n[:, 0]], 1)
         slip = np.einsum("ki,ki->k", step[self.nodes] - of_master, t)
-        shear = np.einsum("ki,ki->k", self.force, t)
-        push = np.einsum("ki,ki->k", self.force, n)
+        force = self.state.residual[self.nodes]
+        shear = np.einsum("ki,ki->k", force, t)
+        push = np.einsum("ki,ki->k", force, n)
         # At the end of a master the tangent is another one.
         judged = self.counts & (self.parallel(n) > 0.99)
         work = (shear * slip)[judged].sum()
