@@ -83,7 +83,7 @@ namespace Contact
      */
     bool pair(const ArrayView<ContactPoint> &points,
               const Vector<double>          &u,
-              const bool                     with_derivatives) const;
+              const bool                     with_derivatives = false) const;
 
   private:
     void fill_in(const MortarGeometry<double> &now,

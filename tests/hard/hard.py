@@ -30,11 +30,12 @@ import time
 
 RULES = ("nodal", "Gauss", "mortar")
 KINEMATICS = ("large displacement", "small strain")
-FRICTION = ("fixed point", "each step", "Newton")
+# The program's default first.
+FRICTION = ("Newton", "fixed point", "each step")
 
 # The system that a loop of friction can have: see Parameters::All::check().
-SYSTEM = {"fixed point": "automatic", "each step": "condensed",
-          "Newton": "saddle point"}
+SYSTEM = {"Newton": "automatic", "fixed point": "automatic",
+          "each step": "condensed"}
 
 # Sums over increments and largest values; from the program that knows them.
 COLUMNS = ("case", "rule", "kinematics", "friction", "required", "status",
