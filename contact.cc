@@ -176,6 +176,7 @@ namespace Contact
     };
 
     Outcome evaluate(const bool after_a_step, const bool one_at_a_time);
+    bool    points_follow_the_law() const;
     Outcome shorten_step(const Outcome               &outcome,
                          const NewtonGuard           &guard,
                          const Vector<double>        &last,
@@ -972,11 +973,12 @@ namespace Contact
                           progress);
         // After a step the residual is that under the new status of all points:
         // a point may change it for ever where pressure and gap both vanish.
-        const bool status_is_new = step > 0 && !one_at_a_time;
-        pairing_is_frozen        = follows && pairing.is_frozen();
-        bool is_to_be_paired     = false;
-        if ((status_is_new || now.n_changes == 0) &&
-            !discretization->update_is_prescribed() &&
+        const bool is_decided =
+          now.n_changes == 0 ||
+          (step > 0 && !one_at_a_time && points_follow_the_law());
+        pairing_is_frozen    = follows && pairing.is_frozen();
+        bool is_to_be_paired = false;
+        if (is_decided && !discretization->update_is_prescribed() &&
             now.residual <= newton_tolerance())
           {
             if (!follows ||
@@ -1036,6 +1038,27 @@ namespace Contact
         last_residual = now.residual;
         ++summary.increments.back().newton_iterations;
       }
+  }
+
+
+
+  // @sect4{ContactProblem::points_follow_the_law}
+  //
+  // One whose slip turns round sticks first, though its shear be too large.
+  bool ContactProblem::points_follow_the_law() const
+  {
+    return std::all_of(interface->points.begin(),
+                       interface->points.end(),
+                       [this](const ContactPoint &point) {
+                         const ContactState now =
+                           interface->state(point, solution, start);
+                         return interface->decide(point,
+                                                  Decision(),
+                                                  now.p_trial,
+                                                  now.q_trial,
+                                                  linearization.moving_bound) ==
+                                point.decision;
+                       });
   }
 
 
