@@ -177,6 +177,7 @@ namespace Contact
 
     Outcome evaluate(const bool after_a_step, const bool one_at_a_time);
     bool    points_follow_the_law() const;
+    void    freeze_pairing(const bool frozen);
     Outcome shorten_step(const Outcome               &outcome,
                          const NewtonGuard           &guard,
                          const Vector<double>        &last,
@@ -370,8 +371,8 @@ namespace Contact
     discretization =
       std::make_unique<Discretization>(*mesh, parameters, communicator);
 
-    linearization.moving_geometry = parameters.solution.geometry == "Newton";
-    linearization.moving_bound    = parameters.solution.friction == "Newton";
+    freeze_pairing(false);
+    linearization.moving_bound = parameters.solution.friction == "Newton";
     make_interface();
     timer.leave_subsection();
 
@@ -954,9 +955,8 @@ namespace Contact
     const auto            way = [&]() {
       return interface->largest_change(solution, start);
     };
-    const bool follows =
-      geometry_follows() && pairs_each_step() && !linearization.moving_geometry;
-    pairing_is_frozen = false;
+    const bool follows = geometry_follows() && pairs_each_step();
+    freeze_pairing(false);
     for (unsigned int step = 0;; ++step)
       {
         stop_if_interrupted(communicator);
@@ -976,7 +976,7 @@ namespace Contact
         const bool is_decided =
           now.n_changes == 0 ||
           (step > 0 && !one_at_a_time && points_follow_the_law());
-        pairing_is_frozen    = follows && pairing.is_frozen();
+        freeze_pairing(follows && pairing.is_frozen());
         bool is_to_be_paired = false;
         if (is_decided && !discretization->update_is_prescribed() &&
             now.residual <= newton_tolerance())
@@ -1059,6 +1059,18 @@ namespace Contact
                                                   linearization.moving_bound) ==
                                 point.decision;
                        });
+  }
+
+
+
+  // @sect4{ContactProblem::freeze_pairing}
+  //
+  // The tangent knows how projections and normals move as long as they do.
+  void ContactProblem::freeze_pairing(const bool frozen)
+  {
+    pairing_is_frozen = frozen;
+    linearization.moving_geometry =
+      parameters.solution.geometry == "Newton" && !frozen;
   }
 
 

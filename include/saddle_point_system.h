@@ -27,7 +27,8 @@ namespace Contact
   {
   public:
     /// @p interface may be null. @p geometry_follows: points are paired with
-    /// bodies that have moved. Phases are measured by @p timer.
+    /// bodies that have moved. @p linearization may change from step to step.
+    /// Phases are measured by @p timer.
     SaddlePointSystem(const Discretization                  &discretization,
                       const Elasticity                      &elasticity,
                       ContactInterface                      *interface,
@@ -66,12 +67,12 @@ namespace Contact
                                 Vector<double>       &rhs);
     void add_tangent_of_linear_bodies(const Vector<double> &solution);
 
-    const Discretization                 &discretization;
-    const Elasticity                     &elasticity;
-    ContactInterface                     *interface;
-    const ContactInterface::Linearization linearization;
-    const bool                            geometry_follows;
-    TimerOutput                          &timer;
+    const Discretization                  &discretization;
+    const Elasticity                      &elasticity;
+    ContactInterface                      *interface;
+    const ContactInterface::Linearization &linearization;
+    const bool                             geometry_follows;
+    TimerOutput                           &timer;
 
     SparsityPattern      pattern;
     SparseMatrix<double> matrix;
