@@ -176,6 +176,8 @@ namespace Contact
     };
 
     Outcome evaluate(const bool after_a_step, const bool one_at_a_time);
+    bool    points_follow_the_law() const;
+    void    freeze_pairing(const bool frozen);
     Outcome shorten_step(const Outcome               &outcome,
                          const NewtonGuard           &guard,
                          const Vector<double>        &last,
@@ -436,8 +438,7 @@ namespace Contact
   void ContactProblem::make_linear_system()
   {
     TimerOutput::Scope scope(timer, "setup");
-    linearization.moving_geometry =
-      parameters.geometry(summary.n_displacements) == "Newton";
+    freeze_pairing(false);
     if (!parameters.is_condensed(summary.n_displacements))
       {
         saddle_point = std::make_unique<SaddlePointSystem>(*discretization,
@@ -955,10 +956,7 @@ namespace Contact
       return interface->largest_change(solution, start);
     };
     const bool follows = geometry_follows() && pairs_each_step();
-    const bool moving_geometry =
-      parameters.geometry(summary.n_displacements) == "Newton";
-    pairing_is_frozen             = false;
-    linearization.moving_geometry = moving_geometry;
+    freeze_pairing(false);
     for (unsigned int step = 0;; ++step)
       {
         stop_if_interrupted(communicator);
@@ -975,12 +973,12 @@ namespace Contact
                           progress);
         // After a step the residual is that under the new status of all points:
         // a point may change it for ever where pressure and gap both vanish.
-        const bool status_is_new      = step > 0 && !one_at_a_time;
-        pairing_is_frozen             = follows && pairing.is_frozen();
-        linearization.moving_geometry = moving_geometry && !pairing_is_frozen;
-        bool is_to_be_paired          = false;
-        if ((status_is_new || now.n_changes == 0) &&
-            !discretization->update_is_prescribed() &&
+        const bool is_decided =
+          now.n_changes == 0 ||
+          (step > 0 && !one_at_a_time && points_follow_the_law());
+        freeze_pairing(follows && pairing.is_frozen());
+        bool is_to_be_paired = false;
+        if (is_decided && !discretization->update_is_prescribed() &&
             now.residual <= newton_tolerance())
           {
             if (!follows ||
@@ -1040,6 +1038,39 @@ namespace Contact
         last_residual = now.residual;
         ++summary.increments.back().newton_iterations;
       }
+  }
+
+
+
+  // @sect4{ContactProblem::points_follow_the_law}
+  //
+  // One whose slip turns round sticks first, though its shear be too large.
+  bool ContactProblem::points_follow_the_law() const
+  {
+    return std::all_of(interface->points.begin(),
+                       interface->points.end(),
+                       [this](const ContactPoint &point) {
+                         const ContactState now =
+                           interface->state(point, solution, start);
+                         return interface->decide(point,
+                                                  Decision(),
+                                                  now.p_trial,
+                                                  now.q_trial,
+                                                  linearization.moving_bound) ==
+                                point.decision;
+                       });
+  }
+
+
+
+  // @sect4{ContactProblem::freeze_pairing}
+  //
+  // The tangent knows how projections and normals move as long as they do.
+  void ContactProblem::freeze_pairing(const bool frozen)
+  {
+    pairing_is_frozen = frozen;
+    linearization.moving_geometry =
+      parameters.geometry(summary.n_displacements) == "Newton" && !frozen;
   }
 
 

@@ -154,17 +154,14 @@ namespace Contact
     bool changed = false;
     for (unsigned int q = 0; q < points.size() && !(changed && one_by_one); ++q)
       {
-        LinearPoint &point    = points[q];
-        const auto  &unknowns = point.rows.unknowns;
-        Decision     decision =
+        LinearPoint   &point    = points[q];
+        const auto    &unknowns = point.rows.unknowns;
+        const Decision decision =
           interface.decide(interface.points[q],
+                           point.decision,
                            point.p + dot(unknowns, point.rows.p_trial, update),
                            point.q + dot(unknowns, point.rows.q_trial, update),
                            bound_moves());
-        // Slip turns round by way of sticking: where all points of a body slip,
-        // none would hold it, whichever way they do.
-        if (decision.slip_direction * point.decision.slip_direction < 0)
-          decision = {Status::stick, 0};
         if (decision == point.decision)
           continue;
         changed           = true;

@@ -291,7 +291,10 @@ namespace Contact
 
 
 
+  // Slip turns round by way of sticking: where all points of a body slip, none
+  // would hold it, whichever way they do.
   Decision ContactInterface::decide(const ContactPoint &point,
+                                    const Decision     &before,
                                     const double        p_trial,
                                     const double        q_trial,
                                     const bool          moving_bound) const
@@ -303,9 +306,10 @@ namespace Contact
 
     const double bound =
       moving_bound ? zone(point).law.bound(p_trial) : point.tresca_bound;
-    if (std::abs(q_trial) <= bound)
+    const int direction = q_trial > 0 ? 1 : -1;
+    if (std::abs(q_trial) <= bound || direction * before.slip_direction < 0)
       return {Status::stick, 0};
-    return {Status::slip, q_trial > 0 ? 1 : -1};
+    return {Status::slip, direction};
   }
 
 
@@ -340,6 +344,18 @@ namespace Contact
 
 
 
+  namespace
+  {
+    /// What a point knows of its decision from step to step: under bounds that
+    /// are frozen the problem is convex, and slip turns round at once.
+    Decision decision_before(const ContactPoint &point, const bool moving_bound)
+    {
+      return moving_bound ? point.decision : Decision();
+    }
+  } // namespace
+
+
+
   unsigned int ContactInterface::decide_all(const Vector<double> &solution,
                                             const Vector<double> &u_start,
                                             const bool            moving_bound,
@@ -348,9 +364,12 @@ namespace Contact
     unsigned int n_changes = 0;
     for (ContactPoint &point : points)
       {
-        const ContactState now = state(point, solution, u_start);
-        const Decision     decision =
-          decide(point, now.p_trial, now.q_trial, moving_bound);
+        const ContactState now      = state(point, solution, u_start);
+        const Decision     decision = decide(point,
+                                         decision_before(point, moving_bound),
+                                         now.p_trial,
+                                         now.q_trial,
+                                         moving_bound);
         if (decision == point.decision)
           continue;
         ++n_changes;
@@ -368,9 +387,12 @@ namespace Contact
   {
     for (ContactPoint &point : points)
       {
-        const ContactState now = state(point, solution, u_start);
-        const Decision     decision =
-          decide(point, now.p_trial, now.q_trial, moving_bound);
+        const ContactState now      = state(point, solution, u_start);
+        const Decision     decision = decide(point,
+                                         decision_before(point, moving_bound),
+                                         now.p_trial,
+                                         now.q_trial,
+                                         moving_bound);
         if (decision == point.decision)
           continue;
         point.decision = decision;

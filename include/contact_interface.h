@@ -241,8 +241,9 @@ namespace Contact
               const Linearization  &linearization,
               Rows                 &rows) const;
 
-    /// What a point decides to do under trial values.
+    /// What a point that has decided before decides to do under trial values.
     Decision decide(const ContactPoint &point,
+                    const Decision     &before,
                     const double        p_trial,
                     const double        q_trial,
                     const bool          moving_bound) const;

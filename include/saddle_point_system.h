@@ -27,7 +27,8 @@ namespace Contact
   {
   public:
     /// @p interface may be null. @p geometry_follows: points are paired with
-    /// bodies that have moved. Phases are measured by @p timer.
+    /// bodies that have moved. @p linearization may change from step to step.
+    /// Phases are measured by @p timer.
     SaddlePointSystem(const Discretization                  &discretization,
                       const Elasticity                      &elasticity,
                       ContactInterface                      *interface,

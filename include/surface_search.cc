@@ -166,13 +166,29 @@ namespace Contact
         ++counters().candidate_pairs;
         const Projection candidate = project(x, entry->second);
         const double     distance  = distance_square(x, candidate);
-        if (distance < best_distance && accept(candidate))
+        if (distance < best_distance && accept(candidate) &&
+            is_closest_around(x, candidate))
           {
             best          = candidate;
             best_distance = distance;
           }
       }
     return best;
+  }
+
+
+
+  bool SurfaceSearch::is_closest_around(const Point<2>   &x,
+                                        const Projection &candidate) const
+  {
+    const unsigned int other = neighbor(candidate);
+    if (!candidate.clipped || other == numbers::invalid_unsigned_int ||
+        surface.edges[candidate.edge].corner[candidate.xi > 0 ? 1 : 0])
+      return true;
+    const Projection beside         = project(x, other);
+    const bool       is_same_vertex = beside.xi * candidate.xi == -1;
+    return is_same_vertex ||
+           distance_square(x, beside) >= distance_square(x, candidate);
   }
 
 

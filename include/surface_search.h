@@ -119,6 +119,15 @@ namespace Contact
     Projection closest(const Point<2> &x, const Accept &accept) const;
 
     /**
+     * Whether a surface that goes on smoothly at the end of an edge comes no
+     * closer beyond it. Where it does and looks another way there, the end of
+     * the edge is no foot: the point may be far off to the side, where its
+     * distance along the normal says nothing.
+     */
+    bool is_closest_around(const Point<2>   &x,
+                           const Projection &candidate) const;
+
+    /**
      * Beyond both faces that meet in a convex corner a point touches neither as
      * long as it is outside of one: the further one is what it may come to
      * touch. @p best is what is closest.
