@@ -165,8 +165,6 @@ expect "no pressure of contact at the point 'Force': it is on no slave" "$good" 
 expect "where:  Probes/Probes, 'p'" "$good" \
   --set "Probes/Probes=p: pressure, Force" --set Probes/References= \
   --set Probes/Tolerances=
-expect "mortar segments" "$good" --set Contact/Rule=mortar --set "$saddle" \
-  --set Solution/Geometry=Newton
 expect "projections move" "$good" --set Contact/Rule=mortar \
   --set "$condensed" --set Solution/Geometry=Newton
 expect "projections move" "$good" --set "$condensed" \

@@ -333,9 +333,12 @@ namespace Tests
       bool changed = false;
       for (ContactPoint &point : interface.points)
         {
-          const ContactState now = interface.state(point, solution, start);
-          const Decision     decision =
-            interface.decide(point, now.p_trial, now.q_trial, true);
+          const ContactState now      = interface.state(point, solution, start);
+          const Decision     decision = interface.decide(point,
+                                                     point.decision,
+                                                     now.p_trial,
+                                                     now.q_trial,
+                                                     true);
           changed        = changed || !(decision == point.decision);
           point.decision = decision;
         }
