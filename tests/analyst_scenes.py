@@ -86,9 +86,8 @@ for file in files:
             if "Increments" in text else 2
         check(f"{name} converges", status == 0,
               f"{steps} steps, {planned} increments, {seconds:.1f} s")
-        # Known to take more: its slave above has two edges, of which the master
-        # covers a part each; the body between them is held softly for a while.
-        if name != "flies_away_nodal":
+        # A loop around Newton's method takes as many as it takes.
+        if "fixed point" not in text:
             check("  in few steps", steps <= 15 * planned)
         if rule == "mortar" and status == 0:
             physics(file.stem, increments)
