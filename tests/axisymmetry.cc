@@ -13,7 +13,7 @@
 
 #include "condensed_model.h"
 #include "derivatives.h"
-#include "free_motions.h"
+#include "solvers/free_motions.h"
 
 using namespace Tests;
 

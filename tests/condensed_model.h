@@ -6,7 +6,7 @@
 #ifndef contact_condensed_model_h
 #define contact_condensed_model_h
 
-#include "condensed_system.h"
+#include "solvers/condensed_system.h"
 #include "tests.h"
 
 namespace Tests

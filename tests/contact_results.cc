@@ -6,7 +6,7 @@
 // Forces, largest tractions and the ends of the zones of contact and stick,
 // from contact points that are told what to do.
 
-#include "contact_results.h"
+#include "contact/contact_results.h"
 
 #include "tests.h"
 

@@ -11,8 +11,8 @@
 // closest piece is hidden by it; at a vertex of the master neither edge is
 // preferred; lines of the master's own body are refused.
 
-#include "errors.h"
-#include "mortar.h"
+#include "base/errors.h"
+#include "contact/mortar.h"
 #include "tests.h"
 
 using namespace Tests;

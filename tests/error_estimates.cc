@@ -6,7 +6,7 @@
 // The estimated discretization errors of the probes, from coarser levels and
 // from a finer mesh, and how the table shows them.
 
-#include "result_tables.h"
+#include "output/result_tables.h"
 #include "tests.h"
 
 using namespace Tests;

@@ -8,7 +8,7 @@
 // close to the error of a smooth displacement, and where it is not, by how
 // much; and that each term of the boundary is the one computed by hand.
 
-#include "error_estimator.h"
+#include "adaptivity/error_estimator.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>

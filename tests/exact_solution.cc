@@ -6,10 +6,10 @@
 // What theory is asked for, and the errors against it: of fields that are
 // interpolated, so that nothing has to be solved.
 
-#include "exact_solution.h"
+#include "verification/exact_solution.h"
 
 #include "tests.h"
-#include "verification.h"
+#include "verification/verification.h"
 
 using namespace Tests;
 

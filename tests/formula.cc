@@ -6,7 +6,7 @@
 // Formulas of the user: their values, what is said about broken ones, and the
 // entries of the parameters that hold them.
 
-#include "formula.h"
+#include "parameters/formula.h"
 
 #include <fstream>
 #include <iostream>

@@ -6,7 +6,7 @@
 // The frictional contact of half planes against Hertz, the force balance,
 // friction's law, closed forms of the stick zone and known stick zones.
 
-#include "half_plane.h"
+#include "verification/half_plane.h"
 
 #include <cmath>
 #include <iomanip>

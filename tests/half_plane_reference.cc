@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "half_plane.h"
+#include "verification/half_plane.h"
 
 using namespace Contact;
 

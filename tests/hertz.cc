@@ -11,7 +11,7 @@
 #include <iomanip>
 #include <iostream>
 
-#include "verification.h"
+#include "verification/verification.h"
 
 using namespace dealii;
 

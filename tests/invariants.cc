@@ -10,7 +10,7 @@
 // the supports are the forces of contact; and that each kind of
 // wrong state raises the alarm that belongs to it.
 
-#include "invariants.h"
+#include "verification/invariants.h"
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>

@@ -6,12 +6,12 @@
 // What keeps a run going: the steps of the load factor, cut and grown again;
 // the guard of Newton's method; the relaxation of fixed points.
 
-#include "load_steps.h"
+#include "solvers/load_steps.h"
 
 #include <cmath>
 
-#include "newton_guard.h"
-#include "relaxation.h"
+#include "solvers/newton_guard.h"
+#include "solvers/relaxation.h"
 #include "tests.h"
 
 using namespace Tests;

@@ -9,8 +9,8 @@
 #include <functional>
 #include <iostream>
 
-#include "errors.h"
-#include "mesh.h"
+#include "base/errors.h"
+#include "mesh/mesh.h"
 #include "mesh_files.h"
 
 using namespace Contact;

@@ -21,7 +21,7 @@
 #include <set>
 #include <vector>
 
-#include "mesh.h"
+#include "mesh/mesh.h"
 #include "mpi_session.h"
 
 using namespace dealii;

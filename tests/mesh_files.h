@@ -12,7 +12,7 @@
 #include <string>
 
 #include "mpi_session.h"
-#include "parameters.h"
+#include "parameters/parameters.h"
 
 inline const std::string physical_names = R"($PhysicalNames
 10

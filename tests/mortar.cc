@@ -12,7 +12,7 @@
 // turning everything changes no coefficient; the rows are the derivatives of
 // gap and slip.
 
-#include "mortar.h"
+#include "contact/mortar.h"
 
 #include "tests.h"
 

@@ -11,7 +11,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "parameters.h"
+#include "parameters/parameters.h"
 
 using namespace dealii;
 

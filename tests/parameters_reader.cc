@@ -11,8 +11,8 @@
 #include <iostream>
 #include <sstream>
 
-#include "parameter_file.h"
-#include "parameters.h"
+#include "parameters/parameter_file.h"
+#include "parameters/parameters.h"
 
 using namespace dealii;
 

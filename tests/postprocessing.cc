@@ -13,12 +13,12 @@
 #include <nlohmann/json.hpp>
 #include <zlib.h>
 
-#include "errors.h"
-#include "files.h"
-#include "probes.h"
-#include "result_files.h"
-#include "result_tables.h"
-#include "stress_recovery.h"
+#include "base/errors.h"
+#include "base/files.h"
+#include "output/probes.h"
+#include "output/result_files.h"
+#include "output/result_tables.h"
+#include "solid/stress_recovery.h"
 #include "tests.h"
 
 using namespace Tests;

@@ -11,7 +11,7 @@
 // passes through the mortar rule between meshes with hanging nodes at both
 // surfaces; and what the points know reaches the points of the finer mesh.
 
-#include "refinement.h"
+#include "adaptivity/refinement.h"
 
 #include <numeric>
 

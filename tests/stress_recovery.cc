@@ -8,7 +8,7 @@
 // point gives its constant, that cells are averaged at a vertex, and that the
 // von Mises stress and the stress across the plane are right.
 
-#include "stress_recovery.h"
+#include "solid/stress_recovery.h"
 
 #include "tests.h"
 

@@ -18,13 +18,13 @@
 #include <random>
 #include <sstream>
 
-#include "contact_interface.h"
-#include "discretization.h"
-#include "elasticity.h"
-#include "linear_solver.h"
-#include "mesh.h"
+#include "contact/contact_interface.h"
+#include "mesh/mesh.h"
 #include "mpi_session.h"
-#include "parameters.h"
+#include "parameters/parameters.h"
+#include "solid/discretization.h"
+#include "solid/elasticity.h"
+#include "solvers/linear_solver.h"
 
 /**
  * What the unit tests share: small meshes, models made by code, a plain Newton

@@ -6,7 +6,7 @@
 // Two arcs that touch: near the point where they do, what lies on one of the
 // circles lies on the other one up to the tolerance as well.
 
-#include "arcs.h"
+#include "mesh/arcs.h"
 #include "mesh_facts.h"
 #include "tests.h"
 

@@ -6,7 +6,7 @@
 // The closed-form solutions against the equations that define them, which are
 // integrated or differentiated here by other means than the formulas.
 
-#include "verification.h"
+#include "verification/verification.h"
 
 #include <deal.II/base/quadrature_lib.h>
 

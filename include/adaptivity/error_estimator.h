@@ -1,0 +1,125 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_error_estimator_h
+#define contact_error_estimator_h
+
+#include <list>
+#include <optional>
+
+#include "contact/contact_interface.h"
+#include "solid/stress_recovery.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * How far the stress of a cell is from the recovered one, and the recovered
+   * one from what the boundary of the cell is under: the estimate of
+   * Zienkiewicz and Zhu (Int. J. Numer. Methods Engrg. 24, 1987), which
+   * estimates the error of the stress s_h by the recovered stress s* in its
+   * place,
+   *
+   *   eta_T^2 = integral over T of (s* - s_h) : D^-1 : (s* - s_h)
+   *           + sum over the boundary edges of T of
+   *               h/E integral over the edge of |s* n - t|^2,
+   *
+   * D^-1 the compliance of plane strain, E Young's modulus, h the length of the
+   * edge. The traction t is that of contact on slave and master, and zero
+   * elsewhere; components that a support holds are left out. The second term
+   * is what lets the estimate see contact: s* is an average over the cells of
+   * one body and knows nothing of the pressure, which comes from the other.
+   *
+   * All values are squares, [N mm per mm of thickness]: they add up to eta^2,
+   * of which deal.II's GridRefinement takes a fraction by default. eta itself,
+   * the square root of the sum, is the error in the norm of the energy. With
+   * elements of degree 1 it tends to the true one where the solution is smooth.
+   * With degree 2 the recovered stress, linear in a cell, is only of the order
+   * of the element's own: eta falls as fast as the error, but is 0.4 (9-node
+   * quadrangles) to 0.65 (triangles) of it. It still tells where to refine.
+   *
+   * Nodal forces: in two dimensions their energy is infinite, and no mesh
+   * resolves them. Cells of the coarse mesh that touch a vertex with a nodal
+   * force, and all that they are refined to, have the indicator zero. The
+   * edges of a spread force are left out. The force of a tie is no
+   * multiplier: edges with a tied node are left out.
+   */
+  class ErrorEstimator
+  {
+  public:
+    ErrorEstimator(const Discretization &discretization,
+                   const Elasticity     &elasticity,
+                   const StressRecovery &recovery);
+
+    /**
+     * eta_T^2 by the index of the active cell, zero for cells of other
+     * processes. @p vertex_stresses are those of StressRecovery, @p solution
+     * holds the displacement and, unless @p interface is null (no contact), the
+     * multipliers behind it.
+     */
+    Vector<float>
+    indicators(const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+               const ContactInterface                   *interface,
+               const Vector<double>                     &solution) const;
+
+    /// The same, with the stresses recovered here.
+    Vector<float> indicators(const ContactInterface *interface,
+                             const Vector<double>   &solution) const;
+
+  private:
+    struct Place;
+    class ContactTractions;
+
+    /// What the boundary does not say of its edges.
+    struct Neighborhood
+    {
+      /// The cell, or numbers::invalid_unsigned_int if it is of another
+      /// process or the edge is left out.
+      unsigned int cell = numbers::invalid_unsigned_int;
+
+      /// First and last vertex of the triangulation.
+      std::array<unsigned int, 2> vertices;
+    };
+
+    void find_neighborhoods();
+
+    void
+    add_bulk_terms(const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+                   const Vector<double>                     &solution,
+                   Vector<double>                           &eta_square) const;
+
+    void add_boundary_terms(
+      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+      const ContactInterface                   *interface,
+      const Vector<double>                     &solution,
+      Vector<double>                           &eta_square) const;
+
+    double
+    boundary_term(const unsigned int                        edge,
+                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+                  const std::list<ContactTractions>        &contact,
+                  const Vector<double>                     &solution) const;
+
+    /// The traction s* n at a place of the boundary, by undeformed length.
+    Tensor<1, 2> stress_traction(const SymmetricTensor<2, 2> &stress,
+                                 const Place                 &place) const;
+
+    /// Whether a component of the displacement is prescribed all along an edge.
+    bool is_supported(const Surface::Edge &edge, const unsigned int c) const;
+
+    void clear_at_nodal_forces(Vector<double> &eta_square) const;
+
+    const Discretization &discretization;
+    const Elasticity     &elasticity;
+    const StressRecovery &recovery;
+
+    /// The whole boundary of all bodies.
+    const Surface             boundary;
+    std::vector<Neighborhood> neighborhoods; // of its edges
+  };
+} // namespace Contact
+
+#endif

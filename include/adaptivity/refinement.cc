@@ -1,0 +1,198 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "adaptivity/refinement.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <algorithm>
+#include <boost/serialization/utility.hpp>
+#include <functional>
+#include <numeric>
+
+#include "base/deal_ii_versions.h"
+#include "base/errors.h"
+
+namespace Contact
+{
+  namespace
+  {
+    using DistributedVector = LinearAlgebra::distributed::Vector<double>;
+
+
+
+    /// On a mesh of which every rank has all cells.
+    void carry_over_complete(Mesh                        &mesh,
+                             Discretization              &discretization,
+                             std::vector<Vector<double>> &solutions)
+    {
+      SolutionTransfer<2> transfer(discretization.dof_handler);
+      for (Vector<double> &solution : solutions)
+        solution.grow_or_shrink(discretization.dof_handler.n_dofs());
+
+      mesh.triangulation.prepare_coarsening_and_refinement();
+      if (!solutions.empty())
+        transfer.prepare_for_coarsening_and_refinement(solutions);
+      mesh.triangulation.execute_coarsening_and_refinement();
+      discretization.redistribute();
+
+      std::vector<Vector<double>> refined(
+        solutions.size(),
+        Vector<double>(discretization.dof_handler.n_dofs()));
+      if (!solutions.empty())
+        interpolate(transfer, solutions, refined);
+      solutions.swap(refined);
+    }
+
+
+
+    /// On a mesh of which a rank has a part.
+    void carry_over_distributed(Mesh                        &mesh,
+                                Discretization              &discretization,
+                                std::vector<Vector<double>> &solutions)
+    {
+      const auto    &dof_handler  = discretization.dof_handler;
+      const MPI_Comm communicator = discretization.communicator;
+
+      IndexSet relevant = DoFTools::extract_locally_relevant_dofs(dof_handler);
+      std::vector<DistributedVector>         old(solutions.size());
+      std::vector<const DistributedVector *> old_pointers;
+      for (unsigned int k = 0; k < solutions.size(); ++k)
+        {
+          old[k].reinit(dof_handler.locally_owned_dofs(),
+                        relevant,
+                        communicator);
+          for (const auto i : dof_handler.locally_owned_dofs())
+            old[k](i) = solutions[k][i];
+          old[k].update_ghost_values();
+          old_pointers.push_back(&old[k]);
+        }
+
+      DistributedTransfer<DistributedVector> transfer(dof_handler);
+      mesh.triangulation.prepare_coarsening_and_refinement();
+      transfer.prepare_for_coarsening_and_refinement(old_pointers);
+      mesh.triangulation.execute_coarsening_and_refinement();
+      discretization.redistribute();
+
+      // Cells write on what neighbors own, too.
+      const IndexSet &owned = dof_handler.locally_owned_dofs();
+      relevant = DoFTools::extract_locally_relevant_dofs(dof_handler);
+      std::vector<DistributedVector>   refined(solutions.size());
+      std::vector<DistributedVector *> refined_pointers;
+      for (DistributedVector &vector : refined)
+        {
+          vector.reinit(owned, relevant, communicator);
+          refined_pointers.push_back(&vector);
+        }
+      transfer.interpolate(refined_pointers);
+
+      for (unsigned int k = 0; k < solutions.size(); ++k)
+        {
+          solutions[k].reinit(dof_handler.n_dofs());
+          for (const auto i : owned)
+            solutions[k][i] = refined[k](i);
+          Utilities::MPI::sum(solutions[k], communicator, solutions[k]);
+        }
+    }
+  } // namespace
+
+
+
+  void check_adaptive(const Mesh &mesh)
+  {
+    if (!mesh.is_all_quadrilateral())
+      throw InputError("the mesh has triangles, and can not be refined "
+                       "adaptively",
+                       "entry 'Refinement/Strategy'",
+                       "set 'Strategy = uniform', or take a mesh of "
+                       "quadrangles alone (as meshes/ssnp154_quads.msh)");
+  }
+
+
+
+  // deal.II's GridRefinement knows this marking, but the one of distributed
+  // meshes marks other cells than the one of a single process: results would
+  // depend on the number of processes.
+  void
+  flag_cells(Mesh &mesh, const Vector<float> &indicators, const double fraction)
+  {
+    const auto        &triangulation = mesh.triangulation;
+    std::vector<float> own, all;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        own.push_back(indicators[cell->active_cell_index()]);
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(mesh.communicator, own))
+      all.insert(all.end(), of_rank.begin(), of_rank.end());
+
+    std::sort(all.begin(), all.end(), std::greater<float>());
+    const double share = fraction * std::accumulate(all.begin(), all.end(), 0.);
+    double       sum   = 0;
+    auto         smallest = all.begin();
+    while (sum < share)
+      sum += *smallest++;
+    if (smallest == all.begin())
+      return;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() &&
+          indicators[cell->active_cell_index()] >= *(smallest - 1))
+        cell->set_refine_flag();
+  }
+
+
+
+  void flag_slave_like_master(Mesh                               &mesh,
+                              const std::set<types::boundary_id> &slave,
+                              const std::set<types::boundary_id> &master)
+  {
+    const auto for_faces = [&](const std::set<types::boundary_id> &ids,
+                               const auto                         &visit) {
+      for (const auto &cell : mesh.triangulation.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->is_locally_owned() && cell->at_boundary(f) &&
+              ids.count(cell->face(f)->boundary_id()) > 0)
+            visit(cell, cell->face(f)->center(), cell->face(f)->diameter());
+    };
+
+    using Faces = std::vector<std::pair<Point<2>, double>>;
+    Faces flagged;
+    for_faces(master,
+              [&](const auto &cell, const Point<2> &middle, const double size) {
+                if (cell->refine_flag_set())
+                  flagged.emplace_back(middle, size);
+              });
+    for (const Faces &of_rank :
+         Utilities::MPI::all_gather(mesh.communicator, flagged))
+      for_faces(
+        slave,
+        [&](const auto &cell, const Point<2> &middle, const double size) {
+          for (const auto &[other_middle, other_size] : of_rank)
+            if (middle.distance(other_middle) < 0.75 * (size + other_size) &&
+                size > 0.51 * other_size)
+              cell->set_refine_flag();
+        });
+  }
+
+
+
+  void flag_all_cells(Mesh &mesh)
+  {
+    mesh.triangulation.set_all_refine_flags();
+  }
+
+
+
+  void refine_and_carry_over(Mesh                        &mesh,
+                             Discretization              &discretization,
+                             std::vector<Vector<double>> &solutions)
+  {
+    if (mesh.is_complete())
+      carry_over_complete(mesh, discretization, solutions);
+    else
+      carry_over_distributed(mesh, discretization, solutions);
+  }
+} // namespace Contact

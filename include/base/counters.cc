@@ -1,0 +1,37 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "base/counters.h"
+
+namespace Contact
+{
+  Counters &counters()
+  {
+    static Counters of_this_process;
+    return of_this_process;
+  }
+
+
+
+  std::map<std::string, unsigned long> Counters::by_name() const
+  {
+    return {{"tangents", tangents},
+            {"cell_tangents", cell_tangents},
+            {"cell_forces", cell_forces},
+            {"large_displacement_cells", large_displacement_cells},
+            {"symbolic_factorizations", symbolic_factorizations},
+            {"numeric_factorizations", numeric_factorizations},
+            {"linear_solves", linear_solves},
+            {"pairings", pairings},
+            {"candidate_pairs", candidate_pairs},
+            {"projections", projections},
+            {"geometry_updates", geometry_updates},
+            {"active_set_changes", active_set_changes},
+            {"tangential_rows", tangential_rows},
+            {"stress_recoveries", stress_recoveries},
+            {"error_estimates", error_estimates},
+            {"files", files}};
+  }
+} // namespace Contact

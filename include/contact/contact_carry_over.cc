@@ -1,0 +1,167 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The part of ContactInterface that carries a surface from mesh to mesh.
+
+#include <algorithm>
+
+#include "contact/contact_interface.h"
+
+namespace Contact
+{
+  namespace
+  {
+    /// The place of the nodes, see SurfaceState.
+    std::vector<double> places(const Surface &slave)
+    {
+      std::vector<Point<2>> X;
+      for (const Surface::Node &node : slave.nodes)
+        X.push_back(node.X);
+      auto         places = slave.arc_length(X);
+      const double length = places.back();
+      for (double &place : places)
+        place /= length;
+      return places;
+    }
+  } // namespace
+
+
+
+  std::vector<ContactInterface::SurfaceState>
+  ContactInterface::save(const Vector<double> &solution) const
+  {
+    std::vector<SurfaceState> states;
+    for (const auto &zone : zones)
+      states.push_back(save_zone(*zone, solution));
+    return states;
+  }
+
+
+
+  void ContactInterface::restore(const std::vector<SurfaceState> &states,
+                                 Vector<double>                  &solution)
+  {
+    for (unsigned int z = 0; z < zones.size(); ++z)
+      restore_zone(*zones[z], states[z], solution);
+  }
+
+
+
+  ContactInterface::SurfaceState
+  ContactInterface::save_zone(const ContactZone    &zone,
+                              const Vector<double> &solution) const
+  {
+    const auto   all_places = places(zone.slave);
+    SurfaceState state;
+    for (unsigned int i = 0; i < zone.slave.nodes.size(); ++i)
+      {
+        const unsigned int k = zone.multipliers.of_node[i];
+        if (k == numbers::invalid_unsigned_int)
+          continue;
+        state.place.push_back(all_places[i]);
+        state.pressure.push_back(solution[normal_index(k)]);
+        state.shear.push_back(
+          zone.law.is_frictionless() ? 0. : solution[tangential_index(k)]);
+        state.bound.push_back(points[k].tresca_bound);
+        state.decisions.push_back(points[k].decision);
+      }
+    return state;
+  }
+
+
+
+  namespace
+  {
+    /**
+     * Where between a point @p last in contact and an open one beside it,
+     * @p open, the contact ends. Between smooth bodies p^2 falls to zero there
+     * with a finite slope, as in Hertz' solution: the parabola of p^2 through
+     * three points is extrapolated. They are two apart, so that with elements
+     * of degree 2 they are of one kind, and not the very last ones, which the
+     * end within their support disturbs. Without as many points: the middle.
+     */
+    double end_of_contact(const ContactInterface::SurfaceState &state,
+                          const unsigned int                    last,
+                          const unsigned int                    open)
+    {
+      const int             inward = last < open ? -2 : 2;
+      const int             n      = state.place.size();
+      std::array<double, 3> s{}, f{};
+      double                end = 0.5 * (state.place[last] + state.place[open]);
+      for (int k = 0; k < 3; ++k)
+        {
+          const int i = static_cast<int>(last) + (k + 1) * inward;
+          if (i < 0 || i >= n || !(state.pressure[i] > 0))
+            return end;
+          s[k] = state.place[i];
+          f[k] = std::pow(state.pressure[i], 2);
+        }
+
+      // Newton's form of the parabola, and Newton's method for its root.
+      const double d01  = (f[1] - f[0]) / (s[1] - s[0]);
+      const double d12  = (f[2] - f[1]) / (s[2] - s[1]);
+      const double d012 = (d12 - d01) / (s[2] - s[0]);
+      for (unsigned int iteration = 0; iteration < 10; ++iteration)
+        end -= (f[0] + (end - s[0]) * (d01 + d012 * (end - s[1]))) /
+               (d01 + d012 * (2 * end - s[0] - s[1]));
+
+      const auto [low, high] =
+        std::minmax({state.place[last], state.place[open]});
+      return end >= low && end <= high ? end : (end < low ? low : high);
+    }
+  } // namespace
+
+
+
+  // Values are interpolated; a decision is that of the nearer point, but that
+  // the end of the contact is looked for between the points.
+  void ContactInterface::restore_zone(const ContactZone  &zone,
+                                      const SurfaceState &state,
+                                      Vector<double>     &solution)
+  {
+    const auto all_places = places(zone.slave);
+    for (unsigned int i = 0; i < zone.slave.nodes.size(); ++i)
+      {
+        const unsigned int k = zone.multipliers.of_node[i];
+        if (k == numbers::invalid_unsigned_int)
+          continue;
+        const auto above = std::lower_bound(state.place.begin(),
+                                            state.place.end(),
+                                            all_places[i]);
+        const auto n     = state.place.size();
+        const auto b =
+          std::min<std::size_t>(above - state.place.begin(), n - 1);
+        const auto   a = b == 0 ? b : b - 1;
+        const double x =
+          a == b ? 0.
+                 : std::min(1.,
+                            std::max(0.,
+                                     (all_places[i] - state.place[a]) /
+                                       (state.place[b] - state.place[a])));
+        const auto between = [&](const std::vector<double> &values) {
+          return (1 - x) * values[a] + x * values[b];
+        };
+
+        solution[normal_index(k)] = between(state.pressure);
+        if (!zone.law.is_frictionless())
+          solution[tangential_index(k)] = between(state.shear);
+        points[k].tresca_bound = between(state.bound);
+        points[k].decision     = state.decisions[x < 0.5 ? a : b];
+        const bool a_is_open   = state.decisions[a].status == Status::open;
+        const bool b_is_open   = state.decisions[b].status == Status::open;
+        if (a_is_open != b_is_open)
+          {
+            const double end   = b_is_open ? end_of_contact(state, a, b)
+                                           : end_of_contact(state, b, a);
+            points[k].decision = state.decisions[all_places[i] < end ? a : b];
+          }
+        if (!points[k].facing)
+          points[k].decision = Decision();
+        else if (points[k].decision.status == Status::stick &&
+                 !can_stick(points[k]))
+          points[k].decision = {Status::slip, 0};
+      }
+  }
+} // namespace Contact

@@ -1,0 +1,88 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/contact_depth.h"
+
+#include <algorithm>
+
+namespace Contact
+{
+  namespace
+  {
+    /// By how much the polygon of an edge may be beside the curve that it
+    /// stands for, at one of its nodes. A corner, or an end, stands for itself.
+    double
+    sagitta(const Surface &surface, const unsigned int e, const unsigned int a)
+    {
+      const Surface::Edge &edge = surface.edges[e];
+      const bool           stands_for_itself =
+        a < 2 &&
+        (edge.corner[a] || (a == 0 ? edge.begins_surface : edge.ends_surface));
+      return stands_for_itself
+               ? 0.
+               : surface.turns[edge.nodes[a]] * surface.reference_length(e) / 4;
+    }
+
+
+
+    /// The deepest node of @p surface.
+    void look(const Surface        &surface,
+              const Surface        &other,
+              const bool            is_master,
+              const Vector<double> &u,
+              ContactDepth         &deepest)
+    {
+      const SurfaceSearch search(other, u);
+      const auto          normals = surface.edge_normals(u);
+      for (unsigned int e = 0; e < surface.edges.size(); ++e)
+        for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
+          {
+            const unsigned int i    = surface.edges[e].nodes[a];
+            const Point<2>     x    = surface.position(i, u);
+            const Projection   foot = search.closest_point(x);
+            if (foot.off_the_end || foot.clipped)
+              continue;
+
+            const EdgeShape shape(other.degree, foot.xi);
+            const auto     &edge = other.edges[foot.edge];
+            Tensor<1, 2>    r    = x, along;
+            for (unsigned int b = 0; b < other.n_nodes_per_edge(); ++b)
+              {
+                r -= shape.value[b] * other.position(edge.nodes[b], u);
+                along += shape.first[b] * other.position(edge.nodes[b], u);
+              }
+            const Tensor<1, 2> outward =
+              Tensor<1, 2>({along[1], -along[0]}) / along.norm();
+            // What is further behind the other surface than its edge is long
+            // has come there around it.
+            const double behind = -(r * outward);
+            if (outward * normals[e][a] >= 0 ||
+                behind >= other.reference_length(foot.edge))
+              continue;
+            const double depth = behind - sagitta(surface, e, a) -
+                                 std::max(sagitta(other, foot.edge, 0),
+                                          sagitta(other, foot.edge, 1));
+            if (depth > deepest.depth)
+              deepest = {depth,
+                         is_master,
+                         surface.nodes[i].X,
+                         is_master ? foot.edge : e};
+          }
+    }
+  } // namespace
+
+
+
+  ContactDepth largest_depth(const ContactZone &zone, const Vector<double> &u)
+  {
+    ContactDepth deepest;
+    if (zone.master)
+      {
+        look(zone.slave, *zone.master, false, u, deepest);
+        look(*zone.master, zone.slave, true, u, deepest);
+      }
+    return deepest;
+  }
+} // namespace Contact

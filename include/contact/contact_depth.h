@@ -1,0 +1,39 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_contact_depth_h
+#define contact_contact_depth_h
+
+#include "contact/contact_zone.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// How deep a node of one surface is inside of the other one, over what the
+  /// polygons of round surfaces overlap.
+  struct ContactDepth
+  {
+    double       depth     = 0; // [mm]
+    bool         of_master = false;
+    Point<2>     X;              // the undeformed place of the node [mm]
+    unsigned int slave_edge = 0; // that it is in, or belongs to
+  };
+
+  /**
+   * The deepest node of both surfaces of a zone with a meshed master, under the
+   * displacement @p u: the distance from the closest point of the other
+   * surface, of nodes on its inner side that face it, less what the edges of
+   * both surfaces, by the angles between them, may be beside a curve.
+   *
+   * All contact discretizations let surfaces pass through each other between
+   * the places where they look, which vanishes with the mesh size. On a mesh
+   * that is too coarse for the scene, a corner of the master may be in a slave
+   * edge as deep as it was pushed.
+   */
+  ContactDepth largest_depth(const ContactZone &zone, const Vector<double> &u);
+} // namespace Contact
+
+#endif

@@ -1,0 +1,307 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_contact_interface_h
+#define contact_contact_interface_h
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/sparse_matrix.h>
+
+#include "contact/contact_zone.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// What a contact point feels in a given state.
+  struct ContactState
+  {
+    double gap;      // [mm], negative: penetration
+    double slip;     // of this increment [mm]
+    double lambda_n; // interpolated multipliers [MPa]
+    double lambda_t;
+    double p_trial; // lambda_n - c gap: in contact where positive
+    double q_trial; // lambda_t - c slip: sticks where within the bound
+  };
+
+
+
+  /// Pressure p and shear traction q of a point [MPa], and their derivatives
+  /// with respect to the trial values.
+  struct Traction
+  {
+    double p = 0, dp_dp = 0;
+    double q = 0, dq_dp = 0, dq_dq = 0;
+  };
+
+
+
+  /// What the points of all zones do.
+  struct StatusCount
+  {
+    unsigned int active = 0; // stick and slip
+    unsigned int stick  = 0;
+  };
+
+
+
+  /**
+   * All contact zones: their points, the kernel that reads them, and the active
+   * set.
+   *
+   * The solution vector holds the displacement, then the normal multipliers,
+   * and of zones with friction the tangential ones. With the tractions
+   *   p = lambda_n - c g  in contact,  0 if open,
+   *   q = lambda_t - c s  if sticking, +-bound if slipping, 0 if open,
+   * the discrete equations are, summed over the points,
+   *   elastic forces_a - w (p n + q t) C_a = 0,
+   *   w psi_k (p - lambda_n)/c = 0,   w psi_k (q - lambda_t)/c = 0:
+   * the stationarity of the augmented Lagrangian of Alart and Curnier (Comput.
+   * Methods Appl. Mech. Engrg. 92, 1991), whose semismooth Newton method with
+   * the status kept in the points is the primal-dual active set of
+   * Hintermueller, Ito and Kunisch (SIAM J. Optim. 13, 2003).
+   */
+  class ContactInterface
+  {
+  public:
+    ContactInterface(const Discretization                   &discretization,
+                     const Elasticity                       &elasticity,
+                     const std::vector<Parameters::Contact> &parameters);
+
+    std::vector<std::unique_ptr<const ContactZone>> zones;
+    std::vector<ContactPoint>                       points; // zone by zone
+
+    const ContactZone &zone(const ContactPoint &point) const
+    {
+      return *zones[point.zone];
+    }
+
+    ArrayView<const ContactPoint> points_of(const ContactZone &zone) const;
+
+    /// Whether there is nothing but glue: all zones are tied.
+    bool is_tied() const;
+
+    /// Whether a zone that is not tied has friction, and Coulomb's.
+    bool has_friction() const;
+    bool has_coulomb_friction() const;
+
+    /// All of them, and those of the normal direction.
+    unsigned int n_multipliers() const;
+    unsigned int n_normal_multipliers() const;
+
+    /// Their indices in the solution; the tangential one only with friction.
+    types::global_dof_index normal_index(const unsigned int multiplier) const;
+    types::global_dof_index
+    tangential_index(const unsigned int multiplier) const;
+
+    /// What ContactZone::pressure_at says, in a solution [MPa].
+    double
+    pressure(const std::vector<std::pair<unsigned int, double>> &multipliers,
+             const Vector<double> &solution) const;
+
+    /**
+     * Pair all points with the master in the configuration @p u. Returns
+     * whether a point changed its master edge: then the matrix couples other
+     * unknowns than before. A tangent with moving geometry asks for the
+     * derivatives of the pairing.
+     */
+    bool pair(const Vector<double> &u, const bool with_derivatives = false);
+
+    /// The largest |gap| of points in contact, and of a penetration of those
+    /// that are open [mm].
+    double largest_misfit(const Vector<double> &u) const;
+
+    /// The largest change of a displacement of the surfaces [mm].
+    double largest_change(const Vector<double> &u,
+                          const Vector<double> &from) const;
+
+    /**
+     * The first guess of the active set: points that touch, penetrate, or are
+     * closer than a hundredth of the length of their slave edge. What it misses
+     * costs time only: the search of the active set finds the rest.
+     */
+    void initialize_status(const Vector<double> &u);
+
+    /**
+     * If no point is in contact, begin with those that come first as the
+     * bodies approach each other: the one with the smallest gap, and what is
+     * no further than a hundredth of an edge behind it. A guess again.
+     */
+    void close_nearest(const Vector<double> &u);
+
+    /// What the points know of the solution, by the place on the slave: its
+    /// reference arc length as a part of the whole.
+    struct SurfaceState
+    {
+      std::vector<double>   place;
+      std::vector<double>   pressure, shear, bound; // [MPa]
+      std::vector<Decision> decisions;
+    };
+
+    /// Rules with a point per node: from one mesh to a finer one, by zone.
+    std::vector<SurfaceState> save(const Vector<double> &solution) const;
+    void                      restore(const std::vector<SurfaceState> &states,
+                                      Vector<double>                  &solution);
+
+    /// Set the bounds of the next Tresca problem from the present pressures;
+    /// return the largest change, relative to the largest bound.
+    double update_bounds(const Vector<double> &solution,
+                         const Vector<double> &u_start);
+
+    /// Let points whose bound follows a pressure that is not known yet stick
+    /// whatever their shear, until the bounds are updated.
+    void raise_unknown_bounds();
+
+    /// The bounds of all points [MPa].
+    Vector<double> bounds() const;
+    void           set_bounds(const Vector<double> &bounds);
+
+    /// Let all points decide in the present state. Returns how many change
+    /// their mind; with @p keep their new decisions are theirs from now on.
+    unsigned int decide_all(const Vector<double> &solution,
+                            const Vector<double> &u_start,
+                            const bool            moving_bound,
+                            const bool            keep);
+
+    /// Let but one point change its decision, the first that wants to.
+    void decide_one(const Vector<double> &solution,
+                    const Vector<double> &u_start,
+                    const bool            moving_bound);
+
+    /**
+     * A bound that was frozen while a point was under pressure may leave it no
+     * solution as it opens: open it penetrates, closed and held by so much
+     * friction it is pulled. It gets the bound of no pressure, until the bounds
+     * are updated.
+     */
+    void drop_bound(const unsigned int point);
+    void drop_bounds_of_open_points();
+
+    /// Open the points that a new pairing has moved so far from the master that
+    /// they would: to begin with them closed would pull the bodies together.
+    void open_parted(const Vector<double> &solution);
+
+    StatusCount count() const;
+
+    /**
+     * The norm of the constraint part of @p rhs as a force [N per mm of
+     * thickness], to be compared with that of the forces: a gap times the
+     * stiffness E/h of the bodies at the point, times its weight.
+     */
+    double constraint_norm(const Vector<double> &rhs) const;
+
+    /// The decisions of all points, and as numbers.
+    std::vector<Decision>    decisions() const;
+    void                     set_decisions(const std::vector<Decision> &all);
+    std::vector<signed char> signature() const;
+
+    /// Add the couplings of the points.
+    void add_couplings(DynamicSparsityPattern &pattern) const;
+
+    /// How the kernel linearises.
+    struct Linearization
+    {
+      /// Projection, normal and tangent move with the bodies.
+      bool moving_geometry;
+
+      /// The bound of the shear traction moves with the pressure.
+      bool moving_bound;
+    };
+
+    /// Add minus the residual to @p rhs and, unless @p matrix is null, the
+    /// tangent to it; constraints eliminated.
+    void assemble(const Vector<double> &solution,
+                  const Vector<double> &u_start,
+                  const Linearization  &linearization,
+                  Vector<double>       &rhs,
+                  SparseMatrix<double> *matrix) const;
+
+    /**
+     * The rows of a point over its unknowns: derivatives of the trial values
+     * p and q, and the loads on all equations that a unit of p and q exerts.
+     * The equations of the whole problem are
+     *   elastic(x) + sum over the points of (load_p p + load_q q) = ...,
+     * where p and q depend on x through the trial values alone (and with moving
+     * geometry through the turning of the loads): all that the search of the
+     * active set needs.
+     */
+    struct Rows
+    {
+      std::vector<types::global_dof_index> unknowns;
+      Vector<double>                       p_trial, q_trial; // derivatives
+      Vector<double>                       load_p, load_q;
+    };
+
+    void rows(const ContactPoint   &point,
+              const Vector<double> &solution,
+              const Vector<double> &u_start,
+              const Linearization  &linearization,
+              Rows                 &rows) const;
+
+    /// What a point that has decided before decides to do under trial values.
+    Decision decide(const ContactPoint &point,
+                    const Decision     &before,
+                    const double        p_trial,
+                    const double        q_trial,
+                    const bool          moving_bound) const;
+
+    /// The tractions that follow from a decision and trial values.
+    Traction traction(const ContactPoint &point,
+                      const Decision     &decision,
+                      const double        p_trial,
+                      const double        q_trial,
+                      const bool          moving_bound) const;
+
+    ContactState state(const ContactPoint   &point,
+                       const Vector<double> &solution,
+                       const Vector<double> &u_start) const;
+
+  private:
+    /// Whether a point has tangential multipliers.
+    bool has_friction(const ContactPoint &point) const
+    {
+      return !zone(point).law.is_frictionless();
+    }
+
+    /// Without friction, and where its tangential row is void, a point in
+    /// contact slips.
+    bool can_stick(const ContactPoint &point) const;
+
+    struct Motion;
+    Motion motion(const ContactPoint   &point,
+                  const Vector<double> &solution,
+                  const Vector<double> &u_start) const;
+    Motion motion_of_projection(const ContactPoint   &point,
+                                const Vector<double> &solution,
+                                const Tensor<1, 2>   &r) const;
+    Motion motion_of_change(const ContactPoint &point) const;
+
+    void assemble_point(const ContactPoint   &point,
+                        const Vector<double> &solution,
+                        const Vector<double> &u_start,
+                        const Linearization  &linearization,
+                        Rows                 &rows,
+                        FullMatrix<double>   &matrix,
+                        Vector<double>       &residual) const;
+
+    void collect_unknowns(const ContactPoint                   &point,
+                          std::vector<types::global_dof_index> &unknowns) const;
+
+    SurfaceState save_zone(const ContactZone    &zone,
+                           const Vector<double> &solution) const;
+    void         restore_zone(const ContactZone  &zone,
+                              const SurfaceState &state,
+                              Vector<double>     &solution);
+
+    const Discretization &discretization;
+
+    /// Of each normal multiplier the number of its tangential one.
+    std::vector<unsigned int> tangential_number;
+    unsigned int              n_tangential = 0;
+  };
+} // namespace Contact
+
+#endif

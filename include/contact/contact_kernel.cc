@@ -1,0 +1,290 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The kernel of ContactInterface: what a point adds to the linear system.
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/counters.h"
+#include "contact/contact_interface.h"
+
+namespace Contact
+{
+  /// How the pairing of a contact point moves with the bodies: derivatives with
+  /// respect to its unknowns, by their place in Rows::unknowns.
+  struct ContactInterface::Motion
+  {
+    std::vector<unsigned int> columns;
+
+    FullMatrix<double>  C;      // of the coefficients, by node
+    std::vector<double> weight; // of the weight, relative
+    std::vector<double> omega;  // d_n = -omega t, d_t = omega n
+    std::vector<double> gap;    // of the gap, but for n . sum C_a du_a
+    std::vector<double> slip;   // of the slip, but for t . sum C_a du_a
+  };
+
+
+
+  // With tau = d x_m/d xi, kappa = d^2 x_m/d xi^2, m = |tau| and the gap g, the
+  // foot of the normal moves as
+  //   (m^2 - g n.kappa) d_xi = tau . sum C_a du_a - g n . sum C1_a du_a
+  // (C1 carries the minus of the master side), and the edge turns by
+  //   omega = n . d_tau / m.
+  // The mortar rule brings derivatives of its own.
+  ContactInterface::Motion
+  ContactInterface::motion(const ContactPoint   &point,
+                           const Vector<double> &solution,
+                           const Vector<double> &u_start) const
+  {
+    Tensor<1, 2> r = -point.foot, d_r;
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          const double u = solution[point.dofs[a][i]];
+          r[i] += point.C[a] * (point.X[a][i] + u);
+          d_r[i] += point.C[a] * (u - u_start[point.dofs[a][i]]);
+        }
+
+    Motion motion = point.change.dofs.empty()
+                      ? motion_of_projection(point, solution, r)
+                      : motion_of_change(point);
+    // Of the gap and of the slip, what C, n and t make.
+    const unsigned int n = motion.columns.size();
+    motion.slip.resize(n);
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        motion.gap[j] -= (point.tangent * r) * motion.omega[j];
+        motion.slip[j] = (point.normal * d_r) * motion.omega[j];
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          for (unsigned int i = 0; i < 2; ++i)
+            {
+              const double u = solution[point.dofs[a][i]];
+              motion.gap[j] +=
+                motion.C(a, j) * point.normal[i] * (point.X[a][i] + u);
+              motion.slip[j] += motion.C(a, j) * point.tangent[i] *
+                                (u - u_start[point.dofs[a][i]]);
+            }
+      }
+    return motion;
+  }
+
+
+
+  // The foot is on the edge however it moves: along it the gap does not change.
+  ContactInterface::Motion
+  ContactInterface::motion_of_projection(const ContactPoint   &point,
+                                         const Vector<double> &solution,
+                                         const Tensor<1, 2>   &r) const
+  {
+    Tensor<1, 2> kappa = point.foot_curvature;
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      for (unsigned int i = 0; i < 2; ++i)
+        kappa[i] -= point.C2[a] * (point.X[a][i] + solution[point.dofs[a][i]]);
+    const double gap   = point.normal * r;
+    const double curve = point.normal * kappa;
+    const double slope = point.metric * point.metric - gap * curve;
+
+    const unsigned int n = 2 * point.n_nodes;
+    Motion             motion;
+    motion.columns.resize(n);
+    std::iota(motion.columns.begin(), motion.columns.end(), 0);
+    motion.C.reinit(point.n_nodes, n);
+    motion.weight.resize(n);
+    motion.omega.resize(n);
+    motion.gap.resize(n);
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          const unsigned int j    = 2 * a + i;
+          double             d_xi = 0;
+          if (!point.foot_is_clipped)
+            d_xi = (point.metric * point.tangent[i] * point.C[a] -
+                    gap * point.normal[i] * point.C1[a]) /
+                   slope;
+          motion.omega[j] =
+            (curve * d_xi - point.C1[a] * point.normal[i]) / point.metric;
+          for (unsigned int b = 0; b < point.n_nodes; ++b)
+            motion.C(b, j) = point.C1[b] * d_xi;
+        }
+    return motion;
+  }
+
+
+
+  // Unknowns that are not of the point's own nodes come behind its multipliers.
+  ContactInterface::Motion
+  ContactInterface::motion_of_change(const ContactPoint &point) const
+  {
+    std::vector<types::global_dof_index> unknowns;
+    collect_unknowns(point, unknowns);
+    Motion motion;
+    for (const auto dof : point.change.dofs)
+      motion.columns.push_back(
+        std::find(unknowns.begin(), unknowns.end(), dof) - unknowns.begin());
+    motion.C      = point.change.C;
+    motion.weight = point.change.weight;
+    motion.omega  = point.change.turn;
+    motion.gap    = point.change.foot;
+    for (double &gap : motion.gap)
+      gap *= -1;
+    return motion;
+  }
+
+
+
+  void ContactInterface::rows(const ContactPoint   &point,
+                              const Vector<double> &solution,
+                              const Vector<double> &u_start,
+                              const Linearization  &linearization,
+                              Rows                 &rows) const
+  {
+    collect_unknowns(point, rows.unknowns);
+    const unsigned int n_u = 2 * point.n_nodes;
+    const unsigned int n_m = point.n_multipliers;
+    for (auto *row : {&rows.p_trial, &rows.q_trial, &rows.load_p, &rows.load_q})
+      row->reinit(rows.unknowns.size());
+
+    const double c = point.complementarity;
+    const double w = point.weight;
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          const unsigned int j = 2 * a + i;
+          rows.p_trial[j]      = -c * point.C[a] * point.normal[i];
+          rows.load_p[j]       = -w * point.C[a] * point.normal[i];
+          if (has_friction(point))
+            {
+              rows.q_trial[j] = -c * point.C[a] * point.tangent[i];
+              rows.load_q[j]  = -w * point.C[a] * point.tangent[i];
+            }
+        }
+    counters().tangential_rows += has_friction(point);
+    for (unsigned int k = 0; k < n_m; ++k)
+      {
+        rows.p_trial[n_u + k] = point.psi[k];
+        rows.load_p[n_u + k]  = w * point.psi[k] / c;
+        if (has_friction(point))
+          {
+            rows.q_trial[n_u + n_m + k] = point.psi[k];
+            rows.load_q[n_u + n_m + k]  = w * point.psi[k] / c;
+          }
+      }
+
+    if (linearization.moving_geometry && !zone(point).tied)
+      {
+        const Motion moves = motion(point, solution, u_start);
+        for (unsigned int j = 0; j < moves.columns.size(); ++j)
+          {
+            rows.p_trial[moves.columns[j]] -= c * moves.gap[j];
+            if (has_friction(point))
+              rows.q_trial[moves.columns[j]] -= c * moves.slip[j];
+          }
+      }
+  }
+
+
+
+  void ContactInterface::assemble_point(const ContactPoint   &point,
+                                        const Vector<double> &solution,
+                                        const Vector<double> &u_start,
+                                        const Linearization  &linearization,
+                                        Rows                 &rows,
+                                        FullMatrix<double>   &matrix,
+                                        Vector<double>       &residual) const
+  {
+    this->rows(point, solution, u_start, linearization, rows);
+    const unsigned int n   = rows.unknowns.size();
+    const unsigned int n_u = 2 * point.n_nodes;
+    const unsigned int n_m = point.n_multipliers;
+
+    const ContactState now = state(point, solution, u_start);
+    const Traction     t   = traction(point,
+                                point.decision,
+                                now.p_trial,
+                                now.q_trial,
+                                linearization.moving_bound);
+
+    matrix.reinit(n, n);
+    residual.reinit(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        residual[i]       = t.p * rows.load_p[i] + t.q * rows.load_q[i];
+        const double by_p = t.dp_dp * rows.load_p[i] + t.dq_dp * rows.load_q[i];
+        const double by_q = t.dq_dq * rows.load_q[i];
+        for (unsigned int j = 0; j < n; ++j)
+          matrix(i, j) = by_p * rows.p_trial[j] + by_q * rows.q_trial[j];
+      }
+
+    // The constraints w psi_k (p - lambda)/c = 0 take the multipliers off.
+    const double       scale         = point.weight / point.complementarity;
+    const unsigned int n_constraints = (has_friction(point) ? 2 : 1) * n_m;
+    for (unsigned int k = 0; k < n_m; ++k)
+      for (unsigned int b = 0; b < (has_friction(point) ? 2 : 1); ++b)
+        {
+          const unsigned int row    = n_u + b * n_m + k;
+          const double       lambda = b == 0 ? now.lambda_n : now.lambda_t;
+          residual[row] -= scale * point.psi[k] * lambda;
+          for (unsigned int l = 0; l < n_m; ++l)
+            matrix(row, n_u + b * n_m + l) -=
+              scale * point.psi[k] * point.psi[l];
+        }
+
+    // The loads turn and travel with the master edge.
+    const bool acts =
+      point.decision.status != Status::open || !point.change.dofs.empty();
+    if (linearization.moving_geometry && !zone(point).tied && acts)
+      {
+        const Motion       moves  = motion(point, solution, u_start);
+        const Tensor<1, 2> along  = t.p * point.normal + t.q * point.tangent;
+        const Tensor<1, 2> turned = t.q * point.normal - t.p * point.tangent;
+        for (unsigned int j = 0; j < moves.columns.size(); ++j)
+          {
+            const unsigned int column = moves.columns[j];
+            for (unsigned int a = 0; a < point.n_nodes; ++a)
+              for (unsigned int i = 0; i < 2; ++i)
+                matrix(2 * a + i, column) -=
+                  point.weight *
+                  (turned[i] * point.C[a] * moves.omega[j] +
+                   along[i] * (moves.C(a, j) + point.C[a] * moves.weight[j]));
+            for (unsigned int k = n_u; k < n_u + n_constraints; ++k)
+              matrix(k, column) += moves.weight[j] * residual[k];
+          }
+      }
+  }
+
+
+
+  void ContactInterface::assemble(const Vector<double> &solution,
+                                  const Vector<double> &u_start,
+                                  const Linearization  &linearization,
+                                  Vector<double>       &rhs,
+                                  SparseMatrix<double> *matrix) const
+  {
+    const auto        &constraints = discretization.constraints;
+    Rows               rows;
+    FullMatrix<double> local_matrix;
+    Vector<double>     local_rhs;
+    for (const ContactPoint &point : points)
+      {
+        assemble_point(point,
+                       solution,
+                       u_start,
+                       linearization,
+                       rows,
+                       local_matrix,
+                       local_rhs);
+        local_rhs *= -1;
+        if (matrix == nullptr)
+          constraints.distribute_local_to_global(local_rhs, rows.unknowns, rhs);
+        else
+          constraints.distribute_local_to_global(local_matrix,
+                                                 local_rhs,
+                                                 rows.unknowns,
+                                                 *matrix,
+                                                 rhs);
+      }
+  }
+} // namespace Contact

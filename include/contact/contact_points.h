@@ -1,0 +1,243 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_contact_points_h
+#define contact_contact_points_h
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include "contact/friction_law.h"
+#include "contact/obstacle.h"
+#include "contact/surface_search.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * What a contact point does: nothing, carry pressure and stick, carry
+   * pressure and slip. A point without friction slips under a zero bound.
+   */
+  enum class Status
+  {
+    open,
+    stick,
+    slip
+  };
+
+
+
+  /// A status, and for a slipping point the sign of its shear traction.
+  struct Decision
+  {
+    Status status         = Status::open;
+    int    slip_direction = 0;
+
+    /// A number of its own for each decision.
+    signed char code() const
+    {
+      return 4 * static_cast<int>(status) + slip_direction;
+    }
+
+    /// The decision of this number.
+    static Decision from_code(const signed char code)
+    {
+      const int status = (code + 1) / 4;
+      return {static_cast<Status>(status), code - 4 * status};
+    }
+
+    bool operator==(const Decision &other) const
+    {
+      return code() == other.code();
+    }
+  };
+
+
+
+  /**
+   * How the pairing of a point changes with the displacements of the nodes
+   * around it, where the rule finds that by itself: derivatives with respect
+   * to the unknowns @p dofs.
+   */
+  struct PairingChange
+  {
+    std::vector<types::global_dof_index> dofs;
+
+    FullMatrix<double>  C;      // of the coefficients, by node [1/mm]
+    std::vector<double> weight; // of the weight, relative [1/mm]
+    std::vector<double> turn;   // omega: d_n = -omega t, d_t = omega n [1/mm]
+    std::vector<double> foot;   // of the foot's place along the normal [1]
+  };
+
+
+
+  /**
+   * The contact point, the idea that carries this program: a place on the
+   * slave surface with a weight, the place on the master surface that it
+   * faces, and the multipliers that act there.
+   *
+   * With the nodes of the slave edge (coefficient +N) and of the master edge
+   * (coefficient -N) in one list, all that contact needs are sums over it:
+   *   gap             g = n . sum_a C_a x_a          (negative: penetration)
+   *                   (minus the place on the obstacle, if that is the master)
+   *   slip            s = t . sum_a C_a (u_a - u_a at the increment's start)
+   *   force on node a     w (p n + q t) C_a
+   * Sign conventions, stated here once: n is the unit normal of the master
+   * edge, out of the master body; t its unit tangent, n turned by +90 degrees;
+   * the pressure p is positive in compression; q is the component along t of
+   * the traction on the slave.
+   */
+  struct ContactPoint
+  {
+    static constexpr unsigned int max_multipliers = 3;
+
+    /// Something of each node. Six are two quadratic edges; the mortar rule,
+    /// where a slave node may face many master edges, can have more.
+    template<typename T>
+    using PerNode = boost::container::small_vector<T, 6>;
+
+    // The zone that the point belongs to.
+    unsigned int zone = 0;
+
+    // The slave side, the same during the whole run.
+    unsigned int slave_edge = 0; // in the slave surface
+    double       slave_xi   = 0;
+    double       weight     = 0; // undeformed length it stands for [mm];
+                                 // of rings, the area [mm^2]
+    double complementarity = 0;  // the c of p - c g [MPa/mm]
+
+    // The multipliers that act here: p = sum_k psi_k lambda_k.
+    unsigned int                              n_multipliers = 0;
+    std::array<unsigned int, max_multipliers> multipliers{};
+    std::array<double, max_multipliers>       psi{};
+
+    // The pairing with the master.
+    bool         facing      = false; // false: off the end, nothing to touch
+    unsigned int master_edge = 0;
+    double       master_xi   = 0;
+
+    // The nodes of both sides, slave first.
+    unsigned int      n_slave_nodes = 0;
+    unsigned int      n_nodes       = 0;
+    PerNode<NodeDoFs> dofs;
+    PerNode<Point<2>> X;  // reference positions [mm]
+    PerNode<double>   C;  // coefficients
+    PerNode<double>   C1; // their derivatives with respect
+    PerNode<double>   C2; // to the master coordinate
+
+    /// Append a node with its coefficient and the derivatives of that.
+    void add_node(const Surface::Node &node,
+                  const double         c,
+                  const double         c1,
+                  const double         c2);
+
+    /// Forget the nodes from the number @p n on.
+    void keep_nodes(const unsigned int n);
+
+    /// Forget one node.
+    void remove_node(const unsigned int n);
+
+    Tensor<1, 2> normal, tangent;
+    double       metric = 1; // |d x_m / d xi| [mm]
+
+    // On an obstacle, which has no nodes: the place x_m, and d^2 x_m / d xi^2.
+    Point<2>     foot;
+    Tensor<1, 2> foot_curvature;
+
+    // Over a vertex of the master the foot stays there.
+    bool foot_is_clipped = false;
+
+    // Empty where master_xi and the derivatives of C with respect to it say how
+    // the pairing changes.
+    PairingChange change;
+
+    // A tangential row that says no more than the normal one is dropped: so
+    // at a slave node on a symmetry line.
+    bool tangential_row_is_void = false;
+
+    Decision decision;
+
+    // Bound of the shear traction while a Tresca problem is solved [MPa].
+    double tresca_bound = 0;
+  };
+
+
+
+  /// Slave surface nodes -> multipliers, which not every node has to carry.
+  struct MultiplierSpace
+  {
+    /// Multiplier of each slave node, or numbers::invalid_unsigned_int.
+    std::vector<unsigned int> of_node;
+    unsigned int              n_multipliers = 0;
+  };
+
+
+
+  /**
+   * The nodal rule: one point per slave node, mid-sides included, weighted by
+   * the integral of its shape function (trapezoidal and Simpson's rule; of
+   * rings, times the circumference where the shape function has its centroid,
+   * which is exact on straight edges); the constraint is collocated. Without
+   * the nodes in @p excluded. On an axis at degree 2 the integral vanishes:
+   * what holds the node there is a force, with a weight for its units only.
+   */
+  std::vector<ContactPoint>
+  make_nodal_points(const Surface                &slave,
+                    const std::set<unsigned int> &excluded,
+                    MultiplierSpace              &multipliers);
+
+  /**
+   * The Gauss rule: @p n_points quadrature points per slave edge, multipliers
+   * at the nodes interpolated along the edge; the constraint is the weak one.
+   */
+  std::vector<ContactPoint> make_gauss_points(const Surface     &slave,
+                                              const unsigned int n_points,
+                                              MultiplierSpace   &multipliers);
+
+  /**
+   * Whether the tangential row of a point lies in the span of the normal one,
+   * once the unknowns that a support fixes are out.
+   */
+  bool tangential_row_is_void(const ContactPoint   &point,
+                              const Discretization &discretization);
+
+  /**
+   * Where supports hold both sides there is no unknown for a pressure: the
+   * point does not face the master. The pressure is missed only where they
+   * press the bodies into each other.
+   */
+  void skip_where_held(ContactPoint         &point,
+                       const Discretization &discretization,
+                       const Vector<double> &u);
+
+  /// Where a point of the slave looks, by the normals of Surface::edge_normals.
+  NormalCone
+  directions_of(const ContactPoint                                    &point,
+                const Surface                                         &slave,
+                const std::vector<Surface::PerEdgeNode<Tensor<1, 2>>> &normals);
+
+  /**
+   * Pair a point that looks in these directions with the closest point of the
+   * master in the configuration @p u, and keep coordinate, normal and tangent
+   * there. At a vertex that belongs to two edges alike the tangent is the sum
+   * of those of both edges.
+   */
+  void pair_with_master(ContactPoint         &point,
+                        const NormalCone     &directions,
+                        const Surface        &master,
+                        const SurfaceSearch  &search,
+                        const Discretization &discretization,
+                        const Vector<double> &u);
+
+  /// The same on a rigid obstacle.
+  void pair_with_obstacle(ContactPoint         &point,
+                          const Obstacle       &obstacle,
+                          const Discretization &discretization,
+                          const Vector<double> &u);
+} // namespace Contact
+
+#endif

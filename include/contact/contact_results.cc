@@ -1,0 +1,290 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/contact_results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace Contact
+{
+  namespace
+  {
+    /// A contact point as its zone looks from the side.
+    struct Sample
+    {
+      double s; // arc length [mm]
+      bool   touches, sticks;
+      bool   is_held; // by a support: it can not slip
+      double p;       // [MPa]
+      double slip;    // magnitude [mm]
+    };
+
+    using Samples = std::vector<Sample>;
+    using Inside  = bool Sample::*;
+
+
+
+    /// Where a function that is linear in s and has the values f1 and f2 at s1
+    /// and s2 vanishes, but not outside of the two bounds.
+    double root(const double s1,
+                const double f1,
+                const double s2,
+                const double f2,
+                const double bound_1,
+                const double bound_2)
+    {
+      const double zero = f1 == f2 ? s1 : s1 - f1 * (s2 - s1) / (f2 - f1);
+      return std::clamp(zero,
+                        std::min(bound_1, bound_2),
+                        std::max(bound_1, bound_2));
+    }
+
+
+
+    /// p^2 falls to zero linearly.
+    double
+    end_of_contact(const Sample *before, const Sample &last, const Sample &next)
+    {
+      if (before == nullptr || !before->touches || before->p <= last.p)
+        return (last.s + next.s) / 2;
+      return root(last.s,
+                  last.p * last.p,
+                  before->s,
+                  before->p * before->p,
+                  last.s,
+                  next.s);
+    }
+
+
+
+    /// |slip|^(2/3) grows from zero linearly.
+    double
+    end_of_stick(const Sample &last, const Sample &next, const Sample *beyond)
+    {
+      if (next.is_held)
+        return next.s;
+      if (beyond == nullptr || !beyond->touches || beyond->slip <= next.slip)
+        return (last.s + next.s) / 2;
+      return root(next.s,
+                  std::pow(next.slip, 2. / 3),
+                  beyond->s,
+                  std::pow(beyond->slip, 2. / 3),
+                  last.s,
+                  next.s);
+    }
+
+
+
+    /// The sum over all patches, each from its first to its last end. The
+    /// samples are those of one chain of edges, from @p begin to @p end.
+    double patch_lengths(const Samples &samples,
+                         const double   begin,
+                         const double   end,
+                         const Inside   inside)
+    {
+      const int  n  = samples.size();
+      const auto at = [&](const int i) {
+        return 0 <= i && i < n ? &samples[i] : nullptr;
+      };
+      const auto end_at = [&](const int i, const int outwards) {
+        const Sample *next = at(i + outwards);
+        if (next == nullptr)
+          return outwards > 0 ? end : begin;
+        return inside == &Sample::touches || !next->touches
+                 ? end_of_contact(at(i - outwards), samples[i], *next)
+                 : end_of_stick(samples[i], *next, at(i + 2 * outwards));
+      };
+
+      double sum = 0;
+      for (int i = 0; i < n; ++i)
+        {
+          if (!(samples[i].*inside))
+            continue;
+          const int first = i;
+          while (i + 1 < n && samples[i + 1].*inside)
+            ++i;
+          sum += end_at(i, +1) - end_at(first, -1);
+        }
+      return sum;
+    }
+
+
+
+    /// The edges of a surface that hang together: the arc length goes on from
+    /// one such chain to the next, over what is no surface.
+    std::vector<unsigned int> chain_of_edges(const Surface &surface)
+    {
+      std::vector<unsigned int> chains;
+      for (unsigned int e = 0; e < surface.edges.size(); ++e)
+        chains.push_back(
+          e == 0 ? 0 : chains.back() + (surface.edges[e].previous != e - 1));
+      return chains;
+    }
+
+
+
+    /// The patches of all chains together.
+    void add_widths(const Surface              &slave,
+                    const std::vector<double>  &s_of_node,
+                    const std::vector<Samples> &samples,
+                    ContactResults             &results)
+    {
+      const auto chains = chain_of_edges(slave);
+      for (unsigned int chain = 0; chain < samples.size(); ++chain)
+        {
+          Samples of_chain = samples[chain];
+          std::sort(of_chain.begin(),
+                    of_chain.end(),
+                    [](const Sample &a, const Sample &b) { return a.s < b.s; });
+          double begin = std::numeric_limits<double>::max(), end = 0;
+          for (unsigned int e = 0; e < chains.size(); ++e)
+            if (chains[e] == chain)
+              for (unsigned int a = 0; a < 2; ++a)
+                {
+                  begin = std::min(begin, s_of_node[slave.edges[e].nodes[a]]);
+                  end   = std::max(end, s_of_node[slave.edges[e].nodes[a]]);
+                }
+          results.width +=
+            patch_lengths(of_chain, begin, end, &Sample::touches);
+          results.stick_width +=
+            patch_lengths(of_chain, begin, end, &Sample::sticks);
+        }
+    }
+
+
+
+    /// A decision in a message; a point that slips does so against its shear.
+    std::string describe(const Decision &decision)
+    {
+      if (decision.status == Status::open)
+        return "open";
+      if (decision.status == Status::stick)
+        return "sticks";
+      if (decision.slip_direction == 0)
+        return "slips";
+      return decision.slip_direction > 0 ? "slips along -t" : "slips along +t";
+    }
+  } // namespace
+
+
+
+  std::map<std::string, double> ContactResults::by_name() const
+  {
+    return {{"normal_force", normal_force},
+            {"tangential_force", tangential_force},
+            {"max_pressure", max_pressure},
+            {"max_shear", max_shear},
+            {"width", width},
+            {"stick_width", stick_width}};
+  }
+
+
+
+  ContactResults contact_results(const ContactInterface &interface,
+                                 const ContactZone      &zone,
+                                 const Vector<double>   &solution,
+                                 const Vector<double>   &u_start,
+                                 const bool              moving_bound)
+  {
+    const Surface        &slave = zone.slave;
+    std::vector<Point<2>> X;
+    for (const Surface::Node &node : slave.nodes)
+      X.push_back(node.X);
+    const auto s_of_node = slave.arc_length(X);
+
+    const auto           chains = chain_of_edges(slave);
+    ContactResults       results;
+    std::vector<Samples> by_chain(chains.back() + 1);
+    for (const ContactPoint &point : interface.points_of(zone))
+      {
+        Samples        &samples = by_chain[chains[point.slave_edge]];
+        const EdgeShape shape(slave.degree, point.slave_xi);
+        double          s = 0;
+        for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+          s +=
+            shape.value[a] * s_of_node[slave.edges[point.slave_edge].nodes[a]];
+        if (!point.facing || point.decision.status == Status::open)
+          {
+            samples.push_back({s, false, false, false, 0, 0});
+            continue;
+          }
+
+        const ContactState now      = interface.state(point, solution, u_start);
+        const Traction     traction = interface.traction(point,
+                                                     point.decision,
+                                                     now.p_trial,
+                                                     now.q_trial,
+                                                     moving_bound);
+        results.normal_force += point.weight * traction.p;
+        results.tangential_force += point.weight * traction.q;
+        results.max_pressure = std::max(results.max_pressure, traction.p);
+        results.max_shear = std::max(results.max_shear, std::abs(traction.q));
+        samples.push_back({s,
+                           true,
+                           point.decision.status == Status::stick,
+                           point.tangential_row_is_void,
+                           traction.p,
+                           std::abs(now.slip)});
+      }
+    add_widths(slave, s_of_node, by_chain, results);
+    return results;
+  }
+
+
+
+  Vector<double> contact_forces(const ContactInterface &interface,
+                                const Vector<double>   &solution,
+                                const Vector<double>   &u_start,
+                                const bool              moving_bound)
+  {
+    Vector<double> forces(u_start.size());
+    for (const ContactPoint &point : interface.points)
+      {
+        const ContactState now      = interface.state(point, solution, u_start);
+        const Traction     traction = interface.traction(point,
+                                                     point.decision,
+                                                     now.p_trial,
+                                                     now.q_trial,
+                                                     moving_bound);
+        const Tensor<1, 2> force = point.weight * (traction.p * point.normal +
+                                                   traction.q * point.tangent);
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          for (unsigned int c = 0; c < 2; ++c)
+            forces[point.dofs[a][c]] += point.C[a] * force[c];
+      }
+    return forces;
+  }
+
+
+
+  std::string describe_changes(const ContactInterface      &interface,
+                               const std::vector<Decision> &decisions,
+                               const Vector<double>        &solution,
+                               const Vector<double>        &u_start)
+  {
+    const unsigned int max_lines = 10;
+    unsigned int       n         = 0;
+    std::ostringstream text;
+    for (unsigned int q = 0; q < decisions.size(); ++q)
+      {
+        const ContactPoint &point = interface.points[q];
+        if (point.decision == decisions[q] || ++n > max_lines)
+          continue;
+        const ContactState now = interface.state(point, solution, u_start);
+        text << "\n        point " << q << " at X = ("
+             << interface.zone(point).place(point)
+             << ") mm: " << describe(decisions[q]) << ", now "
+             << describe(point.decision) << "; gap " << now.gap
+             << " mm, pressure " << now.lambda_n << " MPa, shear "
+             << now.lambda_t << " MPa";
+      }
+    if (n > max_lines)
+      text << "\n        and " << n - max_lines << " more";
+    return text.str();
+  }
+} // namespace Contact

@@ -1,0 +1,71 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_contact_results_h
+#define contact_contact_results_h
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "contact/contact_interface.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// The contact zone in a few numbers.
+  struct ContactResults
+  {
+    /// On the slave: sum over the points of w p and of w q, along the normals
+    /// and the tangents of the master [N per mm of thickness].
+    double normal_force     = 0;
+    double tangential_force = 0;
+
+    /// The largest p and |q| of the points [MPa].
+    double max_pressure = 0;
+    double max_shear    = 0;
+
+    /**
+     * The lengths of all patches of contact, and of sticking, by the undeformed
+     * arc length of the slave [mm]. A patch is a row of points that touch, or
+     * stick, from its first to its last end. Between two points contact ends
+     * where p^2 vanishes, extrapolated linearly from the last two points in
+     * contact, and sticking where |slip|^(2/3) vanishes, extrapolated from the
+     * first two points that slip: where smooth bodies part, pressure begins
+     * with the power 1/2 and a relative displacement with the power 3/2 of the
+     * distance.
+     */
+    double width       = 0;
+    double stick_width = 0;
+
+    std::map<std::string, double> by_name() const;
+  };
+
+  /// @p u_start is the solution at the start of the increment; with
+  /// @p moving_bound the bound of the shear is that of the present pressure.
+  ContactResults contact_results(const ContactInterface &interface,
+                                 const ContactZone      &zone,
+                                 const Vector<double>   &solution,
+                                 const Vector<double>   &u_start,
+                                 const bool              moving_bound = false);
+
+  /// The forces of contact on the nodes by displacement unknown, w (p n + q t)
+  /// C summed over the points [N per mm of thickness; rings: N]. The vector is
+  /// as long as @p u_start.
+  Vector<double> contact_forces(const ContactInterface &interface,
+                                const Vector<double>   &solution,
+                                const Vector<double>   &u_start,
+                                const bool              moving_bound);
+
+  /// Which points have changed their minds since @p decisions, where, from what
+  /// to what: a line each, at most ten.
+  std::string describe_changes(const ContactInterface      &interface,
+                               const std::vector<Decision> &decisions,
+                               const Vector<double>        &solution,
+                               const Vector<double>        &u_start);
+} // namespace Contact
+
+#endif

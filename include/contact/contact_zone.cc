@@ -1,0 +1,310 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/contact_zone.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/counters.h"
+#include "base/errors.h"
+
+namespace Contact
+{
+  namespace
+  {
+    Surface make_surface(const Discretization &discretization,
+                         const std::string    &name,
+                         const std::string    &entry)
+    {
+      return {discretization, discretization.mesh.boundary(name, entry), name};
+    }
+
+
+
+    std::optional<Surface> make_master(const Discretization &discretization,
+                                       const Parameters::Contact &parameters)
+    {
+      if (parameters.master.empty())
+        return {};
+      return make_surface(discretization,
+                          parameters.master,
+                          parameters.section() + "/Master");
+    }
+
+
+
+    /// The connected parts of the mesh that a surface has lines of.
+    std::set<unsigned int> parts_of(const Surface &surface)
+    {
+      std::set<unsigned int> parts;
+      for (const Surface::Edge &edge : surface.edges)
+        parts.insert(edge.part);
+      return parts;
+    }
+
+
+
+    /// The lines of a surface that are on one of these parts.
+    std::string lines_on(const Surface                &surface,
+                         const std::set<unsigned int> &parts)
+    {
+      const auto at = [&](const unsigned int node) {
+        const Point<2> &X = surface.nodes[node].X;
+        return "(" + std::to_string(X[0]) + ", " + std::to_string(X[1]) + ")";
+      };
+      const unsigned int n_named = 3;
+      std::string        names;
+      unsigned int       n = 0;
+      for (const Surface::Edge &edge : surface.edges)
+        if (parts.count(edge.part) > 0 && n++ < n_named)
+          names += (n > 1 ? ", " : "") + at(edge.nodes[0]) + " to " +
+                   at(edge.nodes[1]);
+      return names + (n > n_named
+                        ? " and " + std::to_string(n - n_named) + " more"
+                        : "");
+    }
+
+
+
+    /**
+     * A body does not touch itself: its own lines would be the closest. Two
+     * surfaces of one and the same part, the lips of a slit, are meant to
+     * touch.
+     */
+    void refuse_own_lines(const Surface             &slave,
+                          const Surface             &master,
+                          const Discretization      &discretization,
+                          const Parameters::Contact &parameters)
+    {
+      const auto of_slave = parts_of(slave), of_master = parts_of(master);
+      std::set<unsigned int> common;
+      for (const unsigned int part : of_slave)
+        if (of_master.count(part) > 0)
+          common.insert(part);
+      if (common.empty() || (of_slave.size() == 1 && of_master.size() == 1))
+        return;
+
+      const bool     in_slave = of_slave.size() > 1;
+      const Surface &wrong    = in_slave ? slave : master;
+      const auto     edge     = std::find_if(wrong.edges.begin(),
+                                     wrong.edges.end(),
+                                     [&](const auto &edge) {
+                                       return common.count(edge.part) > 0;
+                                     });
+      throw InputError(
+        (in_slave ? "the slave '" + parameters.slave
+                  : "the master '" + parameters.master) +
+          "' has lines of a body that the " +
+          (in_slave ? "master '" + parameters.master
+                    : "slave '" + parameters.slave) +
+          "' belongs to, '" + discretization.mesh.body_name(edge->body) +
+          "': " + lines_on(wrong, common),
+        parameters.section() + (in_slave ? "/Slave" : "/Master"),
+        "take these lines out of the group: contact of a body with itself is "
+        "between two groups of that body alone");
+    }
+  } // namespace
+
+
+
+  ContactZone::ContactZone(const Discretization      &discretization,
+                           const Elasticity          &elasticity,
+                           const Parameters::Contact &parameters)
+    : name(parameters.name)
+    , tied(parameters.tied)
+    , law{tied ? std::numeric_limits<double>::max() : parameters.tresca_limit,
+          parameters.friction_coefficient}
+    , slave(make_surface(discretization,
+                         parameters.slave,
+                         parameters.section() + "/Slave"))
+    , master(make_master(discretization, parameters))
+    , complementarity(parameters.complementarity)
+    , discretization(discretization)
+    , elasticity(elasticity)
+    , parameters(parameters)
+  {
+    const std::string section = parameters.section();
+    if (!master)
+      obstacle = Obstacle::create(parameters.obstacle);
+    else
+      {
+        for (const Surface::Node &a : slave.nodes)
+          for (const Surface::Node &b : master->nodes)
+            if (a.dofs == b.dofs)
+              throw InputError("slave '" + parameters.slave + "' and master '" +
+                                 parameters.master +
+                                 "' overlap: both have the "
+                                 "node at (" +
+                                 std::to_string(a.X[0]) + ", " +
+                                 std::to_string(a.X[1]) + ")",
+                               section + "/Slave, " + section + "/Master",
+                               "name two surfaces without a common node");
+        refuse_own_lines(slave, *master, discretization, parameters);
+      }
+
+    for (const std::string &point : parameters.excluded_points)
+      {
+        const auto &dofs =
+          discretization.vertex_dofs
+            [discretization.mesh.point(point, section + "/Excluded points")];
+        for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+          if (slave.nodes[i].dofs == dofs)
+            excluded.insert(i);
+      }
+    // Over a ring, the shape function of degree 2 of a node on the axis has the
+    // integral zero: it has no dual function.
+    if (slave.degree == 2 && master && parameters.rule == "mortar")
+      for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+        if (discretization.is_on_axis(slave.nodes[i].X))
+          excluded.insert(i);
+  }
+
+
+
+  std::vector<ContactPoint>
+  ContactZone::make_points(const unsigned int first_multiplier,
+                           const unsigned int first_point)
+  {
+    std::vector<ContactPoint> points;
+    if (parameters.rule == "mortar" && master)
+      {
+        mortar = std::make_unique<MortarRule>(slave,
+                                              *master,
+                                              discretization,
+                                              excluded);
+        points = mortar->make_points(multipliers);
+      }
+    else if (parameters.rule == "Gauss")
+      points = make_gauss_points(slave, parameters.n_gauss_points, multipliers);
+    else
+      points = make_nodal_points(slave, excluded, multipliers);
+
+    this->first_point = first_point;
+    n_points          = points.size();
+    for (unsigned int &k : multipliers.of_node)
+      if (k != numbers::invalid_unsigned_int)
+        k += first_multiplier;
+    for (ContactPoint &point : points)
+      {
+        for (unsigned int k = 0; k < point.n_multipliers; ++k)
+          point.multipliers[k] += first_multiplier;
+        point.complementarity = complementarity * stiffness(point);
+        point.tresca_bound    = law.bound(0);
+      }
+    return points;
+  }
+
+
+
+  // What is glued is glued where it faces each other undeformed.
+  bool ContactZone::pair(const ArrayView<ContactPoint> &points,
+                         const Vector<double>          &u,
+                         const bool                     with_derivatives) const
+  {
+    if (tied)
+      {
+        const Vector<double> undeformed(u.size());
+        return mortar ? mortar->pair(points, undeformed, false)
+                      : project(points, undeformed);
+      }
+    return mortar ? mortar->pair(points, u, with_derivatives)
+                  : project(points, u);
+  }
+
+
+
+  bool ContactZone::project(const ArrayView<ContactPoint> &points,
+                            const Vector<double>          &u) const
+  {
+    bool changed = false;
+    if (obstacle)
+      {
+        for (ContactPoint &point : points)
+          pair_with_obstacle(point, *obstacle, discretization, u);
+        counters().projections += points.size();
+        return changed;
+      }
+
+    const SurfaceSearch search(*master, u);
+    const auto          normals = slave.edge_normals(u);
+    for (ContactPoint &point : points)
+      {
+        const auto old_dofs = point.dofs;
+        pair_with_master(point,
+                         directions_of(point, slave, normals),
+                         *master,
+                         search,
+                         discretization,
+                         u);
+        changed = changed || point.dofs != old_dofs;
+
+        // Where several points share multipliers, one that faces nothing pulls
+        // them to zero, as weakly as a spring of the stiffness c: it must not
+        // be the softer one beside points in contact.
+        if (!has_point_per_multiplier())
+          point.complementarity =
+            (point.facing ? complementarity : 1e3) * stiffness(point);
+      }
+    return changed;
+  }
+
+
+
+  double ContactZone::stiffness(const ContactPoint &point) const
+  {
+    const double of_slave =
+      elasticity.young(slave.edges[point.slave_edge].body);
+    return (master ? std::min(of_slave, elasticity.young(master->edges[0].body))
+                   : of_slave) /
+           slave.reference_length(point.slave_edge);
+  }
+
+
+
+  // A parabola over the radius whose slope vanishes on the axis.
+  std::vector<std::pair<unsigned int, double>>
+  ContactZone::pressure_at(const unsigned int node) const
+  {
+    const auto multiplier = [&](const unsigned int i) {
+      return multipliers.of_node[i];
+    };
+    const bool on_axis = slave.degree == 2 && parameters.rule != "Gauss" &&
+                         discretization.is_on_axis(slave.nodes[node].X);
+    if (on_axis)
+      for (const Surface::Edge &edge : slave.edges)
+        for (unsigned int a = 0; a < 2; ++a)
+          if (edge.nodes[a] == node)
+            {
+              const unsigned int middle = multiplier(edge.nodes[2]);
+              const unsigned int end    = multiplier(edge.nodes[1 - a]);
+              if (middle != numbers::invalid_unsigned_int &&
+                  end != numbers::invalid_unsigned_int)
+                return {{middle, 4. / 3}, {end, -1. / 3}};
+            }
+    if (multiplier(node) == numbers::invalid_unsigned_int)
+      return {};
+    return {{multiplier(node), 1.}};
+  }
+
+
+
+  bool ContactZone::has_point_per_multiplier() const
+  {
+    return parameters.has_point_per_multiplier();
+  }
+
+
+
+  Point<2> ContactZone::place(const ContactPoint &point) const
+  {
+    const EdgeShape shape(slave.degree, point.slave_xi);
+    Point<2>        X;
+    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+      X +=
+        shape.value[a] * slave.nodes[slave.edges[point.slave_edge].nodes[a]].X;
+    return X;
+  }
+} // namespace Contact

@@ -1,0 +1,105 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_contact_zone_h
+#define contact_contact_zone_h
+
+#include <deal.II/base/array_view.h>
+
+#include <optional>
+
+#include "contact/contact_points.h"
+#include "contact/mortar.h"
+#include "contact/obstacle.h"
+#include "solid/elasticity.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * Two surfaces that may touch, and what all points between them have in
+   * common: the rule by which they are made and paired, and the law of
+   * friction. The master is a surface of a body, or a rigid obstacle.
+   *
+   * On an obstacle the rules nodal and mortar are one: of a gap that is linear
+   * along the edge, which it is over a half plane, the dual functions leave the
+   * value at the node.
+   */
+  class ContactZone
+  {
+  public:
+    /// Throws InputError if the surfaces do not exist or have a common node.
+    ContactZone(const Discretization      &discretization,
+                const Elasticity          &elasticity,
+                const Parameters::Contact &parameters);
+
+    /// The section of the parameters is "Contact" or "Contact NAME".
+    const std::string name;
+
+    /// The surfaces are glued wherever they face each other undeformed: every
+    /// such point sticks, and its gap is the change of the distance.
+    const bool        tied;
+    const FrictionLaw law;
+
+    const Surface                slave;
+    const std::optional<Surface> master; // none: an obstacle
+
+    /// The c of all points, by the stiffness E/h of their slave edges [-].
+    const double complementarity;
+
+    /// Numbered among those of all zones.
+    MultiplierSpace multipliers;
+
+    /// Their place among the points of all zones.
+    unsigned int first_point = 0, n_points = 0;
+
+    /// The points, not paired yet, and their multipliers, behind those that
+    /// there are already.
+    std::vector<ContactPoint> make_points(const unsigned int first_multiplier,
+                                          const unsigned int first_point);
+
+    /// Pair the points of this zone in the configuration @p u, with what the
+    /// tangent needs to know how the pairing moves or without. Returns whether
+    /// one has other unknowns than before.
+    bool pair(const ArrayView<ContactPoint> &points,
+              const Vector<double>          &u,
+              const bool                     with_derivatives) const;
+
+    /// The same by the closest points of the master, wherever on the slave the
+    /// points lie.
+    bool project(const ArrayView<ContactPoint> &points,
+                 const Vector<double>          &u) const;
+
+    /// The stiffness E/h at a point [MPa/mm]: the softer body, the slave's
+    /// edge.
+    double stiffness(const ContactPoint &point) const;
+
+    /// Each multiplier belongs to one point: rules nodal and mortar.
+    bool has_point_per_multiplier() const;
+
+    /**
+     * The normal multipliers that make the pressure at a node of the slave, and
+     * their factors; none if there is no pressure there. On an axis of symmetry
+     * at degree 2 no pressure at the node itself does work on the shape
+     * functions: there it is that of the neighbors, continued.
+     */
+    std::vector<std::pair<unsigned int, double>>
+    pressure_at(const unsigned int node) const;
+
+    /// The undeformed place of a point [mm].
+    Point<2> place(const ContactPoint &point) const;
+
+  private:
+    const Discretization           &discretization;
+    const Elasticity               &elasticity;
+    const Parameters::Contact       parameters;
+    std::unique_ptr<const Obstacle> obstacle;
+    std::set<unsigned int>          excluded; // nodes of the slave
+    std::unique_ptr<MortarRule>     mortar;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,249 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/mortar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+namespace Contact
+{
+  namespace
+  {
+    const unsigned int none = numbers::invalid_unsigned_int;
+
+    /// Coordinates of the nodes of an edge: first, last, middle.
+    const std::array<double, 3> node_coordinates{{-1, 1, 0}};
+
+    /// The node that a point belongs to, by its number in the slave edge.
+    unsigned int node_in_edge(const ContactPoint &point)
+    {
+      return std::find(node_coordinates.begin(),
+                       node_coordinates.end(),
+                       point.slave_xi) -
+             node_coordinates.begin();
+    }
+  } // namespace
+
+
+
+  MortarRule::MortarRule(const Surface                &slave,
+                         const Surface                &master,
+                         const Discretization         &discretization,
+                         const std::set<unsigned int> &excluded)
+    : slave(slave)
+    , master(master)
+    , discretization(discretization)
+    , carries(slave.edges.size())
+  {
+    for (unsigned int e = 0; e < slave.edges.size(); ++e)
+      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+        carries[e][a] = excluded.count(slave.edges[e].nodes[a]) == 0;
+  }
+
+
+
+  std::vector<ContactPoint>
+  MortarRule::make_points(MultiplierSpace &multipliers) const
+  {
+    multipliers.of_node.assign(slave.nodes.size(), none);
+    multipliers.n_multipliers = 0;
+
+    std::vector<ContactPoint> points;
+    for (unsigned int e = 0; e < slave.edges.size(); ++e)
+      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+        {
+          const unsigned int node = slave.edges[e].nodes[a];
+          if (!carries[e][a] || multipliers.of_node[node] != none)
+            continue;
+          multipliers.of_node[node] = multipliers.n_multipliers++;
+
+          ContactPoint point;
+          point.slave_edge     = e;
+          point.slave_xi       = node_coordinates[a];
+          point.master_edge    = 0;
+          point.weight         = 0;
+          point.n_multipliers  = 1;
+          point.multipliers[0] = multipliers.of_node[node];
+          point.psi[0]         = 1;
+          point.add_node(slave.nodes[node], 1, 0, 0);
+          point.n_slave_nodes = 1;
+          points.push_back(point);
+        }
+    return points;
+  }
+
+
+
+  bool MortarRule::pair(const ArrayView<ContactPoint> &points,
+                        const Vector<double>          &u,
+                        const bool                     with_derivatives) const
+  {
+    const MortarGeometry<double> now(slave, master, discretization, u);
+    const MortarSegments         segments(now, u);
+    MortarIntegrals<double>      integrals(now, carries, discretization);
+    std::vector<MortarOverlap>   overlaps(slave.edges.size());
+    for (unsigned int e = 0; e < slave.edges.size(); ++e)
+      {
+        overlaps[e] = segments.overlap(e);
+        if (!overlaps[e].segments.empty())
+          integrals.add_edge(e, overlaps[e]);
+      }
+
+    std::optional<MortarGeometry<WithDerivatives>> moving;
+    if (with_derivatives)
+      moving.emplace(slave, master, discretization, u);
+    bool changed = false;
+    for (ContactPoint &point : points)
+      {
+        const auto old_dofs    = point.dofs;
+        const auto old_changes = point.change.dofs;
+        fill_in(now, integrals.pairing(slave_node(point)), u, point);
+        point.change = PairingChange();
+        if (moving && point.facing)
+          differentiate(*moving, overlaps, point);
+        changed =
+          changed || point.dofs != old_dofs || point.change.dofs != old_changes;
+      }
+    return changed;
+  }
+
+
+
+  unsigned int MortarRule::slave_node(const ContactPoint &point) const
+  {
+    return slave.edges[point.slave_edge].nodes[node_in_edge(point)];
+  }
+
+
+
+  void MortarRule::fill_in(const MortarGeometry<double> &now,
+                           const MortarPairing<double>  &pairing,
+                           const Vector<double>         &u,
+                           ContactPoint                 &point) const
+  {
+    const unsigned int node = slave_node(point);
+    point.facing            = pairing.facing;
+    point.weight            = pairing.weight;
+    point.normal            = point.facing
+                                ? pairing.normal
+                                : now.slave_normals[point.slave_edge][node_in_edge(point)];
+    point.tangent           = Tensor<1, 2>({-point.normal[1], point.normal[0]});
+    point.metric            = 1;
+    point.keep_nodes(0);
+    if (point.facing)
+      {
+        add_nodes(pairing, point);
+        skip_where_held(point, discretization, u);
+      }
+    if (!point.facing)
+      {
+        // Only to keep the equation of its multiplier, which is zero. In the
+        // middle of the edge, which is never on an axis.
+        point.keep_nodes(0);
+        point.weight = slave.reference_jacobian(slave.edges[point.slave_edge],
+                                                EdgeShape(slave.degree, 0));
+        point.add_node(slave.nodes[node], 1, 0, 0);
+        point.n_slave_nodes = 1;
+        return;
+      }
+
+    point.master_edge = pairing.master_edge;
+    point.foot        = Point<2>(pairing.excess * point.normal);
+
+    // The node itself has to be free to stick.
+    point.tangential_row_is_void = discretization.is_fixed(point.dofs[0][0]) ||
+                                   discretization.is_fixed(point.dofs[0][1]);
+  }
+
+
+
+  void MortarRule::add_nodes(const MortarPairing<double> &pairing,
+                             ContactPoint                &point) const
+  {
+    const unsigned int node = slave_node(point);
+    point.add_node(slave.nodes[node], pairing.slave.at(node), 0, 0);
+    for (const auto &[a, c] : pairing.slave)
+      if (a != node)
+        point.add_node(slave.nodes[a], c, 0, 0);
+    point.n_slave_nodes = point.n_nodes;
+    for (const auto &[m, c] : pairing.master)
+      point.add_node(master.nodes[m], c, 0, 0);
+  }
+
+
+
+  // The pairing depends on the nodes of the edges around the slave node, of the
+  // master edges that these face, and of the neighbours of both, by their
+  // normals.
+  void MortarRule::differentiate(MortarGeometry<WithDerivatives>  &now,
+                                 const std::vector<MortarOverlap> &overlaps,
+                                 ContactPoint                     &point) const
+  {
+    const unsigned int     node = slave_node(point);
+    std::set<unsigned int> slave_nodes, master_nodes;
+    const auto             add =
+      [](const Surface &surface, const unsigned int e, auto &all) {
+        for (const unsigned int near :
+             {e, surface.edges[e].previous, surface.edges[e].next})
+          if (near != none)
+            for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
+              all.insert(surface.edges[near].nodes[a]);
+      };
+    for (const unsigned int e : slave.edges_of_node[node])
+      {
+        add(slave, e, slave_nodes);
+        for (const auto &segment : overlaps[e].segments)
+          {
+            add(master, segment.master_edge, master_nodes);
+            for (const auto &cut : {segment.low, segment.high})
+              if (cut.master_node != none)
+                master_nodes.insert(cut.master_node);
+          }
+      }
+
+    now.follow(slave_nodes, master_nodes);
+    MortarIntegrals<WithDerivatives> integrals(now, carries, discretization);
+    for (const unsigned int e : slave.edges_of_node[node])
+      if (!overlaps[e].segments.empty())
+        integrals.add_edge(e, overlaps[e], node);
+    const MortarPairing<WithDerivatives> pairing = integrals.pairing(node);
+
+    PairingChange &change = point.change;
+    for (const unsigned int i : slave_nodes)
+      for (const auto dof : slave.nodes[i].dofs)
+        change.dofs.push_back(dof);
+    for (const unsigned int i : master_nodes)
+      for (const auto dof : master.nodes[i].dofs)
+        change.dofs.push_back(dof);
+    const unsigned int n = change.dofs.size();
+    change.C.reinit(point.n_nodes, n);
+    change.weight.resize(n);
+    change.turn.resize(n);
+    change.foot.resize(n);
+    const auto add_coefficients = [&](const Surface &surface, const auto &all) {
+      for (const auto &[i, c] : all)
+        {
+          const unsigned int a = std::find(point.dofs.begin(),
+                                           point.dofs.end(),
+                                           surface.nodes[i].dofs) -
+                                 point.dofs.begin();
+          for (unsigned int j = 0; j < n && a < point.n_nodes; ++j)
+            change.C(a, j) = c.dx(j);
+        }
+    };
+    add_coefficients(slave, pairing.slave);
+    add_coefficients(master, pairing.master);
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        change.weight[j] = pairing.weight.dx(j) / point.weight;
+        change.foot[j]   = pairing.excess.dx(j);
+        for (unsigned int i = 0; i < 2; ++i)
+          change.turn[j] -= point.tangent[i] * pairing.normal[i].dx(j);
+      }
+  }
+} // namespace Contact

@@ -1,0 +1,284 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/mortar_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace Contact
+{
+  namespace
+  {
+    const unsigned int none = numbers::invalid_unsigned_int;
+
+    /// Coordinates of the nodes of an edge: first, last, middle.
+    const std::array<double, 3> node_coordinates{{-1, 1, 0}};
+
+    /// Newton's method for a root of a smooth function; edges are short against
+    /// their curvature, so that few steps suffice.
+    template<typename Function>
+    double find_root(const Function &value_and_slope)
+    {
+      double xi = 0;
+      for (unsigned int iteration = 0; iteration < 30; ++iteration)
+        {
+          const auto [value, slope] = value_and_slope(xi);
+          if (slope == 0)
+            break;
+          const double step = -value / slope;
+          xi                = std::max(-3., std::min(3., xi + step));
+          if (std::abs(step) < 1e-14)
+            break;
+        }
+      return xi;
+    }
+
+
+
+    /// A root with the derivatives that those of the function's value there
+    /// give it: one more step of Newton's method.
+    template<typename Number>
+    Number follow_root(const double xi, const Number &value, const double slope)
+    {
+      if (slope == 0)
+        return xi;
+      return xi - value / slope;
+    }
+
+
+
+    /// The outward normal at a node of an edge by that edge alone.
+    template<typename Number>
+    Tensor<1, 2, Number> own_normal(const Surface &surface,
+                                    const std::vector<Tensor<1, 2, Number>> &x,
+                                    const unsigned int edge,
+                                    const unsigned int a)
+    {
+      const EdgeShape            shape(surface.degree, node_coordinates[a]);
+      const Tensor<1, 2, Number> along =
+        MortarGeometry<Number>::at(x, surface.edges[edge], shape.first);
+      const Number         size = length(along);
+      Tensor<1, 2, Number> outward;
+      outward[0] = along[1] / size;
+      outward[1] = -along[0] / size;
+      return outward;
+    }
+
+
+
+    /// The same by both edges that meet there, but at a corner.
+    template<typename Number>
+    Tensor<1, 2, Number> mean_normal(const Surface &surface,
+                                     const std::vector<Tensor<1, 2, Number>> &x,
+                                     const unsigned int                       e,
+                                     const unsigned int                       a)
+    {
+      const Surface::Edge &edge   = surface.edges[e];
+      Tensor<1, 2, Number> normal = own_normal(surface, x, e, a);
+      const unsigned int   other  = a == 0   ? edge.previous
+                                    : a == 1 ? edge.next
+                                             : none;
+      if (other == none || edge.corner[a])
+        return normal;
+      normal += own_normal(surface, x, other, 1 - a);
+      const Number size = length(normal);
+      normal /= size;
+      return normal;
+    }
+
+
+
+    template<typename Number>
+    void drop_derivatives(Tensor<1, 2, Number> &x)
+    {
+      x = Tensor<1, 2, Number>(value_of(x));
+    }
+  } // namespace
+
+
+
+  template<typename Number>
+  MortarGeometry<Number>::MortarGeometry(const Surface        &slave,
+                                         const Surface        &master,
+                                         const Discretization &discretization,
+                                         const Vector<double> &u)
+    : slave(slave)
+    , master(master)
+    , slave_normals(slave.edges.size())
+    , master_normals(master.edges.size())
+    , discretization(discretization)
+  {
+    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+      slave_x.emplace_back(slave.position(i, u));
+    for (unsigned int i = 0; i < master.nodes.size(); ++i)
+      master_x.emplace_back(master.position(i, u));
+    for (unsigned int e = 0; e < slave.edges.size(); ++e)
+      find_slave_normals(e);
+    for (unsigned int e = 0; e < master.edges.size(); ++e)
+      find_master_normals(e);
+  }
+
+
+
+  template<typename Number>
+  void MortarGeometry<Number>::find_slave_normals(const unsigned int edge)
+  {
+    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+      {
+        Tensor<1, 2, Number> &normal = slave_normals[edge][a];
+        normal = Number(-1) * mean_normal(slave, slave_x, edge, a);
+        // Against a support the node carries no multiplier, and its own normal
+        // serves for the projection.
+        const auto free = free_part(normal,
+                                    slave.nodes[slave.edges[edge].nodes[a]],
+                                    discretization);
+        if (value_of(free).norm_square() > 0.5)
+          {
+            const Number size = length(free);
+            normal            = free / size;
+          }
+      }
+  }
+
+
+
+  template<typename Number>
+  void MortarGeometry<Number>::find_master_normals(const unsigned int edge)
+  {
+    for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
+      master_normals[edge][a] = mean_normal(master, master_x, edge, a);
+  }
+
+
+
+  template<typename Number>
+  std::set<unsigned int>
+  MortarGeometry<Number>::edges_around(const Surface                &surface,
+                                       const std::set<unsigned int> &nodes)
+  {
+    std::set<unsigned int> edges;
+    for (const unsigned int node : nodes)
+      for (const unsigned int e : surface.edges_of_node[node])
+        for (const unsigned int near :
+             {e, surface.edges[e].previous, surface.edges[e].next})
+          if (near != none)
+            edges.insert(near);
+    return edges;
+  }
+
+
+
+  template<typename Number>
+  void
+  MortarGeometry<Number>::follow(const std::set<unsigned int> &slave_nodes,
+                                 const std::set<unsigned int> &master_nodes)
+  {
+    for (const unsigned int i : followed_slave_nodes)
+      drop_derivatives(slave_x[i]);
+    for (const unsigned int i : followed_master_nodes)
+      drop_derivatives(master_x[i]);
+    for (const unsigned int e : followed_slave_edges)
+      for (auto &normal : slave_normals[e])
+        drop_derivatives(normal);
+    for (const unsigned int e : followed_master_edges)
+      for (auto &normal : master_normals[e])
+        drop_derivatives(normal);
+
+    followed_slave_nodes  = slave_nodes;
+    followed_master_nodes = master_nodes;
+    followed_slave_edges  = edges_around(slave, slave_nodes);
+    followed_master_edges = edges_around(master, master_nodes);
+
+    const unsigned int n = 2 * (slave_nodes.size() + master_nodes.size());
+    unsigned int       k = 0;
+    const auto         number_unknowns = [&](Tensor<1, 2, Number> &x) {
+      for (unsigned int c = 0; c < 2; ++c)
+        if constexpr (std::is_same_v<Number, WithDerivatives>)
+          x[c] = WithDerivatives(n, k++, x[c].val());
+    };
+    for (const unsigned int i : slave_nodes)
+      number_unknowns(slave_x[i]);
+    for (const unsigned int i : master_nodes)
+      number_unknowns(master_x[i]);
+    for (const unsigned int e : followed_slave_edges)
+      find_slave_normals(e);
+    for (const unsigned int e : followed_master_edges)
+      find_master_normals(e);
+  }
+
+
+
+  template<typename Number>
+  Number
+  MortarGeometry<Number>::foot_on_edge(const Tensor<1, 2, Number> &x,
+                                       const Tensor<1, 2, Number> &n,
+                                       const unsigned int master_edge) const
+  {
+    const auto                 &edge = master.edges[master_edge];
+    const Tensor<1, 2>          x_0 = value_of(x), n_0 = value_of(n);
+    std::array<Tensor<1, 2>, 3> nodes;
+    for (unsigned int a = 0; a < 3; ++a)
+      nodes[a] = value_of(master_x[edge.nodes[a]]);
+    const auto along = [&](const std::array<double, 3> &shape) {
+      return shape[0] * nodes[0] + shape[1] * nodes[1] + shape[2] * nodes[2];
+    };
+    const double xi = find_root([&](const double xi) {
+      const EdgeShape shape(master.degree, xi);
+      return std::make_pair(cross(along(shape.value) - x_0, n_0),
+                            cross(along(shape.first), n_0));
+    });
+    if constexpr (std::is_same_v<Number, double>)
+      return xi;
+
+    const EdgeShape            shape(master.degree, xi);
+    const Tensor<1, 2, Number> r = at(master_x, edge, shape.value) - x;
+    return follow_root(xi, cross(r, n), cross(along(shape.first), n_0));
+  }
+
+
+
+  template<typename Number>
+  Number
+  MortarGeometry<Number>::slave_coordinate(const unsigned int slave_edge,
+                                           const Tensor<1, 2, Number> &x) const
+  {
+    const auto                 &edge = slave.edges[slave_edge];
+    const Tensor<1, 2>          x_0  = value_of(x);
+    std::array<Tensor<1, 2>, 3> nodes, normals;
+    for (unsigned int a = 0; a < 3; ++a)
+      nodes[a] = value_of(slave_x[edge.nodes[a]]);
+    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+      normals[a] = value_of(slave_normals[slave_edge][a]);
+    const auto sum = [](const std::array<Tensor<1, 2>, 3> &values,
+                        const std::array<double, 3>       &shape) {
+      return shape[0] * values[0] + shape[1] * values[1] + shape[2] * values[2];
+    };
+    const auto slope = [&](const EdgeShape &shape) {
+      return cross(sum(nodes, shape.first), sum(normals, shape.value)) +
+             cross(sum(nodes, shape.value) - x_0, sum(normals, shape.first));
+    };
+    const double xi = find_root([&](const double xi) {
+      const EdgeShape shape(slave.degree, xi);
+      return std::make_pair(cross(sum(nodes, shape.value) - x_0,
+                                  sum(normals, shape.value)),
+                            slope(shape));
+    });
+    if constexpr (std::is_same_v<Number, double>)
+      return xi;
+
+    const EdgeShape            shape(slave.degree, xi);
+    const Tensor<1, 2, Number> r = at(slave_x, edge, shape.value) - x;
+    return follow_root(xi,
+                       cross(r, slave_normal(slave_edge, shape.value)),
+                       slope(shape));
+  }
+
+
+
+  template class MortarGeometry<double>;
+  template class MortarGeometry<WithDerivatives>;
+} // namespace Contact

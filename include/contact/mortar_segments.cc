@@ -1,0 +1,267 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/mortar_segments.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Contact
+{
+  namespace
+  {
+    const unsigned int none = numbers::invalid_unsigned_int;
+
+    /// Of coordinates, which are of the order of one.
+    const double round_off = 1e-11;
+  } // namespace
+
+
+
+  double MortarOverlap::distance(const double xi) const
+  {
+    double nearest = std::numeric_limits<double>::max();
+    for (const Part &part : parts)
+      nearest =
+        std::min(nearest, std::max({0., part.low - xi, xi - part.high}));
+    return nearest;
+  }
+
+
+
+  MortarSegments::MortarSegments(const MortarGeometry<double> &geometry,
+                                 const Vector<double>         &u)
+    : now(geometry)
+    , search(geometry.master, u)
+  {
+    Tensor<1, 2> low = now.slave_x[0], high = low;
+    for (const auto *all : {&now.slave_x, &now.master_x})
+      for (const Tensor<1, 2> &x : *all)
+        for (unsigned int i = 0; i < 2; ++i)
+          {
+            low[i]  = std::min(low[i], x[i]);
+            high[i] = std::max(high[i], x[i]);
+          }
+    size = (high - low).norm();
+  }
+
+
+
+  // What is near is looked at first; further and further away, until all of
+  // the edge has a partner that nothing can hide.
+  MortarOverlap MortarSegments::overlap(const unsigned int slave_edge) const
+  {
+    const auto &ends = now.slave.edges[slave_edge].nodes;
+    double reach     = 2 * (now.slave_x[ends[1]] - now.slave_x[ends[0]]).norm();
+    std::vector<Segment> found;
+    while (true)
+      {
+        found          = segments(slave_edge, candidates(slave_edge, reach));
+        double covered = 0, distance = 0;
+        for (const Segment &segment : found)
+          {
+            covered += segment.high.xi - segment.low.xi;
+            distance = std::max(distance, segment.distance);
+          }
+        if (reach >= size || (covered > 2 - round_off && distance < reach / 2))
+          break;
+        reach *= 4;
+      }
+
+    MortarOverlap overlap;
+    overlap.segments = found;
+    for (const Segment &segment : found)
+      if (!overlap.parts.empty() &&
+          segment.low.xi - overlap.parts.back().high < round_off)
+        overlap.parts.back().high = segment.high.xi;
+      else
+        overlap.parts.push_back({segment.low.xi, segment.high.xi});
+    return overlap;
+  }
+
+
+
+  std::vector<unsigned int>
+  MortarSegments::candidates(const unsigned int slave_edge,
+                             const double       reach) const
+  {
+    const auto           &nodes = now.slave.edges[slave_edge].nodes;
+    std::vector<Point<2>> corners;
+    for (unsigned int a = 0; a < now.slave.n_nodes_per_edge(); ++a)
+      for (const double side : {-1., 1.})
+        corners.emplace_back(now.slave_x[nodes[a]] +
+                             side * reach * now.slave_normals[slave_edge][a]);
+
+    // Of the edges near by those between the lines: not all on one side of all
+    // of them.
+    std::vector<unsigned int> candidates;
+    for (const unsigned int m : search.edges_in(BoundingBox<2>(corners)))
+      {
+        bool left = false, right = false;
+        for (unsigned int a = 0; a < now.slave.n_nodes_per_edge(); ++a)
+          for (const Tensor<1, 2> &x : search.hull(m))
+            {
+              const double side = cross(x - now.slave_x[nodes[a]],
+                                        now.slave_normals[slave_edge][a]);
+              left              = left || side >= 0;
+              right             = right || side <= 0;
+            }
+        if (left && right)
+          candidates.push_back(m);
+      }
+    return candidates;
+  }
+
+
+
+  // Lines from the nodes of the master cut the edge into intervals that face
+  // one edge each, or none.
+  std::vector<MortarSegments::Segment>
+  MortarSegments::segments(const unsigned int               slave_edge,
+                           const std::vector<unsigned int> &candidates) const
+  {
+    std::vector<Cut> cuts{{-1}, {1}};
+    for (const unsigned int m : candidates)
+      for (unsigned int a = 0; a < 2; ++a)
+        {
+          const unsigned int node = now.master.edges[m].nodes[a];
+          const double       xi =
+            now.slave_coordinate(slave_edge, now.master_x[node]);
+          if (std::abs(xi) < 1)
+            cuts.push_back({xi, node});
+        }
+    std::sort(cuts.begin(), cuts.end(), [](const Cut &a, const Cut &b) {
+      return a.xi < b.xi;
+    });
+
+    std::vector<Segment> segments;
+    for (unsigned int i = 1; i < cuts.size(); ++i)
+      {
+        // Shorter segments are round-off at nodes that face each other.
+        if (cuts[i].xi - cuts[i - 1].xi < round_off)
+          continue;
+        const auto [m, distance] =
+          partner(slave_edge, (cuts[i - 1].xi + cuts[i].xi) / 2, candidates);
+        if (m == none)
+          continue;
+        if (!segments.empty() && segments.back().master_edge == m &&
+            cuts[i - 1].xi - segments.back().high.xi < round_off)
+          {
+            segments.back().high = cuts[i];
+            segments.back().distance =
+              std::max(segments.back().distance, distance);
+          }
+        else
+          segments.push_back({cuts[i - 1], cuts[i], m, distance});
+      }
+    return segments;
+  }
+
+
+
+  std::pair<unsigned int, double>
+  MortarSegments::partner(const unsigned int               slave_edge,
+                          const double                     xi,
+                          const std::vector<unsigned int> &candidates) const
+  {
+    struct Hit
+    {
+      unsigned int master_edge = none;
+      double       distance    = std::numeric_limits<double>::max();
+      bool         faces       = false;
+    };
+    Hit ahead, behind;
+
+    const EdgeShape shape(now.slave.degree, xi);
+    const auto      x = MortarGeometry<double>::at(now.slave_x,
+                                              now.slave.edges[slave_edge],
+                                              shape.value);
+    auto            n = now.slave_normal(slave_edge, shape.value);
+    n /= n.norm();
+    const NormalCone direction{-n, -n};
+    for (const unsigned int m : candidates)
+      {
+        const double master_xi = now.foot_on_edge(x, n, m);
+        if (std::abs(master_xi) > 1)
+          continue;
+        const EdgeShape foot(now.master.degree, master_xi);
+        const auto      r = x - MortarGeometry<double>::at(now.master_x,
+                                                      now.master.edges[m],
+                                                      foot.value);
+        // A line beside a parallel edge has no foot there.
+        if (std::abs(cross(r, n)) > 1e-8 * size)
+          continue;
+        Hit &hit = r * n >= 0 ? ahead : behind;
+        if (std::abs(r * n) < hit.distance)
+          hit = {m,
+                 std::abs(r * n),
+                 direction.faces(search.normal(m, master_xi))};
+      }
+    if (!behind.faces || (ahead.faces && ahead.distance <= behind.distance))
+      std::swap(ahead, behind);
+    return behind.faces ? std::make_pair(behind.master_edge, behind.distance)
+                        : std::make_pair(none, 0.);
+  }
+
+
+
+  template<typename Number>
+  std::vector<MortarSample<Number>>
+  mortar_samples(const MortarGeometry<Number> &geometry,
+                 const unsigned int            slave_edge,
+                 const MortarOverlap          &overlap)
+  {
+    const Surface       &slave  = geometry.slave;
+    const Surface::Edge &s_edge = slave.edges[slave_edge];
+    const QGauss<1>      quadrature(slave.degree + 2);
+    const auto           coordinate = [&](const MortarOverlap::Cut &cut) {
+      return cut.master_node == none
+                         ? Number(cut.xi)
+                         : geometry.slave_coordinate(slave_edge,
+                                           geometry.master_x[cut.master_node]);
+    };
+
+    std::vector<MortarSample<Number>> samples;
+    for (const auto &segment : overlap.segments)
+      {
+        const Number low    = coordinate(segment.low);
+        const Number length = coordinate(segment.high) - low;
+        const auto   add    = [&](const double part, const double weight) {
+          const Number             xi = low + part * length;
+          const EdgeShapes<Number> shape(slave.degree, xi);
+          samples.push_back(
+            {xi,
+             weight * length * slave.reference_jacobian(s_edge, shape),
+             segment.master_edge,
+             geometry.foot_on_edge(MortarGeometry<Number>::at(geometry.slave_x,
+                                                              s_edge,
+                                                              shape.value),
+                                   geometry.slave_normal(slave_edge,
+                                                         shape.value),
+                                   segment.master_edge)});
+        };
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          add(quadrature.point(q)[0], quadrature.weight(q));
+        // The ends count for the distances only.
+        for (const double end : {0., 1.})
+          add(end, 0);
+      }
+    return samples;
+  }
+
+
+
+  template std::vector<MortarSample<double>>
+  mortar_samples(const MortarGeometry<double> &,
+                 const unsigned int,
+                 const MortarOverlap &);
+  template std::vector<MortarSample<WithDerivatives>>
+  mortar_samples(const MortarGeometry<WithDerivatives> &,
+                 const unsigned int,
+                 const MortarOverlap &);
+} // namespace Contact

@@ -1,0 +1,159 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_surface_search_h
+#define contact_surface_search_h
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/numerics/rtree.h>
+
+#include <functional>
+
+#include "contact/surface.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The directions in which a place of a surface looks: the outward normal
+   * there, and at a convex corner all those between the normals of the two
+   * edges.
+   */
+  struct NormalCone
+  {
+    Tensor<1, 2> first, last; // of the edge before and the edge behind
+
+    /// At an end of the surface, where the body has a side that is in no group:
+    /// what is beside it counts if nothing is opposite.
+    bool at_end = false;
+
+    /**
+     * Faces whose normals are further from opposite than this do not face each
+     * other [degrees]: the side of a body beside a place that looks past it,
+     * which tilts as the body bulges, is no partner, while the flanks of a
+     * wedge of 30 degrees still are to what its tip stands on. (Other codes
+     * have limits from 40 degrees on; a length that is projected grows by
+     * 1/cos, here 3.9.)
+     */
+    static constexpr double largest_angle = 75;
+
+    /// Whether a facet of this outward normal is face to face.
+    bool faces(const Tensor<1, 2> &normal) const;
+
+    /// Whether it is at least not back to back.
+    bool is_beside(const Tensor<1, 2> &normal) const;
+  };
+
+
+
+  /// The point of a surface that is closest to a point in space.
+  struct Projection
+  {
+    unsigned int edge;
+    double       xi;
+
+    /// The point lies beyond the end of a face.
+    bool off_the_end;
+
+    /// The foot of the normal lies outside the edge; xi is its nearer end.
+    bool clipped;
+
+    /// Another edge that is as close and meets this one, or invalid.
+    unsigned int twin = numbers::invalid_unsigned_int;
+  };
+
+
+
+  /**
+   * Closest-point queries on a deformed surface. The edges are kept in a tree
+   * of their bounding boxes, and visited by the distance of their boxes until
+   * no box can hold a closer point.
+   */
+  class SurfaceSearch
+  {
+  public:
+    SurfaceSearch(const Surface &surface, const Vector<double> &u);
+
+    Projection closest_point(const Point<2> &x) const;
+
+    /// The closest of the points that face a place which looks in these
+    /// directions; off the end if there is none.
+    Projection closest_facing(const Point<2>   &x,
+                              const NormalCone &directions) const;
+
+    /// The edges that may have a point in a box.
+    std::vector<unsigned int> edges_in(const BoundingBox<2> &box) const;
+
+    /// Three points whose triangle holds an edge with its overhang.
+    std::array<Point<2>, 3> hull(const unsigned int edge) const;
+
+    /// The outward unit normal of an edge.
+    Tensor<1, 2> normal(const unsigned int edge, const double xi) const;
+
+    /// The closest point of one edge.
+    Projection project(const Point<2> &x, const unsigned int edge) const;
+
+    /// Squared distance of a point to its projection [mm^2].
+    double distance_square(const Point<2>   &x,
+                           const Projection &projection) const;
+
+    /**
+     * How far beyond the end of a face, in edge coordinates, a point still
+     * counts as facing the last edge, extrapolated. Points on a symmetry line
+     * or over an edge of the other body sit exactly on the end, where the tilt
+     * of the edge under load moves the foot of the normal to either side.
+     */
+    static constexpr double overhang = 0.1;
+
+  private:
+    using Box = BoundingBox<2>;
+
+    using Accept = std::function<bool(const Projection &)>;
+
+    /// The closest point of those accepted; off the end if there is none.
+    Projection choose(const Point<2> &x, const Accept &accept) const;
+
+    Projection closest(const Point<2> &x, const Accept &accept) const;
+
+    /**
+     * Whether a surface that goes on smoothly at the end of an edge comes no
+     * closer beyond it. Where it does and looks another way there, the end of
+     * the edge is no foot: the point may be far off to the side, where its
+     * distance along the normal says nothing.
+     */
+    bool is_closest_around(const Point<2>   &x,
+                           const Projection &candidate) const;
+
+    /**
+     * Beyond both faces that meet in a convex corner a point touches neither as
+     * long as it is outside of one: the further one is what it may come to
+     * touch. @p best is what is closest.
+     */
+    Projection choose_at_corner(const Point<2>   &x,
+                                const Projection &best,
+                                const Accept     &accept) const;
+
+    /// The other edge at the end that xi is nearer to, if it is as close: which
+    /// of the two was found first must not matter.
+    unsigned int find_twin(const Point<2>   &x,
+                           const Projection &found,
+                           const Accept     &accept) const;
+
+    /// The edge at the end of another one that xi is nearer to, or invalid.
+    unsigned int neighbor(const Projection &projection) const;
+
+    /// The coordinates of an edge, with the overhang at an end of a face.
+    std::pair<double, double> coordinate_range(const unsigned int edge) const;
+
+    std::array<Point<2>, 3> edge_positions(const unsigned int edge) const;
+
+    const Surface                      &surface;
+    std::vector<Point<2>>               positions;
+    RTree<std::pair<Box, unsigned int>> tree;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,103 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_mesh_h
+#define contact_mesh_h
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/tria.h>
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "mesh/mesh_pieces.h"
+#include "parameters/parameters.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  struct MshFile;
+
+  /**
+   * The triangulation of all bodies and the names of its parts: bodies are
+   * material ids (0, 1, ... in the order of gmsh's tags), boundaries are sets
+   * of boundary ids (a line may belong to several groups: each combination of
+   * groups has an id of its own; what is in no named group has the id 0),
+   * points are vertices.
+   *
+   * Two nodes of the file stay two vertices even if they lie at the same
+   * place, as those of two bodies that touch in a point do.
+   */
+  class Mesh
+  {
+  public:
+    /**
+     * Read a gmsh file in MSH format 2.2 or 4.1, ASCII, with physical names.
+     * Quadrangles and triangles may be mixed; of elements of second order only
+     * the corners are used; clockwise cells are turned round; lines inside a
+     * body are ignored. Bodies are moved and the whole is placed, arcs get
+     * their manifold, then the mesh is refined.
+     * Throws InputError.
+     */
+    explicit Mesh(const Parameters::Mesh &parameters,
+                  const MPI_Comm          communicator = MPI_COMM_SELF);
+
+    /// Of all ranks that have a part of the mesh.
+    const MPI_Comm communicator;
+
+  private:
+    // Before the reference to it.
+    std::unique_ptr<Triangulation<2>> owned_triangulation;
+
+  public:
+    /**
+     * On one rank a Triangulation. On several, quadrangles alone make a
+     * parallel::distributed one (p4est), of which a rank has its own cells and
+     * their neighbors; a mesh with triangles a parallel::shared one, of which
+     * every rank has all cells.
+     */
+    Triangulation<2>                                   &triangulation;
+    std::map<std::string, types::material_id>           bodies;
+    std::map<std::string, std::set<types::boundary_id>> boundaries;
+
+    /// A group of several points is numbers::invalid_unsigned_int; points
+    /// which are no corners of cells are left out.
+    std::map<std::string, unsigned int> points;
+
+    /// What moves as one rigid body each.
+    MeshPieces pieces;
+
+    /// The groups above, or an InputError which says what there is instead.
+    /// @p entry is the entry of the parameters that names the group.
+    types::material_id body(const std::string &name,
+                            const std::string &entry) const;
+    const std::set<types::boundary_id> &
+    boundary(const std::string &name, const std::string &entry) const;
+    unsigned int point(const std::string &name, const std::string &entry) const;
+
+    /// Whether there are no triangles, so that cells can be refined one by one.
+    bool is_all_quadrilateral() const;
+
+    /// Whether this rank has the whole mesh.
+    bool is_complete() const;
+
+    /// The name of a body by its id.
+    std::string body_name(const types::material_id id) const;
+
+    /// How a message calls a piece, see MeshPieces::describe().
+    std::string piece_name(const unsigned int piece) const;
+
+  private:
+    Mesh(const Parameters::Mesh &parameters,
+         const MshFile          &msh,
+         const MPI_Comm          communicator);
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,225 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "output/ledger.h"
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+namespace Contact
+{
+  namespace
+  {
+    std::string pairing(const std::string &geometry)
+    {
+      if (geometry == "undeformed")
+        return "paired once";
+      if (geometry == "fixed point")
+        return "a loop that pairs the bodies and solves";
+      if (geometry == "each step")
+        return "paired before each Newton step";
+      return "paired before each Newton step, projections in the tangent";
+    }
+
+
+
+    std::string following(const std::string &friction)
+    {
+      if (friction == "fixed point")
+        return "tangential multipliers, a loop over Tresca problems";
+      if (friction == "each step")
+        return "tangential multipliers, a bound for each Newton step";
+      return "tangential multipliers, the bound in the tangent";
+    }
+
+
+
+    std::string with_number(const std::string &text, const double number)
+    {
+      std::ostringstream out;
+      out << text << ' ' << number;
+      return out.str();
+    }
+
+
+
+    Effect friction_of(const Parameters::Contact  &zone,
+                       const Parameters::Solution &solution)
+    {
+      const std::string coulomb = zone.section() + "/Friction coefficient";
+      if (zone.tied)
+        return {"friction",
+                "none, tied",
+                "normal and tangential multipliers, no decisions",
+                zone.section() + "/Tied"};
+      if (zone.friction_coefficient > 0)
+        return {"friction",
+                with_number("Coulomb", zone.friction_coefficient) + ", " +
+                  solution.friction,
+                following(solution.friction),
+                coulomb};
+      if (zone.tresca_limit > 0)
+        return {"friction",
+                with_number("Tresca", zone.tresca_limit) + " MPa",
+                "tangential multipliers, a bound that stays",
+                zone.section() + "/Tresca limit"};
+      return {"friction", "none", "no tangential unknowns", coulomb};
+    }
+
+
+
+    /// On an obstacle the rules nodal and mortar are one, see ContactZone.
+    std::string rule_of(const ContactZone         &zone,
+                        const Parameters::Contact &parameters)
+    {
+      const std::string points = std::to_string(zone.n_points) + " points";
+      if (zone.master)
+        return parameters.rule + " rule, " + points;
+      return (parameters.rule == "mortar" ? "nodal rule, which mortar is here, "
+                                          : parameters.rule + " rule, ") +
+             points + " on an obstacle";
+    }
+
+
+
+    void add_zone(const ContactZone          &zone,
+                  const Parameters::Contact  &parameters,
+                  const Parameters::Solution &solution,
+                  std::vector<Effect>        &effects)
+    {
+      effects.push_back(
+        {"contact",
+         rule_of(zone, parameters),
+         std::to_string((zone.law.is_frictionless() ? 1 : 2) *
+                        zone.multipliers.n_multipliers) +
+           " multipliers" + (zone.tied ? "" : ", active set"),
+         parameters.section() +
+           (zone.tied ? "/Tied" : (zone.master ? "/Slave" : "/Obstacle"))});
+      effects.push_back(friction_of(parameters, solution));
+      if (!zone.name.empty())
+        for (unsigned int i = 1; i <= 2; ++i)
+          effects[effects.size() - i].name += " " + zone.name;
+    }
+  } // namespace
+
+
+
+  std::vector<Effect> find_effects(const Parameters::All  &parameters,
+                                   const Discretization   &discretization,
+                                   const ContactInterface *interface,
+                                   const std::string      &system)
+  {
+    const auto &kinematics = parameters.solids.kinematics;
+    const auto &output     = parameters.output;
+    const auto &refinement = parameters.refinement;
+
+    std::vector<Effect> effects{
+      {"kinematics",
+       kinematics + (discretization.axisymmetric ? ", axisymmetric" : ""),
+       kinematics == "small strain" ? "one tangent on a mesh"
+                                    : "a tangent for each Newton step",
+       discretization.axisymmetric ? "Solids/Kinematics, Solids/Symmetry"
+                                   : "Solids/Kinematics"},
+      {"element",
+       parameters.element.degree == 1
+         ? "linear"
+         : (discretization.bound_centre ? "quadratic, 8 nodes"
+                                        : "quadratic, 9 nodes"),
+       std::to_string(discretization.dof_handler.n_dofs()) + " displacements",
+       "Element/Degree"}};
+
+    const auto zones = parameters.zones();
+    for (unsigned int z = 0; z < zones.size(); ++z)
+      add_zone(*interface->zones[z], zones[z], parameters.solution, effects);
+    if (zones.empty())
+      effects.push_back({"contact", "none", "no multipliers", "Contact/Slave"});
+    else if (!interface->is_tied())
+      {
+        const std::string geometry =
+          parameters.geometry(discretization.dof_handler.n_dofs());
+        effects.push_back(
+          {"geometry", geometry, pairing(geometry), "Solution/Geometry"});
+      }
+
+    effects.push_back(
+      {"system",
+       system,
+       parameters.is_condensed(discretization.dof_handler.n_dofs())
+         ? "multipliers eliminated"
+         : "multipliers are unknowns",
+       parameters.solution.linear_solver != "automatic"
+         ? "Solution/Linear solver"
+         : "Solution/System"});
+    effects.push_back({"increments",
+                       std::to_string(parameters.solution.n_increments),
+                       "each starts from the last one",
+                       "Solution/Increments"});
+    if (refinement.n_levels > 0)
+      effects.push_back(
+        {"levels",
+         std::to_string(refinement.n_levels) + ", " + refinement.strategy,
+         refinement.strategy == "adaptive"
+           ? "stresses recovered and errors estimated on each"
+           : "each starts from the last one",
+         "Refinement/Levels"});
+    const bool profile = output.profile && interface != nullptr;
+    effects.push_back(
+      {"files",
+       std::string("summary") + (output.vtu ? ", VTU of each increment" : "") +
+         (profile ? ", profile" : "") + (output.nodes ? ", nodes" : ""),
+       output.vtu || profile ? "stresses recovered" : "no stress for them",
+       output.vtu ? "Output/VTU" : "Output/Profile"});
+    return effects;
+  }
+
+
+
+  void print_effects(std::ostream &out, const std::vector<Effect> &effects)
+  {
+    std::size_t name = 0, choice = 0;
+    for (const Effect &effect : effects)
+      {
+        name   = std::max(name, effect.name.size());
+        choice = std::max(choice, effect.choice.size());
+      }
+    for (const Effect &effect : effects)
+      out << "  " << std::left << std::setw(name + 2) << effect.name
+          << std::setw(choice + 2) << effect.choice << std::right
+          << effect.entails << " (" << effect.entry << ")\n";
+    out << std::flush;
+  }
+
+
+
+  void print_counters(std::ostream &out, const RunSummary &summary)
+  {
+    std::string done, not_done;
+    for (const auto &[counter, n] : summary.counters)
+      {
+        std::string name = counter;
+        std::replace(name.begin(), name.end(), '_', ' ');
+        std::string &list = n > 0 ? done : not_done;
+        list += (list.empty() ? "" : ", ") + name;
+        if (n > 0)
+          list += ' ' + std::to_string(n);
+      }
+    for (const auto &[head, list] : {std::make_pair("Done: ", done),
+                                     std::make_pair("Not at all: ", not_done)})
+      if (!list.empty())
+        {
+          std::string indent;
+          for (const std::string &line :
+               dealii::Utilities::break_text_into_lines(head + list, 78))
+            {
+              out << indent << line << '\n';
+              indent = "  ";
+            }
+        }
+  }
+} // namespace Contact

@@ -1,0 +1,45 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_ledger_h
+#define contact_ledger_h
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "contact/contact_interface.h"
+#include "output/summary.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// A line of the ledger.
+  struct Effect
+  {
+    std::string name;
+    std::string choice;  // what the scene has of it
+    std::string entails; // what is done for it
+    std::string entry;   // who asks for it
+  };
+
+  /**
+   * The ledger at the start of a run: what the scene switches on, what that
+   * entails, and the entry that asks for it. @p interface is null without
+   * contact, @p system says which linear system is solved how.
+   */
+  std::vector<Effect> find_effects(const Parameters::All  &parameters,
+                                   const Discretization   &discretization,
+                                   const ContactInterface *interface,
+                                   const std::string      &system);
+
+  void print_effects(std::ostream &out, const std::vector<Effect> &effects);
+
+  /// At its end: what was done, how often, and what was not done at all.
+  void print_counters(std::ostream &out, const RunSummary &summary);
+} // namespace Contact
+
+#endif

@@ -1,0 +1,119 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_profile_h
+#define contact_profile_h
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/contact_interface.h"
+#include "verification/exact_solution.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// What the contact looks like at one node of a surface: a row of the
+  /// profile, from which all curves over the contact zone are plotted.
+  struct ProfileRow
+  {
+    // From the first row of the surface along its nodes [mm].
+    double arc_length          = 0;
+    double deformed_arc_length = 0;
+
+    Point<2>     X; // reference position [mm]
+    Tensor<1, 2> u; // displacement [mm]
+
+    double pressure    = 0; // multiplier, positive in compression [MPa]
+    double shear       = 0; // multiplier; on the slave along t [MPa]
+    double nodal_force = 0; // normal force [N per mm of thickness]
+    double gap         = 0; // [mm], negative: penetration
+    double slip        = 0; // of this increment [mm]
+
+    /// 0 open, 1 slip, 2 stick; -1: nothing can touch here, because the node
+    /// carries no contact point or faces nothing.
+    int status = -1;
+
+    /// -n.sigma.n from the recovered stress of the surface's own body and its
+    /// deformed outward normal n [MPa].
+    double extrapolated_pressure = 0;
+
+    /// Of the exact solution [MPa]; NaN where there is none.
+    double exact_pressure = std::numeric_limits<double>::quiet_NaN();
+    double exact_shear    = std::numeric_limits<double>::quiet_NaN();
+  };
+
+
+
+  /// The rows of both surfaces of a zone.
+  struct ZoneProfile
+  {
+    std::string             name; // of the zone
+    const Surface          *slave;
+    std::vector<ProfileRow> slave_rows, master_rows;
+  };
+
+
+
+  /**
+   * The profile of the slave surface of a zone, one row per node in the order
+   * of Surface::nodes. Here the multipliers live: pressure and shear are their
+   * values, the nodal force is
+   *   sum over the points of w psi_k p
+   * for the multiplier k of the node. Gap and slip are those of the node
+   * itself; with the Gauss rule, whose points lie elsewhere, the node is
+   * paired on its own, and its status is the strongest one (stick, slip, open)
+   * among the points that its multiplier acts on.
+   *
+   * @p vertex_stresses are by vertex of the triangulation, @p u_start is the
+   * solution at the start of the increment.
+   */
+  std::vector<ProfileRow>
+  slave_profile(const ContactInterface                   &interface,
+                const ContactZone                        &zone,
+                const Discretization                     &discretization,
+                const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+                const Vector<double>                     &solution,
+                const Vector<double>                     &u_start,
+                const std::optional<ExactSolution>       &exact);
+
+  /**
+   * The profile of the master surface of a zone, empty on an obstacle. A
+   * master node has no contact values of
+   * its own: it gets those of the place of the deformed slave surface that is
+   * closest, interpolated between the rows of @p slave there; the status is
+   * that of the nearest slave node. Where the slave does not reach, all of
+   * them are zero and the status is -1. The nodal force is the sum over the
+   * points of what they put on the node, w p times the node's share.
+   *
+   * The rows begin at the last node of the master, and so do the arc lengths:
+   * two surfaces that face each other run in opposite directions, because
+   * each has its body to the left, and the profiles shall run alike.
+   */
+  std::vector<ProfileRow>
+  master_profile(const ContactInterface                   &interface,
+                 const ContactZone                        &zone,
+                 const Discretization                     &discretization,
+                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+                 const Vector<double>                     &solution,
+                 const std::vector<ProfileRow>            &slave,
+                 const std::optional<ExactSolution>       &exact);
+
+  /// The profiles of all zones, of their masters only with @p with_masters. An
+  /// exact solution is that of the first zone.
+  std::vector<ZoneProfile>
+  zone_profiles(const ContactInterface                   &interface,
+                const Discretization                     &discretization,
+                const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+                const Vector<double>                     &solution,
+                const Vector<double>                     &u_start,
+                const std::optional<ExactSolution>       &exact,
+                const bool                                with_masters);
+} // namespace Contact
+
+#endif

@@ -1,0 +1,344 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "output/result_files.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/numerics/data_out.h>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+
+#include "base/all_ranks.h"
+#include "base/files.h"
+#include "output/node_table.h"
+#include "output/vertex_fields.h"
+
+namespace Contact
+{
+  namespace
+  {
+    using DataComponentInterpretation::component_is_part_of_vector;
+
+    /// How all VTU files are written: no date, so that equal runs give equal
+    /// files, cells of the given degree, and a compression that takes a sixth
+    /// of the time of the best one.
+    DataOutBase::VtkFlags vtk_flags(const unsigned int k,
+                                    const double       load_factor,
+                                    const unsigned int degree,
+                                    const std::string &force_unit = "N/mm")
+    {
+      DataOutBase::VtkFlags flags(load_factor, k);
+      flags.print_date_and_time = false;
+      // The enumeration has another name since deal.II 9.5.
+      flags.compression_level = decltype(flags.compression_level)::best_speed;
+      flags.write_higher_order_cells = degree > 1;
+      flags.physical_units           = {{"displacement", "mm"},
+                                        {"contact_force", force_unit},
+                                        {"stress_xx", "MPa"},
+                                        {"stress_yy", "MPa"},
+                                        {"stress_zz", "MPa"},
+                                        {"stress_xy", "MPa"},
+                                        {"von_mises", "MPa"},
+                                        {"pressure", "MPa"},
+                                        {"shear", "MPa"},
+                                        {"gap", "mm"},
+                                        {"slip", "mm"}};
+      return flags;
+    }
+
+
+
+    /// The fields of the contact file, in the order of a row of its patches.
+    const std::vector<std::string> contact_fields = {"displacement",
+                                                     "displacement",
+                                                     "pressure",
+                                                     "shear",
+                                                     "gap",
+                                                     "slip",
+                                                     "status"};
+
+
+
+    /// An edge of the slave surface with the fields above, then its position.
+    DataOutBase::Patch<1, 2> make_patch(const Surface                 &slave,
+                                        const std::vector<ProfileRow> &rows,
+                                        const unsigned int             e)
+    {
+      const auto &nodes = slave.edges[e].nodes;
+
+      // A patch wants its points along the edge.
+      std::vector<unsigned int> along{nodes[0], nodes[1]};
+      if (slave.degree == 2)
+        along = {nodes[0], nodes[2], nodes[1]};
+
+      DataOutBase::Patch<1, 2> patch;
+      patch.vertices[0]          = rows[nodes[0]].X;
+      patch.vertices[1]          = rows[nodes[1]].X;
+      patch.reference_cell       = ReferenceCells::Line;
+      patch.n_subdivisions       = slave.degree;
+      patch.points_are_available = true;
+      patch.data.reinit(contact_fields.size() + 2, along.size());
+      for (unsigned int i = 0; i < along.size(); ++i)
+        {
+          const ProfileRow &row = rows[along[i]];
+          unsigned int      c   = 0;
+          for (const double value : {row.u[0],
+                                     row.u[1],
+                                     row.pressure,
+                                     row.shear,
+                                     row.gap,
+                                     row.slip,
+                                     double(row.status),
+                                     row.X[0],
+                                     row.X[1]})
+            patch.data(c++, i) = value;
+        }
+      return patch;
+    }
+
+
+
+    void write_rows(std::ostream                  &out,
+                    const std::string             &surface,
+                    const std::vector<ProfileRow> &rows)
+    {
+      for (const ProfileRow &row : rows)
+        {
+          out << surface;
+          for (const double value : {row.arc_length,
+                                     row.deformed_arc_length,
+                                     row.X[0],
+                                     row.X[1],
+                                     row.u[0],
+                                     row.u[1],
+                                     row.pressure,
+                                     row.shear,
+                                     row.nodal_force,
+                                     row.gap,
+                                     row.slip})
+            out << ',' << value + 0.; // no "-0"
+          out << ',' << row.status << ',' << row.extrapolated_pressure;
+          for (const double value : {row.exact_pressure, row.exact_shear})
+            if (std::isnan(value))
+              out << ',';
+            else
+              out << ',' << value;
+          out << '\n';
+        }
+    }
+  } // namespace
+
+
+
+  ResultFiles::ResultFiles(const std::filesystem::path &directory,
+                           const Discretization        &discretization)
+    : directory(directory)
+    , discretization(discretization)
+  {
+    create_output_directory(directory);
+
+    // What an earlier run has written would look as if this one had.
+    if (rank() == 0)
+      for (const std::string name :
+           {"bodies.pvd", "contact.pvd", "profile.csv", "nodes.csv"})
+        std::filesystem::remove(directory / name);
+  }
+
+
+
+  void ResultFiles::remove_increments() const
+  {
+    const std::regex name("(bodies|contact)_[0-9.]+p?vtu|restart\\.bin");
+    std::vector<std::filesystem::path> found;
+    if (rank() == 0)
+      for (const auto &file : std::filesystem::directory_iterator(directory))
+        if (std::regex_match(file.path().filename().string(), name))
+          found.push_back(file.path());
+    for (const auto &file : found)
+      std::filesystem::remove(file);
+  }
+
+
+
+  unsigned int ResultFiles::rank() const
+  {
+    return Utilities::MPI::this_mpi_process(discretization.communicator);
+  }
+
+
+
+  Vector<double> ResultFiles::owned_part(const Vector<double> &values) const
+  {
+    Vector<double> part(discretization.dof_handler.n_dofs());
+    for (const auto i : discretization.dof_handler.locally_owned_dofs())
+      part[i] = values[i];
+    return part;
+  }
+
+
+
+  void ResultFiles::write_first(
+    const std::string                         &file,
+    const std::function<void(std::ostream &)> &write) const
+  {
+    write_on_first_rank(discretization.communicator, directory / file, write);
+  }
+
+
+
+  void ResultFiles::write_series(const std::string &name,
+                                 const Series      &series) const
+  {
+    if (!series.empty())
+      write_first(name + ".pvd", [&](std::ostream &out) {
+        DataOutBase::write_pvd_record(out, series);
+      });
+  }
+
+
+
+  void ResultFiles::write_series() const
+  {
+    write_series("bodies", bodies);
+    write_series("contact", contact);
+  }
+
+
+
+  void ResultFiles::write_bodies(
+    const unsigned int                        k,
+    const double                              load_factor,
+    const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+    const Vector<double>                     &solution,
+    const Vector<double>                     &contact_forces)
+  {
+    const Vector<double> u = owned_part(solution);
+
+    const auto    &triangulation = discretization.mesh.triangulation;
+    Vector<double> body(triangulation.n_active_cells());
+    for (const auto &cell : triangulation.active_cell_iterators())
+      body[cell->active_cell_index()] = cell->material_id();
+    const VertexFields vertex_fields(discretization, vertex_stresses);
+
+    DataOut<2> data_out;
+    data_out.attach_dof_handler(discretization.dof_handler);
+    data_out.set_flags(vtk_flags(k,
+                                 load_factor,
+                                 discretization.degree,
+                                 "N" + discretization.per_thickness()));
+    data_out.add_data_vector(discretization.dof_handler,
+                             u,
+                             std::vector<std::string>(2, "displacement"),
+                             {component_is_part_of_vector,
+                              component_is_part_of_vector});
+    Vector<double> forces;
+    if (contact_forces.size() > 0)
+      {
+        forces = owned_part(contact_forces);
+        data_out.add_data_vector(discretization.dof_handler,
+                                 forces,
+                                 std::vector<std::string>(2, "contact_force"),
+                                 {component_is_part_of_vector,
+                                  component_is_part_of_vector});
+      }
+    vertex_fields.attach(data_out);
+    data_out.add_data_vector(body, "body", DataOut<2>::type_cell_data);
+    Vector<double> converged(triangulation.n_active_cells());
+    converged = 1;
+    data_out.add_data_vector(converged,
+                             "converged",
+                             DataOut<2>::type_cell_data);
+    data_out.build_patches(discretization.mapping,
+                           discretization.degree,
+                           DataOut<2>::curved_inner_cells);
+
+    // One rank writes one file; several write their pieces, which a record
+    // puts together.
+    const std::string  name = "bodies_" + Utilities::int_to_string(k, 4);
+    const unsigned int n_ranks =
+      Utilities::MPI::n_mpi_processes(discretization.communicator);
+    const auto piece = [&](const unsigned int r) {
+      return name + (n_ranks > 1 ? "." + Utilities::int_to_string(r, 4) : "") +
+             ".vtu";
+    };
+    on_all_ranks(discretization.communicator, [&]() {
+      write_file(directory / piece(rank()),
+                 [&](std::ostream &out) { data_out.write_vtu(out); });
+    });
+    if (n_ranks > 1)
+      write_first(name + ".pvtu", [&](std::ostream &out) {
+        std::vector<std::string> pieces;
+        for (unsigned int r = 0; r < n_ranks; ++r)
+          pieces.push_back(piece(r));
+        data_out.write_pvtu_record(out, pieces);
+      });
+    bodies.emplace_back(load_factor, n_ranks > 1 ? name + ".pvtu" : piece(0));
+    write_series("bodies", bodies);
+  }
+
+
+
+  void ResultFiles::write_contact(const unsigned int              k,
+                                  const double                    load_factor,
+                                  const std::vector<ZoneProfile> &zones)
+  {
+    std::vector<DataOutBase::Patch<1, 2>> patches;
+    for (const ZoneProfile &zone : zones)
+      for (unsigned int e = 0; e < zone.slave->edges.size(); ++e)
+        {
+          patches.push_back(make_patch(*zone.slave, zone.slave_rows, e));
+          patches.back().patch_index = patches.size() - 1;
+        }
+
+    const std::string file =
+      "contact_" + Utilities::int_to_string(k, 4) + ".vtu";
+    write_first(file, [&](std::ostream &out) {
+      DataOutBase::write_vtu(
+        patches,
+        contact_fields,
+        {{0, 1, "displacement", component_is_part_of_vector}},
+        // As curved lines deal.II 9.4 numbers their points wrongly: an edge of
+        // degree 2 is written as two lines through its middle node.
+        vtk_flags(k, load_factor, /*degree=*/1),
+        out);
+    });
+    contact.emplace_back(load_factor, file);
+    write_series("contact", contact);
+  }
+
+
+
+  void ResultFiles::write_nodes(const Vector<double> &solution,
+                                const Vector<double> &contact_forces) const
+  {
+    const auto rows = collect_nodes(discretization, solution, contact_forces);
+    write_first("nodes.csv", [&](std::ostream &out) {
+      Contact::write_nodes(out, discretization.mesh, rows);
+    });
+  }
+
+
+
+  void ResultFiles::write_profile(const std::vector<ZoneProfile> &zones) const
+  {
+    write_first("profile.csv", [&](std::ostream &out) {
+      out.precision(12);
+      out << "surface,arc_length_mm,deformed_arc_length_mm,X_mm,Y_mm,"
+             "displacement_x_mm,displacement_y_mm,pressure_MPa,shear_MPa,"
+             "nodal_force_N_per_mm,gap_mm,slip_mm,"
+             "status_0_open_1_slip_2_stick,extrapolated_pressure_MPa,"
+             "exact_pressure_MPa,exact_shear_MPa\n";
+      for (const ZoneProfile &zone : zones)
+        {
+          const std::string name = zone.name.empty() ? "" : " " + zone.name;
+          write_rows(out, "slave" + name, zone.slave_rows);
+          write_rows(out, "master" + name, zone.master_rows);
+        }
+    });
+  }
+} // namespace Contact

@@ -1,0 +1,104 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_result_files_h
+#define contact_result_files_h
+
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "output/profile.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The files of one run for ParaView and for curves: two series, of the
+   * bodies and of the slave surfaces, and the profiles of all surfaces. Both
+   * series hold reference positions and the field "displacement", so that
+   * "warp by vector" moves both alike; their time is the load factor.
+   */
+  class ResultFiles
+  {
+  public:
+    /// Create the directory, and remove the series and the profile of an
+    /// earlier run. Throws InputError if nothing can be written there.
+    ResultFiles(const std::filesystem::path &directory,
+                const Discretization        &discretization);
+
+    /// Remove the increments of an earlier run that is not gone on with, and
+    /// what it left to go on from.
+    void remove_increments() const;
+
+    /**
+     * Write bodies_000k.vtu of increment @p k, and bodies.pvd anew: all cells
+     * at their degree with displacement [mm], Cauchy stress and von Mises
+     * stress [MPa], body (material id), and, unless @p contact_forces is empty,
+     * the forces of contact on the nodes [N per mm of thickness; rings: N].
+     * Only what has converged is written: the field "converged" is 1.
+     */
+    void write_bodies(const unsigned int                        k,
+                      const double                              load_factor,
+                      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+                      const Vector<double>                     &solution,
+                      const Vector<double> &contact_forces = {});
+
+    /**
+     * Write contact_000k.vtu of increment @p k, and contact.pvd anew: the
+     * edges of the slave surfaces with displacement, pressure, shear, gap, slip
+     * and status of their rows.
+     */
+    void write_contact(const unsigned int              k,
+                       const double                    load_factor,
+                       const std::vector<ZoneProfile> &zones);
+
+    /// Write profile.csv: a line with names and units, then the rows of both
+    /// surfaces, "slave" and "master" with the name of the zone, if it has one.
+    /// Where there is no exact solution its fields are empty.
+    void write_profile(const std::vector<ZoneProfile> &zones) const;
+
+    /// Write nodes.csv: see write_nodes() and collect_nodes(). Collective.
+    void write_nodes(const Vector<double> &solution,
+                     const Vector<double> &contact_forces) const;
+
+    /// The increments written so far, for a restart.
+    template<class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &bodies &contact;
+    }
+
+    /// Write the series anew.
+    void write_series() const;
+
+    /// Write a file by @p write, if this is the first rank. Throws on all.
+    void write_first(const std::string                         &file,
+                     const std::function<void(std::ostream &)> &write) const;
+
+    const std::filesystem::path directory;
+
+  private:
+    /// Load factor and file of each increment.
+    using Series = std::vector<std::pair<double, std::string>>;
+
+    void write_series(const std::string &name, const Series &series) const;
+
+    unsigned int rank() const;
+
+    /// The values of a vector of the displacement at the unknowns that this
+    /// rank owns: of others it may not know all.
+    Vector<double> owned_part(const Vector<double> &values) const;
+
+    const Discretization &discretization;
+    Series                bodies, contact;
+  };
+} // namespace Contact
+
+#endif

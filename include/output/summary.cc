@@ -1,0 +1,233 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "output/summary.h"
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+namespace Contact
+{
+  std::optional<double> ProbeResult::relative_deviation() const
+  {
+    if (!reference)
+      return {};
+    return value / *reference - 1;
+  }
+
+
+
+  bool ProbeResult::within() const
+  {
+    // Written such that a value that is not a number is outside.
+    return !reference || !tolerance ||
+           std::abs(*relative_deviation()) <= *tolerance;
+  }
+
+
+
+  bool RunSummary::passed() const
+  {
+    return converged &&
+           std::all_of(increments.begin(),
+                       increments.end(),
+                       [](const auto &increment) {
+                         return increment.violations.empty();
+                       }) &&
+           std::all_of(probes.begin(), probes.end(), [](const auto &probe) {
+             return probe.within();
+           });
+  }
+
+
+
+  std::map<std::string, PhaseTime> phase_times(const dealii::TimerOutput &timer)
+  {
+    using dealii::TimerOutput;
+    std::map<std::string, PhaseTime> times;
+    for (const auto &[phase, time] :
+         timer.get_summary_data(TimerOutput::total_cpu_time))
+      times[phase].cpu = time;
+    for (const auto &[phase, time] :
+         timer.get_summary_data(TimerOutput::total_wall_time))
+      times[phase].wall = time;
+    for (const auto &[phase, n] : timer.get_summary_data(TimerOutput::n_calls))
+      times[phase].calls = n;
+    return times;
+  }
+
+
+
+  double peak_memory_mb()
+  {
+    dealii::Utilities::System::MemoryStats memory;
+    dealii::Utilities::System::get_memory_stats(memory);
+    return memory.VmHWM / 1024.; // from kB
+  }
+
+
+
+  namespace
+  {
+    using Json = nlohmann::ordered_json;
+
+    /// A value that may be missing is null then.
+    Json to_json(const std::optional<double> &value)
+    {
+      return value ? Json(*value) : Json();
+    }
+
+
+
+    Json to_json(const ProbeResult &probe)
+    {
+      return {{"name", probe.name},
+              {"value", probe.value},
+              {"estimated_error", to_json(probe.error)},
+              {"reference", to_json(probe.reference)},
+              {"relative_deviation", to_json(probe.relative_deviation())},
+              {"tolerance", to_json(probe.tolerance)}};
+    }
+
+
+
+    using ByZone = std::map<std::string, std::map<std::string, double>>;
+
+    void add_zones(const ByZone &zones, Json &json)
+    {
+      for (const auto &[zone, values] : zones)
+        json[zone.empty() ? "contact" : "contact " + zone] = values;
+    }
+
+
+
+    Json to_json(const IncrementRecord &increment)
+    {
+      Json json{{"level", increment.level},
+                {"load_factor", increment.load_factor},
+                {"newton_iterations", increment.newton_iterations},
+                {"linear_iterations", increment.linear_iterations},
+                {"friction_iterations", increment.friction_iterations},
+                {"geometry_iterations", increment.geometry_iterations},
+                {"active", increment.active},
+                {"stick", increment.stick},
+                {"slip", increment.slip},
+                {"halved_steps", increment.halved_steps},
+                {"cycles", increment.cycles},
+                {"hold_work", increment.hold_work},
+                {"converged", increment.converged},
+                {"message", increment.message},
+                {"invariants", increment.invariants},
+                {"works", increment.works},
+                {"violations", increment.violations},
+                {"probes", increment.probes},
+                {"reactions", increment.reactions}};
+      add_zones(increment.contact, json);
+      return json;
+    }
+
+
+
+    Json to_json(const std::map<std::string, PhaseTime> &times)
+    {
+      Json json = Json::object();
+      for (const auto &[phase, time] : times)
+        {
+          json[phase] = {{"cpu", time.cpu}, {"wall", time.wall}};
+          if (time.calls > 0)
+            json[phase]["calls"] = time.calls;
+        }
+      return json;
+    }
+
+
+
+    Json to_json(const LevelRecord &level)
+    {
+      return {{"cells", level.n_cells},
+              {"displacements", level.n_displacements},
+              {"multipliers", level.n_multipliers},
+              {"newton_iterations", level.newton_iterations},
+              {"linear_iterations", level.linear_iterations},
+              {"probes", level.probes},
+              {"time", to_json(level.time)},
+              {"peak_memory_mb", level.peak_memory_mb}};
+    }
+
+
+
+    Json to_json(const RunSummary &summary)
+    {
+      Json json{{"converged", summary.converged},
+                {"interrupted", summary.interrupted},
+                {"message", summary.message},
+                {"probes", Json::array()},
+                {"increments", Json::array()},
+                {"levels", Json::array()},
+                {"unknowns",
+                 {{"displacement", summary.n_displacements},
+                  {"multipliers", summary.n_multipliers}}},
+                {"contact", Json::object()},
+                {"exact", summary.exact},
+                {"errors", summary.errors},
+                {"time", to_json(summary.time)},
+                {"peak_memory_mb", summary.peak_memory_mb},
+                {"effects", Json::object()},
+                {"counters", summary.counters}};
+      for (const ProbeResult &probe : summary.probes)
+        json["probes"].push_back(to_json(probe));
+      for (const IncrementRecord &increment : summary.increments)
+        json["increments"].push_back(to_json(increment));
+      for (const LevelRecord &level : summary.levels)
+        json["levels"].push_back(to_json(level));
+      add_zones(summary.contact, json);
+      for (const auto &[effect, value] : summary.effects)
+        json["effects"][effect] = value;
+      return json;
+    }
+  } // namespace
+
+
+
+  void estimate_errors(RunSummary &summary)
+  {
+    const auto coarser =
+      std::find_if(summary.levels.rbegin(),
+                   summary.levels.rend(),
+                   [&](const LevelRecord &level) {
+                     return 2 * level.n_displacements <=
+                            summary.levels.back().n_displacements;
+                   });
+    if (coarser != summary.levels.rend())
+      for (ProbeResult &probe : summary.probes)
+        probe.error = std::abs(probe.value - coarser->probes.at(probe.name));
+  }
+
+
+
+  void estimate_errors(RunSummary                     &summary,
+                       const std::vector<ProbeResult> &finer)
+  {
+    for (unsigned int i = 0; i < summary.probes.size(); ++i)
+      summary.probes[i].error =
+        2 * std::abs(summary.probes[i].value - finer[i].value);
+  }
+
+
+
+  void write_summary(const RunSummary &summary, std::ostream &out)
+  {
+    // Names of the user need not be UTF-8.
+    out << to_json(summary).dump(2,
+                                 ' ',
+                                 /*ensure_ascii=*/false,
+                                 Json::error_handler_t::replace)
+        << '\n';
+  }
+} // namespace Contact

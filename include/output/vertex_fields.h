@@ -1,0 +1,45 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_vertex_fields_h
+#define contact_vertex_fields_h
+
+#include <deal.II/numerics/data_out.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solid/discretization.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The recovered stress as finite element fields that are given by their
+   * values at the vertices: linear, whatever the degree of the displacement.
+   */
+  class VertexFields
+  {
+  public:
+    /// Of the stress [MPa] by vertex of the triangulation.
+    VertexFields(const Discretization                     &discretization,
+                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses);
+
+    /// Attach stress_xx, _yy, _zz, _xy and von_mises [MPa] to @p data_out,
+    /// which must not outlive this object.
+    void attach(DataOut<2> &data_out) const;
+
+  private:
+    const hp::FECollection<2> fe;
+    DoFHandler<2>             dof_handler;
+
+    /// Name and values by unknown of the fields.
+    std::vector<std::pair<std::string, Vector<double>>> fields;
+  };
+} // namespace Contact
+
+#endif

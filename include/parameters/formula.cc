@@ -1,0 +1,144 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "parameters/formula.h"
+
+#include <deal.II/base/function_parser.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <boost/io/ios_state.hpp>
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+namespace Contact
+{
+  namespace
+  {
+    /// A comma outside of parentheses makes two formulas, of which the parser
+    /// would take the last one: so of a decimal comma.
+    bool is_list(const std::string &formula)
+    {
+      int depth = 0;
+      for (const char c : formula)
+        {
+          depth += (c == '(') - (c == ')');
+          if (c == ',' && depth == 0)
+            return true;
+        }
+      return false;
+    }
+
+
+
+    /// What the parser has to say of a formula, without deal.II's preamble.
+    std::string reason(const dealii::ExceptionBase &exception)
+    {
+      std::ostringstream info;
+      exception.print_info(info);
+      const std::string text = Utilities::trim(info.str()), said = "said: ";
+      const auto        position = text.find(said);
+      return position == std::string::npos
+               ? text
+               : text.substr(position + said.size());
+    }
+  } // namespace
+
+
+
+  template<int n_variables>
+  std::function<double(const Point<n_variables> &)>
+  parse_formula(const std::string &formula, const std::string &variables)
+  {
+    const auto fail = [&](const std::string &reason) {
+      throw std::runtime_error("'" + formula + "' is no formula in " +
+                               variables + ": " + reason);
+    };
+    if (Utilities::trim(formula).empty())
+      fail("it is empty");
+    if (is_list(formula))
+      fail("there is a comma outside of parentheses");
+    const auto parser = std::make_shared<FunctionParser<n_variables>>(1);
+    try
+      {
+        // deal.II prints what it also throws.
+        std::ostringstream               printed;
+        const boost::io::ios_rdbuf_saver saver(std::cerr, printed.rdbuf());
+        parser->initialize(variables, formula, {{"pi", numbers::PI}});
+        parser->value(Point<n_variables>()); // here it is read
+      }
+    catch (const dealii::ExceptionBase &exception)
+      {
+        fail(reason(exception));
+      }
+    return [parser](const Point<n_variables> &p) { return parser->value(p); };
+  }
+
+
+
+  bool is_table(const std::string &history)
+  {
+    const std::string text = Utilities::trim(history);
+    return text.compare(0, 5, "table") == 0;
+  }
+
+
+
+  std::function<double(const Point<1> &)>
+  parse_history(const std::string &history)
+  {
+    if (!is_table(history))
+      return parse_formula<1>(history, "t");
+
+    const std::string text = Utilities::trim(history);
+    const auto        fail = [&](const std::string &reason) {
+      throw std::runtime_error("'" + text + "' is no table: " + reason);
+    };
+
+    const std::string in_brackets = Utilities::trim(text.substr(5));
+    if (in_brackets.size() < 2 || in_brackets.front() != '(' ||
+        in_brackets.back() != ')')
+      fail("its pairs are not in parentheses");
+
+    std::vector<double> times, values;
+    std::istringstream  pairs(in_brackets.substr(1, in_brackets.size() - 2) +
+                             ',');
+    std::string         pair;
+    while (std::getline(pairs, pair, ','))
+      {
+        pair = Utilities::trim(pair);
+        std::istringstream words(pair);
+        double             t, value;
+        std::string        rest;
+        if (!(words >> t >> value) || words >> rest)
+          fail("'" + pair + "' is not two numbers");
+        if (!times.empty() && !(t > times.back()))
+          fail("t does not grow at '" + pair + "'");
+        times.push_back(t);
+        values.push_back(value);
+      }
+
+    return [times, values](const Point<1> &p) {
+      const auto next = std::upper_bound(times.begin(), times.end(), p[0]);
+      if (next == times.begin())
+        return values.front();
+      if (next == times.end())
+        return values.back();
+      const auto   i = next - times.begin();
+      const double s = (p[0] - times[i - 1]) / (times[i] - times[i - 1]);
+      return (1 - s) * values[i - 1] + s * values[i];
+    };
+  }
+
+
+
+  template std::function<double(const Point<1> &)>
+  parse_formula<1>(const std::string &, const std::string &);
+  template std::function<double(const Point<2> &)>
+  parse_formula<2>(const std::string &, const std::string &);
+} // namespace Contact

@@ -1,0 +1,468 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// What the entries of one section have to be, beyond their patterns.
+
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <set>
+
+#include "base/words.h"
+#include "parameters/formula.h"
+#include "parameters/parameters.h"
+
+namespace Contact
+{
+  namespace
+  {
+    using Names = std::vector<std::string>;
+
+
+
+    // Patterns know closed intervals only, and a tolerance of zero is never
+    // reached.
+    void check_positive(const double value, const std::string &entry)
+    {
+      if (!(value > 0))
+        throw EntryError(entry + " is " + Utilities::to_string(value) +
+                           ", but has to be positive.",
+                         {entry},
+                         "set a value greater than 0");
+    }
+
+
+
+    // The keys of one map have to be keys of another one as well.
+    template<typename A, typename B>
+    void check_keys(const std::map<std::string, A> &map,
+                    const std::string              &entry,
+                    const std::map<std::string, B> &other,
+                    const std::string              &other_entry)
+    {
+      for (const auto &[key, value] : map)
+        if (other.count(key) == 0)
+          throw EntryError(in_quotes(key) + " is in " + entry +
+                             ", but not in " + other_entry + ".",
+                           {entry, other_entry},
+                           "add " + in_quotes(key) + " to " + other_entry +
+                             " or remove it from " + entry);
+    }
+
+
+
+    // Two entries that act on the same group although only one of them can.
+    template<typename A, typename B>
+    void check_disjoint(const std::map<std::string, A> &map,
+                        const std::string              &entry,
+                        const std::map<std::string, B> &other,
+                        const std::string              &other_entry)
+    {
+      for (const auto &[key, value] : map)
+        if (other.count(key) > 0)
+          throw EntryError(in_quotes(key) + " is in " + entry + " and in " +
+                             other_entry + ", which contradict each other.",
+                           {entry, other_entry},
+                           "remove " + in_quotes(key) + " from one of the two");
+    }
+
+
+
+    template<int n_variables>
+    void check_formula(const std::string &formula,
+                       const std::string &variables,
+                       const std::string &entry)
+    {
+      try
+        {
+          parse_formula<n_variables>(formula, variables);
+        }
+      catch (const std::runtime_error &error)
+        {
+          throw EntryError(error.what(),
+                           {entry},
+                           "write a formula such as '2*" +
+                             variables.substr(0, 1) +
+                             " + 1'; there are ^, sin, min(a, b), "
+                             "if(condition, a, b), pi and others");
+        }
+    }
+
+
+
+    void check_history(const std::string &history, const std::string &entry)
+    {
+      if (!is_table(history))
+        return check_formula<1>(history, "t", entry);
+      try
+        {
+          parse_history(history);
+        }
+      catch (const std::runtime_error &error)
+        {
+          throw EntryError(error.what(),
+                           {entry},
+                           "write pairs of t and a factor, with growing t, "
+                           "such as 'table(0 0, 0.5 1, 1 -1)'");
+        }
+    }
+
+
+
+    // Entries of the boundary conditions that grow with the load.
+    const Names entries_with_history = {"Displacement x",
+                                        "Displacement y",
+                                        "Force x",
+                                        "Force y",
+                                        "Spread force x",
+                                        "Spread force y",
+                                        "Pressure",
+                                        "Traction x",
+                                        "Traction y",
+                                        "Body force x",
+                                        "Body force y"};
+  } // namespace
+
+
+
+  namespace Parameters
+  {
+    void Mesh::check() const
+    {
+      const std::string entry = "Mesh/Arcs";
+      check_positive(scale, "Mesh/Scale");
+      if (shift.size() != 2)
+        throw EntryError("The shift of the mesh is not a vector.",
+                         {"Mesh/Shift"},
+                         "write 'x, y', in mm");
+      for (const auto &[body, vector] : move)
+        if (vector.size() != 2)
+          throw EntryError("The move of " + in_quotes(body) +
+                             " is not a vector.",
+                           {"Mesh/Move"},
+                           "write '" + body + ": dx, dy', in mm");
+      if (file.empty())
+        throw EntryError("There is no mesh.",
+                         {"Mesh/File"},
+                         "set 'File' in section 'Mesh' to a gmsh file");
+      for (const auto &[group, arc] : arcs)
+        if (arc.size() != 3 || !(arc[2] > 0))
+          throw EntryError("The arc " + in_quotes(group) + " is not a circle.",
+                           {entry},
+                           "write '" + group +
+                             ": centre x, centre y, radius' with a positive "
+                             "radius");
+    }
+
+
+
+    void Element::check() const
+    {
+      if (degree == 1 && centre_node == "free")
+        throw EntryError("An element of degree 1 has no centre node to free.",
+                         {"Element/Centre node", "Element/Degree"},
+                         "set 'Degree = 2' for the 9-node element, or "
+                         "'Centre node = bound'");
+    }
+
+
+
+    void Solids::check() const
+    {
+      const std::string E  = "Solids/Young's modulus";
+      const std::string nu = "Solids/Poisson's ratio";
+      check_keys(young, E, poisson, nu);
+      check_keys(poisson, nu, young, E);
+      if (young.empty())
+        throw EntryError("No body has a material.",
+                         {E, nu},
+                         "set both, as in 'set Young's modulus = Block: "
+                         "70000'");
+      for (const auto &[body, value] : young)
+        if (!(value > 0))
+          throw EntryError("Young's modulus of " + in_quotes(body) +
+                             " is not positive.",
+                           {E},
+                           "set a positive value in MPa");
+      for (const auto &[body, value] : poisson)
+        if (!(value > -1 && value < 0.5))
+          throw EntryError("Poisson's ratio of " + in_quotes(body) +
+                             " is not between -1 and 0.5.",
+                           {nu},
+                           "set a value greater than -1 and less than 0.5");
+    }
+
+
+
+    void Boundary::check() const
+    {
+      const std::string section      = "Boundary conditions/";
+      const auto        moves_freely = [&](const auto        &loads,
+                                    const std::string &entry,
+                                    const auto        &displacement) {
+        check_disjoint(loads,
+                       section + entry,
+                       displacement,
+                       section + "Displacement " + entry.back());
+      };
+      moves_freely(force_x, "Force x", displacement_x);
+      moves_freely(force_y, "Force y", displacement_y);
+      moves_freely(spread_force_x, "Spread force x", displacement_x);
+      moves_freely(spread_force_y, "Spread force y", displacement_y);
+      moves_freely(traction_x, "Traction x", displacement_x);
+      moves_freely(traction_y, "Traction y", displacement_y);
+      moves_freely(tied_y, "Tied y", displacement_y);
+      const auto check_formulas = [&](const auto        &formulas,
+                                      const std::string &entry) {
+        for (const auto &[group, formula] : formulas)
+          check_formula<2>(formula, "x,y", section + entry);
+      };
+      check_formulas(pressure, "Pressure");
+      check_formulas(traction_x, "Traction x");
+      check_formulas(traction_y, "Traction y");
+      check_formulas(body_force_x, "Body force x");
+      check_formulas(body_force_y, "Body force y");
+      for (const auto &[entry, formula] : histories)
+        {
+          if (std::count(entries_with_history.begin(),
+                         entries_with_history.end(),
+                         entry) == 0)
+            throw EntryError(in_quotes(entry) + " has no history.",
+                             {section + "Histories"},
+                             "choose one of: " + Patterns::Tools::to_string(
+                                                   entries_with_history));
+          check_history(formula, section + "Histories");
+        }
+      for (const auto &[follower, leader] : tied_y)
+        if (tied_y.count(leader) > 0)
+          throw EntryError(in_quotes(follower) + " is tied to " +
+                             in_quotes(leader) + ", which is tied itself.",
+                           {section + "Tied y"},
+                           "tie points to one that is not tied");
+    }
+
+
+
+    void Contact::check() const
+    {
+      if (std::any_of(name.begin(), name.end(), [](const unsigned char c) {
+            return !std::isalnum(c) && c != ' ' && c != '_' && c != '-';
+          }))
+        throw EntryError("The name of a zone is more than letters and digits.",
+                         {section() + "/Slave"},
+                         "use letters, digits, blanks, '_' and '-'");
+      check_surfaces();
+      check_positive(complementarity, section() + "/Complementarity");
+      check_friction();
+      check_excluded_points();
+    }
+
+
+
+    void Contact::check_surfaces() const
+    {
+      const Names surfaces = {section() + "/Slave", section() + "/Master"};
+      if (!obstacle.empty())
+        {
+          const std::string entry = section() + "/Obstacle";
+          if (!master.empty())
+            throw EntryError("There is a master and an obstacle.",
+                             {surfaces[1], entry},
+                             "set one of the two");
+          if (slave.empty())
+            throw EntryError("Nothing touches the obstacle.",
+                             {surfaces[0], entry},
+                             "set the slave");
+          check_obstacle(entry);
+          return;
+        }
+      if (slave.empty() != master.empty())
+        throw EntryError("Contact takes two surfaces, but there is only one.",
+                         surfaces,
+                         "set both, or none for a case without contact");
+      if (!slave.empty() && slave == master)
+        throw EntryError("The slave and the master are both " +
+                           in_quotes(slave) + ".",
+                         surfaces,
+                         "set two different boundary groups");
+      if (slave.empty() && !name.empty())
+        throw EntryError("A zone has no surfaces.",
+                         surfaces,
+                         "set both, or remove the section");
+    }
+
+
+
+    void Contact::check_obstacle(const std::string &entry) const
+    {
+      if (obstacle.size() != 1)
+        throw EntryError("A zone has one obstacle.",
+                         {entry},
+                         "give each its own section 'Contact NAME'");
+      const auto &[shape, numbers] = *obstacle.begin();
+      const bool is_half_plane = shape == "half plane" && numbers.size() == 4 &&
+                                 (numbers[2] != 0 || numbers[3] != 0);
+      const bool is_circle =
+        shape == "circle" && numbers.size() == 3 && numbers[2] != 0;
+      if (!is_half_plane && !is_circle)
+        throw EntryError("'" + shape + "' is no obstacle with these numbers.",
+                         {entry},
+                         "write 'half plane: x, y, normal x, normal y' or "
+                         "'circle: x, y, radius', in a hole a negative "
+                         "radius");
+    }
+
+
+
+    void Contact::check_friction() const
+    {
+      const std::string coulomb = section() + "/Friction coefficient";
+      const std::string tresca  = section() + "/Tresca limit";
+      if (slave.empty() && frictional())
+        throw EntryError("There is friction, but no contact.",
+                         {friction_coefficient > 0 ? coulomb : tresca,
+                          section() + "/Slave",
+                          section() + "/Master"},
+                         "set slave and master, or no friction");
+      if (tied && !has_point_per_multiplier())
+        throw EntryError("Surfaces are glued in nodes, and the rule " + rule +
+                           " has none.",
+                         {section() + "/Tied", section() + "/Rule"},
+                         "set 'Rule = mortar' or 'Rule = nodal'");
+      if (friction_coefficient > 0 && tresca_limit > 0)
+        throw EntryError("There are two laws of friction.",
+                         {coulomb, tresca},
+                         "set one of the two to 0");
+    }
+
+
+
+    void Contact::check_excluded_points() const
+    {
+      const std::string entry = section() + "/Excluded points";
+      if (excluded_points.empty())
+        return;
+      if (slave.empty())
+        throw EntryError("Points are excluded from contact, but there is "
+                         "none.",
+                         {entry, section() + "/Slave"},
+                         "set slave and master, or leave the points empty");
+      if (!has_point_per_multiplier())
+        throw EntryError("Points of the rule " + rule +
+                           " are inside the faces: there is none to exclude at "
+                           "a point group.",
+                         {entry, section() + "/Rule"},
+                         "set 'Rule = nodal', or leave the points empty");
+      if (std::set<std::string>(excluded_points.begin(), excluded_points.end())
+              .size() < excluded_points.size() ||
+          std::count(excluded_points.begin(), excluded_points.end(), "") > 0)
+        throw EntryError("A point group is excluded twice or has no name.",
+                         {entry},
+                         "write each group once, separated by ','");
+    }
+
+
+
+    void Refinement::check() const
+    {
+      check_positive(fraction, "Refinement/Fraction");
+      check_positive(tolerance, "Refinement/Tolerance");
+    }
+
+
+
+    void Solution::check() const
+    {
+      check_positive(geometry_tolerance, "Solution/Geometry tolerance");
+      check_positive(friction_tolerance, "Solution/Friction tolerance");
+      check_positive(newton_tolerance, "Solution/Newton tolerance");
+      check_positive(linear_tolerance, "Solution/Linear tolerance");
+      if (linear_tolerance >= 1)
+        throw EntryError("The linear tolerance is not below 1.",
+                         {"Solution/Linear tolerance"},
+                         "a Newton step has to reduce the residual");
+    }
+
+
+
+    void Probes::check() const
+    {
+      check_quantities();
+      check_references();
+      const std::string cylinders = "Probes/Concentric cylinders";
+      if (hertz.size() > 2 ||
+          std::any_of(hertz.begin(), hertz.end(), [](const double value) {
+            return !(value > 0);
+          }))
+        throw EntryError("A Hertz contact takes one or two positive values.",
+                         {"Probes/Hertz"},
+                         "write 'radius, force per mm' or 'radius', or leave "
+                         "it empty");
+      if (frictional_theory && hertz.empty())
+        throw EntryError("There is no contact of Hertz for a theory of "
+                         "friction.",
+                         {"Probes/Frictional theory", "Probes/Hertz"},
+                         "set 'Hertz = radius', or no frictional theory");
+      const auto &r = concentric_cylinders;
+      if (!r.empty() &&
+          !(r.size() == 5 && 0 <= r[0] && r[0] < r[1] && r[1] < r[2]))
+        throw EntryError("These are no concentric cylinders.",
+                         {cylinders},
+                         "write 'bore, radius of contact, outer radius, "
+                         "pressure, amplitude' with growing radii, or leave it "
+                         "empty");
+      if (!r.empty() && !hertz.empty())
+        throw EntryError("There are two solutions to compare with.",
+                         {"Probes/Hertz", cylinders},
+                         "leave one of the two empty");
+    }
+
+
+
+    void Probes::check_quantities() const
+    {
+      for (const auto &[name, probe] : probes)
+        {
+          if (probe.size() < 2 || probe.size() > 3 || probe[1].empty() ||
+              probe.back().empty())
+            throw EntryError("The probe " + in_quotes(name) +
+                               " is not a quantity and a point or two.",
+                             {"Probes/Probes"},
+                             "write '" + name + ": quantity, point'");
+          if (std::count(quantities.begin(), quantities.end(), probe[0]) == 0)
+            throw EntryError("The probe " + in_quotes(name) +
+                               " looks at an unknown quantity, " +
+                               in_quotes(probe[0]) + ".",
+                             {"Probes/Probes"},
+                             "choose one of: " +
+                               Patterns::Tools::to_string(quantities));
+        }
+    }
+
+
+
+    void Probes::check_references() const
+    {
+      const std::string reference = "Probes/References";
+      const std::string tolerance = "Probes/Tolerances";
+      check_keys(references, reference, probes, "Probes/Probes");
+      check_keys(references, reference, tolerances, tolerance);
+      check_keys(tolerances, tolerance, references, reference);
+      for (const auto &[name, value] : references)
+        if (value == 0)
+          throw EntryError("The reference of " + in_quotes(name) +
+                             " is 0: nothing can be compared relatively to it.",
+                           {reference},
+                           "probe a value that is not 0");
+      for (const auto &[name, value] : tolerances)
+        if (!(value > 0))
+          throw EntryError("The tolerance of " + in_quotes(name) +
+                             " is not positive.",
+                           {tolerance},
+                           "set a value greater than 0");
+    }
+  } // namespace Parameters
+} // namespace Contact

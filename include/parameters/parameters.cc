@@ -1,0 +1,184 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "parameters/parameters.h"
+
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "parameters/parameter_file.h"
+
+namespace Contact
+{
+  namespace
+  {
+    // ParameterHandler prints what is allowed only in a form that is not a
+    // parameter file.
+    void print_entry(const DeclaredEntry &entry, std::ostream &out)
+    {
+      for (const std::string &text :
+           {entry.documentation, "Allowed: " + entry.allowed_values()})
+        for (const std::string &line :
+             Utilities::break_text_into_lines(text, 74))
+          out << "  # " << line << '\n';
+      out << "  set " << entry.name << " ="
+          << (entry.default_value.empty() ? "" : " ") << entry.default_value
+          << '\n';
+    }
+  } // namespace
+
+
+
+  EntryError::EntryError(const std::string              &problem,
+                         const std::vector<std::string> &entries,
+                         const std::string              &remedy)
+    : InputError(problem, Patterns::Tools::to_string(entries), remedy)
+    , problem(problem)
+    , entries(entries)
+    , remedy(remedy)
+  {
+  }
+
+
+
+  namespace Parameters
+  {
+    void All::add_zone(const std::string &name, ParameterHandler &prm)
+    {
+      Contact &zone = further_contacts[name];
+      zone.name     = name;
+      zone.add_parameters(prm);
+    }
+
+
+
+    std::vector<Contact> All::zones() const
+    {
+      std::vector<Contact> zones;
+      if (contact.is_zone())
+        zones.push_back(contact);
+      for (const auto &further : further_contacts)
+        if (further.second.is_zone())
+          zones.push_back(further.second);
+      return zones;
+    }
+
+
+
+    void All::add_parameters(ParameterHandler &prm)
+    {
+      mesh.add_parameters(prm);
+      element.add_parameters(prm);
+      solids.add_parameters(prm);
+      boundary.add_parameters(prm);
+      contact.add_parameters(prm);
+      solution.add_parameters(prm);
+      refinement.add_parameters(prm);
+      probes.add_parameters(prm);
+      output.add_parameters(prm);
+    }
+
+
+
+    std::filesystem::path All::directory() const
+    {
+      return std::filesystem::path(output.directory) / name;
+    }
+
+
+
+    bool All::is_condensed(const std::size_t n_displacements) const
+    {
+      if (solution.system != "automatic")
+        return solution.system == "condensed";
+      if (solution.linear_solver != "automatic")
+        return solution.linear_solver != "UMFPACK";
+      if (refinement.n_levels > 0 || n_ranks > 1)
+        return true;
+      const auto zones    = this->zones();
+      const auto all_have = [&](const auto &property) {
+        return std::all_of(zones.begin(), zones.end(), property);
+      };
+      if (all_have([](const Contact &zone) { return zone.tied; }))
+        return true;
+
+      // Beyond, a sparse direct solver of the saddle point takes too much time
+      // and memory.
+      const bool is_large = n_displacements > 100000;
+      return (is_large || solution.friction == "each step") &&
+             solution.geometry != "Newton" && all_have([](const Contact &zone) {
+               return zone.has_point_per_multiplier();
+             });
+    }
+
+
+
+    std::string All::geometry(const std::size_t n_displacements) const
+    {
+      if (solution.geometry != "automatic")
+        return solution.geometry;
+      return is_condensed(n_displacements) ? "each step" : "Newton";
+    }
+  } // namespace Parameters
+
+
+
+  void read_parameters(const std::filesystem::path    &file,
+                       const std::vector<std::string> &overrides,
+                       ParameterHandler               &prm,
+                       Parameters::All                &parameters)
+  {
+    prm.clear();
+    parameters      = Parameters::All();
+    parameters.name = file.stem().string();
+    parameters.add_parameters(prm);
+
+    ParameterReader reader(prm, "Contact", [&](const std::string &name) {
+      parameters.add_zone(name, prm);
+    });
+    reader.read_file(file);
+    for (const std::string &assignment : overrides)
+      reader.read_override(assignment);
+    reader.resolve_path("Mesh", "File");
+
+    // The checks know the entries, the reader knows where they were set.
+    try
+      {
+        parameters.check();
+      }
+    catch (const EntryError &error)
+      {
+        throw InputError(error.problem,
+                         reader.where(error.entries),
+                         error.remedy);
+      }
+  }
+
+
+
+  void print_parameters(std::ostream &out)
+  {
+    Parameters::All  parameters;
+    ParameterHandler prm;
+    parameters.add_parameters(prm);
+
+    std::string section;
+    for (const DeclaredEntry &entry : declared_entries(prm))
+      {
+        if (section.empty())
+          out << "subsection " << entry.section << '\n';
+        else if (section != entry.section)
+          out << "end\n\n\n\nsubsection " << entry.section << '\n';
+        else
+          out << '\n';
+        print_entry(entry, out);
+        section = entry.section;
+      }
+    out << "end\n";
+  }
+} // namespace Contact

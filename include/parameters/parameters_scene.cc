@@ -1,0 +1,251 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The entries of the scene: mesh, element, bodies, loads and contact.
+
+#include <deal.II/base/patterns.h>
+
+#include "parameters/parameters.h"
+
+namespace Contact
+{
+  namespace Parameters
+  {
+    void Mesh::add_parameters(ParameterHandler &prm)
+    {
+      prm.enter_subsection("Mesh");
+      prm.add_parameter("File",
+                        file,
+                        "The mesh: a gmsh file in MSH format 2.2 or 4.1, "
+                        "coordinates in mm, relative to the file that sets "
+                        "this entry.");
+      prm.add_parameter("Refinements",
+                        refinements,
+                        "How often the mesh is refined globally [-].",
+                        Patterns::Integer(0));
+      prm.add_parameter("Arcs",
+                        arcs,
+                        "Boundary groups that are arcs of circles: 'group: "
+                        "centre x, centre y, radius' [mm], separated by ';'; "
+                        "in the coordinates of the file.");
+      prm.add_parameter("Move",
+                        move,
+                        "'body: dx, dy' [mm], separated by ';'; shifts a body "
+                        "against the others, in the coordinates of the file. "
+                        "Its arcs move with it.");
+      prm.add_parameter("Scale",
+                        scale,
+                        "Factor of all lengths of the file and of Move [-]; > "
+                        "0.");
+      prm.add_parameter("Rotation",
+                        rotation,
+                        "Turns the whole mesh about the origin, anticlockwise, "
+                        "after Scale [degrees].");
+      prm.add_parameter("Shift",
+                        shift,
+                        "'x, y' [mm]; shifts the whole mesh, after Rotation.");
+      prm.leave_subsection();
+    }
+
+
+
+    void Element::add_parameters(ParameterHandler &prm)
+    {
+      prm.enter_subsection("Element");
+      prm.add_parameter("Degree",
+                        degree,
+                        "Polynomial degree of the displacements [-].",
+                        Patterns::Integer(1, 2));
+      prm.add_parameter("Centre node",
+                        centre_node,
+                        "The node in the middle of a quadrilateral of degree "
+                        "2 [-]; bound: half the sum of the mid-sides minus a "
+                        "quarter of the sum of the corners (8-node element), "
+                        "free: an unknown (9-node element).",
+                        Patterns::Selection("bound|free"));
+      prm.leave_subsection();
+    }
+
+
+
+    void Solids::add_parameters(ParameterHandler &prm)
+    {
+      prm.enter_subsection("Solids");
+      prm.add_parameter("Young's modulus",
+                        young,
+                        "'body: E' [MPa], separated by ','; E > 0.");
+      prm.add_parameter("Poisson's ratio",
+                        poisson,
+                        "'body: nu' [-], separated by ','; the same bodies "
+                        "as in Young's modulus, -1 < nu < 0.5.");
+      prm.add_parameter("Symmetry",
+                        symmetry,
+                        "What the mesh is a section of [-]; plane strain: a "
+                        "slice of 1 mm; axisymmetric: rings about the axis x "
+                        "= 0, x >= 0 being the radius, without torsion. Forces "
+                        "are then those of whole rings [N], stress zz is that "
+                        "of the hoops, and u_x = 0 on the axis.",
+                        Patterns::Selection("plane strain|axisymmetric"));
+      prm.add_parameter("Kinematics",
+                        kinematics,
+                        "How the bodies move [-]; large displacement: Green "
+                        "strain and rotations of any size, small strain: "
+                        "linear.",
+                        Patterns::Selection("small strain|"
+                                            "large displacement"));
+      prm.add_parameter(
+        "Dilatation",
+        dilatation,
+        "The trace of the strain in a cell [-]; full: as it is, "
+        "projected: its mean, in quadrangles of degree 2 its linear "
+        "part, against locking, automatic: projected for bodies "
+        "with nu > 5/11. Triangles of degree 1 lock either way.",
+        Patterns::Selection("automatic|full|projected"));
+      prm.leave_subsection();
+    }
+
+
+
+    void Boundary::add_parameters(ParameterHandler &prm)
+    {
+      prm.enter_subsection("Boundary conditions");
+      prm.add_parameter("Displacement x",
+                        displacement_x,
+                        "'group: value' [mm], separated by ','; a boundary "
+                        "or point group and its displacement at full load.");
+      prm.add_parameter("Displacement y",
+                        displacement_y,
+                        "As Displacement x, in direction y [mm].");
+      prm.add_parameter("Tied y",
+                        tied_y,
+                        "'point: point' [-], separated by ','; the first "
+                        "point group moves in y as the second one does.");
+      prm.add_parameter("Force x",
+                        force_x,
+                        "'point: value' [N per mm of thickness; axisymmetric: "
+                        "N on the ring], separated by ','; a point group and "
+                        "its dead force at full load.");
+      prm.add_parameter(
+        "Force y",
+        force_y,
+        "As Force x, in direction y [N per mm of thickness; axisymmetric: N].");
+      prm.add_parameter("Spread force x",
+                        spread_force_x,
+                        "'boundary: value' [N per mm of thickness; "
+                        "axisymmetric: N on all rings], separated by ','; a "
+                        "boundary group and its dead force at full load, "
+                        "spread evenly over its undeformed area. Of a nodal "
+                        "force the finer mesh sees the singularity.");
+      prm.add_parameter(
+        "Spread force y",
+        spread_force_y,
+        "As Spread force x, in direction y [N per mm of thickness; "
+        "axisymmetric: N].");
+      const Patterns::Map formulas(Patterns::Anything(),
+                                   Patterns::Anything(),
+                                   0,
+                                   Patterns::Map::max_int_value,
+                                   ";");
+      prm.add_parameter("Pressure",
+                        pressure,
+                        "'boundary: formula' [MPa], separated by ';'; a "
+                        "boundary group and the pressure on it at full load, a "
+                        "formula in x and y [mm], positive in compression. It "
+                        "acts along the normal of the undeformed boundary.",
+                        formulas);
+      prm.add_parameter("Traction x",
+                        traction_x,
+                        "'boundary: formula' [MPa], separated by ';'; a "
+                        "boundary group and the force on it by undeformed "
+                        "area at full load, a formula in x and y [mm].",
+                        formulas);
+      prm.add_parameter("Traction y",
+                        traction_y,
+                        "As Traction x, in direction y [MPa].",
+                        formulas);
+      prm.add_parameter("Body force x",
+                        body_force_x,
+                        "'body: formula' [N/mm^3], separated by ';'; a body "
+                        "and the force on it by undeformed volume at full "
+                        "load, a formula in x and y [mm].",
+                        formulas);
+      prm.add_parameter("Body force y",
+                        body_force_y,
+                        "As Body force x, in direction y [N/mm^3]; weight is "
+                        "-density times gravity, of steel -7.7e-5.",
+                        formulas);
+      prm.add_parameter("Histories",
+                        histories,
+                        "'entry: formula' [-], separated by ';'; an entry of "
+                        "this section, and the factor of all its values as a "
+                        "formula in the load factor t from 0 to 1, as in "
+                        "'Force y: min(1, 2*t)', or as a table of t and the "
+                        "factor, linear in between and constant beyond, as in "
+                        "'Force y: table(0 0, 0.5 1, 1 -1)'. Without: t.",
+                        formulas);
+      prm.leave_subsection();
+    }
+
+
+
+    void Contact::add_parameters(ParameterHandler &prm)
+    {
+      prm.enter_subsection(section());
+      prm.add_parameter("Slave",
+                        slave,
+                        "Boundary group that carries the contact points [-]; "
+                        "empty, together with Master: no contact. More zones "
+                        "have sections of their own, 'Contact NAME', with the "
+                        "same entries.");
+      prm.add_parameter("Master",
+                        master,
+                        "Boundary group they are projected on [-].");
+      prm.add_parameter("Obstacle",
+                        obstacle,
+                        "A rigid master without a mesh, instead of Master "
+                        "[mm]: 'half plane: x, y, normal x, normal y', a point "
+                        "and the outward normal, or 'circle: x, y, radius', "
+                        "negative for a hole.");
+      prm.add_parameter("Rule",
+                        rule,
+                        "Where the contact points are [-]; nodal: in the nodes "
+                        "of the slave; Gauss: in the Gauss points of its "
+                        "faces; mortar: in the nodes, with gaps that are "
+                        "weighted along the surface by dual functions.",
+                        Patterns::Selection("nodal|Gauss|mortar"));
+      prm.add_parameter("Gauss points",
+                        n_gauss_points,
+                        "Gauss points per slave face [-]; only for the rule "
+                        "Gauss.",
+                        Patterns::Integer(1, 10));
+      prm.add_parameter("Excluded points",
+                        excluded_points,
+                        "Point groups of the slave surface that carry no "
+                        "contact point [-], separated by ','; for the rules "
+                        "nodal and mortar.");
+      prm.add_parameter("Tied",
+                        tied,
+                        "Glue the slave to the master wherever it faces it, "
+                        "instead of contact [-]: what the same bodies cost "
+                        "without contact; rule nodal or mortar.");
+      prm.add_parameter("Friction coefficient",
+                        friction_coefficient,
+                        "Coulomb's coefficient of friction [-]; 0: none.",
+                        Patterns::Double(0));
+      prm.add_parameter("Tresca limit",
+                        tresca_limit,
+                        "Bound of the tangential traction that does not "
+                        "depend on the pressure [MPa]; 0: none.",
+                        Patterns::Double(0));
+      prm.add_parameter("Complementarity",
+                        complementarity,
+                        "Parameter c of the augmented Lagrangian p = max(0, "
+                        "lambda - c gap), by the stiffness E/h of the slave's "
+                        "edge [-]; > 0. Results of the rules nodal and mortar "
+                        "do not depend on it, those of the rule Gauss do.");
+      prm.leave_subsection();
+    }
+  } // namespace Parameters
+} // namespace Contact

@@ -1,0 +1,233 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The entries of how a scene is solved, and of what is reported.
+
+#include <deal.II/base/patterns.h>
+
+#include "parameters/parameters.h"
+
+namespace Contact
+{
+  namespace Parameters
+  {
+    const std::vector<std::string> Probes::quantities = {"displacement x",
+                                                         "displacement y",
+                                                         "stress xx",
+                                                         "stress yy",
+                                                         "stress zz",
+                                                         "stress xy",
+                                                         "von Mises",
+                                                         "pressure",
+                                                         "shear"};
+
+
+
+    void Solution::add_parameters(ParameterHandler &prm)
+    {
+      const Patterns::Integer   at_least_one(1);
+      const Patterns::Selection loop("fixed point|each step|Newton");
+      const Patterns::Selection geometry_loop(
+        "automatic|undeformed|fixed point|each step|Newton");
+
+      prm.enter_subsection("Solution");
+      prm.add_parameter("Increments",
+                        n_increments,
+                        "Equal steps to the full load [-].",
+                        at_least_one);
+      prm.add_parameter("Max cut-backs",
+                        max_cuts,
+                        "How often an increment that does not converge is cut "
+                        "in half before giving up [-]; 0: never. Behind it "
+                        "the steps grow again.",
+                        Patterns::Integer(0, 20));
+      prm.add_parameter("Geometry",
+                        geometry,
+                        "How projections and normals follow the displacements "
+                        "[-]; undeformed: not at all, as theories of small "
+                        "displacements have it (kinematics small strain); "
+                        "fixed point: in a loop of their own; each step: "
+                        "renewed before each Newton step, until these move "
+                        "the surfaces by less than the geometry tolerance; "
+                        "Newton: with the displacements, in the tangent as "
+                        "well (saddle point system); automatic: Newton, in "
+                        "the condensed system each step.",
+                        geometry_loop);
+      prm.add_parameter(
+        "Geometry tolerance",
+        geometry_tolerance,
+        "Largest change of a displacement behind the last pairing, relative to "
+        "the largest displacement of the increment [-]; > 0. The first turn of "
+        "a geometry loop is never accepted.");
+      prm.add_parameter("Max geometry iterations",
+                        max_geometry_iterations,
+                        "Turns of the geometry loop before giving up [-].",
+                        at_least_one);
+      prm.add_parameter("Friction",
+                        friction,
+                        "How the bound of friction follows the pressure [-]; "
+                        "fixed point: in a loop of its own; each step: "
+                        "renewed before each Newton step; Newton: with the "
+                        "displacements, in the tangent as well.",
+                        loop);
+      prm.add_parameter(
+        "Friction tolerance",
+        friction_tolerance,
+        "Largest change of a bound of the shear traction in one turn of the "
+        "friction loop, relative to the largest bound [-]; > 0.");
+      prm.add_parameter("Max friction iterations",
+                        max_friction_iterations,
+                        "Turns of the friction loop before giving up [-].",
+                        at_least_one);
+      prm.add_parameter("Newton tolerance",
+                        newton_tolerance,
+                        "Residual of equilibrium and of the contact "
+                        "constraints, relative to the load [-]; > 0.");
+      prm.add_parameter("Max Newton iterations",
+                        max_newton_iterations,
+                        "Newton iterations before giving up [-].",
+                        at_least_one);
+      prm.add_parameter("Linear tolerance",
+                        linear_tolerance,
+                        "How far conjugate gradients are driven in a Newton "
+                        "step, relative to the residual of that [-]; > 0, < "
+                        "1.");
+      prm.add_parameter(
+        "System",
+        system,
+        "The linear system [-]; saddle point: with the "
+        "multipliers; condensed: without, symmetric positive "
+        "definite without friction, for the rules nodal and mortar; "
+        "automatic: condensed without contact and for glued surfaces, with "
+        "several levels, with several processes, with another solver than "
+        "UMFPACK, and with more than 100000 displacements for the rules nodal "
+        "and mortar, otherwise saddle point.",
+        Patterns::Selection("automatic|saddle point|"
+                            "condensed"));
+      prm.add_parameter("Linear solver",
+                        linear_solver,
+                        "UMFPACK for saddle point systems; for condensed ones "
+                        "CHOLMOD, AMG (conjugate gradients with smoothed "
+                        "aggregation) or MUMPS [-]; automatic: UMFPACK, or "
+                        "CHOLMOD below 100000 unknowns on one rank and AMG "
+                        "beyond.",
+                        Patterns::Selection("automatic|UMFPACK|CHOLMOD|AMG|"
+                                            "MUMPS"));
+      prm.leave_subsection();
+    }
+
+
+
+    void Refinement::add_parameters(ParameterHandler &prm)
+    {
+      prm.enter_subsection("Refinement");
+      prm.add_parameter("Levels",
+                        n_levels,
+                        "How often the mesh is refined after a solution, which "
+                        "is carried over [-].",
+                        Patterns::Integer(0));
+      prm.add_parameter("Strategy",
+                        strategy,
+                        "uniform: all cells; adaptive: the cells with the "
+                        "largest estimated errors, for meshes of quadrangles "
+                        "[-].",
+                        Patterns::Selection("uniform|adaptive"));
+      prm.add_parameter("Fraction",
+                        fraction,
+                        "The share of the estimated error (squared) that is in "
+                        "the cells to refine [-]; > 0, <= 1; only for "
+                        "adaptive.",
+                        Patterns::Double(0, 1));
+      prm.add_parameter("Tolerance",
+                        tolerance,
+                        "The Newton tolerance on all levels but the last [-]; "
+                        "> 0.");
+      prm.leave_subsection();
+    }
+
+
+
+    void Probes::add_parameters(ParameterHandler &prm)
+    {
+      prm.enter_subsection("Probes");
+      prm.add_parameter("Probes",
+                        probes,
+                        "Values to report: 'name: quantity, point', separated "
+                        "by ';'; with a second point group, as in 'name: "
+                        "quantity, point, point', the value at the first minus "
+                        "the value at the second. One of: " +
+                          Patterns::Tools::to_string(quantities) +
+                          " [displacements: mm, stresses: MPa]; pressure "
+                          "and shear are those of contact, at points of a "
+                          "slave.");
+      prm.add_parameter("References",
+                        references,
+                        "'name: value', separated by ','; what a probe is "
+                        "compared with, in its unit [mm or MPa].");
+      prm.add_parameter("Tolerances",
+                        tolerances,
+                        "'name: value', separated by ','; the deviation from "
+                        "the reference that is accepted, relative to it [-]; "
+                        "> 0.");
+      prm.add_parameter("Hertz",
+                        hertz,
+                        "Line contact of Hertz to compare with: 'radius, "
+                        "force' [mm, N per mm of thickness, of the full "
+                        "cylinder], or 'radius': under the force that is "
+                        "found, of models without a line of symmetry. Empty: "
+                        "none.");
+      prm.add_parameter("Frictional theory",
+                        frictional_theory,
+                        "Compare a contact of Hertz with Coulomb's friction "
+                        "with a theory that knows it [-]: Cattaneo and "
+                        "Mindlin's where the bodies are alike, otherwise two "
+                        "half planes under the same increments; right only if "
+                        "the contact is small beside the radius.");
+      prm.add_parameter("Concentric cylinders",
+                        concentric_cylinders,
+                        "A cylinder in a ring about the origin to compare "
+                        "with: 'bore, radius of contact, outer radius, "
+                        "pressure, amplitude' [mm, MPa], under the pressure "
+                        "'pressure + amplitude cos(2 theta)' outside, small "
+                        "strain, no friction. Empty: none.");
+      prm.add_parameter("Estimate errors",
+                        estimate_errors,
+                        "Estimate the discretization error of the probes [-]. "
+                        "With several levels that costs nothing and is always "
+                        "done; without, the case is solved once more on the "
+                        "mesh refined once.");
+      prm.leave_subsection();
+    }
+
+
+
+    void Output::add_parameters(ParameterHandler &prm)
+    {
+      prm.enter_subsection("Output");
+      prm.add_parameter("Directory",
+                        directory,
+                        "Where files go, relative to the working directory "
+                        "[-].");
+      prm.add_parameter("Screen",
+                        screen,
+                        "What is printed [-]; full: all iterations and the "
+                        "table of results, table: the table, none: nothing.",
+                        Patterns::Selection("full|table|none"));
+      prm.add_parameter("VTU",
+                        vtu,
+                        "Whether displacements and stresses of each increment "
+                        "are written for ParaView [-].");
+      prm.add_parameter("Profile",
+                        profile,
+                        "Whether pressure, shear, gap and slip along both "
+                        "surfaces are written at the end [-].");
+      prm.add_parameter("Nodes",
+                        nodes,
+                        "Whether displacements and forces of contact of all "
+                        "nodes are written in full precision at the end [-].");
+      prm.leave_subsection();
+    }
+  } // namespace Parameters
+} // namespace Contact

@@ -1,0 +1,72 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_cell_tables_h
+#define contact_cell_tables_h
+
+#include <array>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "solid/discretization.h"
+#include "solid/kinematics.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * What of a cell stays the same on a mesh. The gradients of the shape
+   * functions are with respect to the reference configuration. Where the centre
+   * of a quadrangle is bound, they are those of the eight free nodes, so that
+   * the centre costs nothing in assembly.
+   */
+  struct CellTable
+  {
+    unsigned int                         active_index;
+    types::material_id                   body;
+    unsigned int                         piece; // of its body, see MeshPieces
+    const Material                      *material;
+    std::vector<types::global_dof_index> dofs;           // (x, y) node by node
+    std::vector<double>                  JxW;            // by point
+    std::vector<Point<2>>                points;         // X by point
+    std::vector<Tensor<1, 2>>            gradients;      // by point, then node
+    std::vector<double>                  hoop_gradients; // N_a/X, of rings
+
+    /// Where the dilatation is projected: polynomials phi_m with
+    /// sum_q JxW phi_m phi_n = delta_mn, by point. Else empty.
+    std::vector<std::array<double, 3>> modes;
+
+    unsigned int n_nodes() const
+    {
+      return dofs.size() / 2;
+    }
+
+    /// The first nodes are the corners.
+    unsigned int n_corners() const
+    {
+      return n_nodes() % 3 == 0 && n_nodes() < 9 ? 3 : 4;
+    }
+  };
+
+
+
+  /// The cells of this rank, and the neighbors' cells beside them.
+  struct CellTables
+  {
+    std::vector<CellTable> own, neighbors;
+  };
+
+  /// Tabulate the cells. Those of bodies that are @p projected get modes: three
+  /// in quadrangles of degree 2, one in others. The tables point to
+  /// @p materials, which have to outlive them.
+  CellTables
+  tabulate_cells(const Discretization                         &discretization,
+                 const std::map<types::material_id, Material> &materials,
+                 const std::set<types::material_id>           &projected);
+} // namespace Contact
+
+#endif

@@ -1,0 +1,423 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solid/discretization.h"
+
+#include <deal.II/base/function.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_fe.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/numerics/vector_tools.h>
+
+#include <boost/serialization/map.hpp>
+
+#include "base/all_ranks.h"
+#include "base/errors.h"
+#include "parameters/formula.h"
+
+namespace Contact
+{
+  namespace
+  {
+    /// One point, or three points that are exact for polynomials of degree 2.
+    /// Which corner of a triangle comes first does not matter to them, as it
+    /// does to the four points of QGaussSimplex<2>(2).
+    Quadrature<2> triangle_rule(const unsigned int degree)
+    {
+      if (degree == 1)
+        return QGaussSimplex<2>(1);
+      return {{{1. / 6, 1. / 6}, {2. / 3, 1. / 6}, {1. / 6, 2. / 3}},
+              {1. / 6, 1. / 6, 1. / 6}};
+    }
+  } // namespace
+
+
+
+  void distribute_dofs(const Mesh                &mesh,
+                       const hp::FECollection<2> &fe,
+                       DoFHandler<2>             &dof_handler)
+  {
+    if (mesh.is_all_quadrilateral())
+      dof_handler.distribute_dofs(fe[0]);
+    else
+      {
+        for (const auto &cell : dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            cell->set_active_fe_index(
+              cell->reference_cell().is_hyper_cube() ? 0 : 1);
+        dof_handler.distribute_dofs(fe);
+      }
+  }
+
+
+
+  Discretization::Discretization(const Mesh            &mesh,
+                                 const Parameters::All &parameters,
+                                 const MPI_Comm         communicator)
+    : mesh(mesh)
+    , communicator(communicator)
+    , degree(parameters.element.degree)
+    , bound_centre(degree == 2 && parameters.element.centre_node == "bound")
+    , axisymmetric(parameters.solids.symmetry == "axisymmetric")
+    , mapping(MappingQ<2>(degree), MappingFE<2>(FE_SimplexP<2>(degree)))
+    , fe(FESystem<2>(FE_Q<2>(degree), 2),
+         FESystem<2>(FE_SimplexP<2>(degree), 2))
+    , quadrature(QGauss<2>(degree + 1), triangle_rule(degree))
+    , dof_handler(mesh.triangulation)
+    , boundary(parameters.boundary)
+  {
+    for (const auto &[entry, formula] : boundary.histories)
+      histories[entry] = parse_history(formula);
+    if (axisymmetric)
+      check_radii();
+    redistribute();
+  }
+
+
+
+  // On the coarse mesh, which every rank has.
+  void Discretization::check_radii()
+  {
+    double largest = 0;
+    for (const auto &cell : mesh.triangulation.cell_iterators_on_level(0))
+      for (const unsigned int v : cell->vertex_indices())
+        largest = std::max(largest, cell->vertex(v)[0]);
+    axis_tolerance = 1e-10 * largest;
+
+    for (const auto &cell : mesh.triangulation.cell_iterators_on_level(0))
+      for (const unsigned int v : cell->vertex_indices())
+        if (const Point<2> X = cell->vertex(v); X[0] < -axis_tolerance)
+          throw InputError("with axisymmetry x is the radius, but the node at "
+                           "(" +
+                             std::to_string(X[0]) + ", " +
+                             std::to_string(X[1]) + ") mm has a negative one",
+                           "Solids/Symmetry",
+                           "mesh the half x >= 0 of the section, move it there "
+                           "with Mesh/Shift, or set 'Symmetry = plane strain'");
+  }
+
+
+
+  void Discretization::redistribute()
+  {
+    distribute_dofs(mesh, fe, dof_handler);
+
+    prescribed.clear();
+    ties.clear();
+    updates_vanish = true;
+    collect_vertex_dofs();
+    share_named_points();
+    collect_supports();
+    collect_ties();
+    make_constraints({});
+  }
+
+
+
+  std::array<double, 2>
+  Discretization::support_factors(const double load_factor) const
+  {
+    return {{factor("Displacement x", load_factor),
+             factor("Displacement y", load_factor)}};
+  }
+
+
+
+  void Discretization::constrain_update(const Vector<double> &u,
+                                        const double          load_factor)
+  {
+    std::map<types::global_dof_index, double> updates;
+    bool                                      vanish = true;
+    const auto factors   = support_factors(load_factor);
+    largest_displacement = 0;
+    for (const auto &[dof, displacement] : prescribed)
+      {
+        const double value =
+          factors[displacement.component] * displacement.value;
+        largest_displacement = std::max(largest_displacement, std::abs(value));
+        updates[dof]         = value - u[dof];
+        vanish               = vanish && updates[dof] == 0;
+      }
+
+    if (!(vanish && updates_vanish))
+      make_constraints(updates);
+    updates_vanish = vanish;
+  }
+
+
+
+  void Discretization::prescribe(Vector<double> &u, const double load_factor)
+  {
+    constrain_update(u, load_factor);
+    if (updates_vanish)
+      return;
+    Vector<double> move(u.size());
+    constraints.distribute(move);
+    share(move);
+    u += move;
+
+    // To the last digit.
+    const auto factors = support_factors(load_factor);
+    for (const auto &[dof, displacement] : prescribed)
+      u[dof] = factors[displacement.component] * displacement.value;
+    constrain_update(u, load_factor);
+  }
+
+
+
+  double Discretization::distance_from_supports(const Vector<double> &u,
+                                                const double load_factor) const
+  {
+    const auto factors = support_factors(load_factor);
+    double     largest = 0;
+    for (const auto &[dof, displacement] : prescribed)
+      largest = std::max(largest,
+                         std::abs(u[dof] - factors[displacement.component] *
+                                             displacement.value));
+    return largest;
+  }
+
+
+
+  void Discretization::share(Vector<double> &u) const
+  {
+    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+      return;
+    Vector<double> own(dof_handler.n_dofs());
+    for (const auto i : dof_handler.locally_owned_dofs())
+      own[i] = u[i];
+    Utilities::MPI::sum(own, communicator, own);
+    std::copy(own.begin(), own.end(), u.begin());
+  }
+
+
+
+  bool Discretization::is_fixed(const types::global_dof_index dof) const
+  {
+    // All that is prescribed is constrained, which is faster to see.
+    return constraints.is_constrained(dof) && prescribed.count(dof) > 0;
+  }
+
+
+
+  bool Discretization::is_moved(const types::global_dof_index dof) const
+  {
+    if (!constraints.is_constrained(dof))
+      return false;
+    const auto value = prescribed.find(dof);
+    return value != prescribed.end() && value->second.value != 0;
+  }
+
+
+
+  bool Discretization::is_tied(const types::global_dof_index dof) const
+  {
+    for (const auto &[tied, partner] : ties)
+      if (dof == tied || dof == partner)
+        return true;
+    return false;
+  }
+
+
+
+  void Discretization::collect_vertex_dofs()
+  {
+    vertex_dofs.assign(mesh.triangulation.n_vertices(),
+                       {{numbers::invalid_dof_index,
+                         numbers::invalid_dof_index}});
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (!cell->is_artificial())
+        for (const unsigned int v : cell->vertex_indices())
+          for (unsigned int c = 0; c < 2; ++c)
+            vertex_dofs[cell->vertex_index(v)][c] =
+              cell->vertex_dof_index(v, c, cell->active_fe_index());
+  }
+
+
+
+  // A named point is a vertex of the coarse mesh, which all ranks number alike.
+  void Discretization::share_named_points()
+  {
+    std::vector<types::global_dof_index *> shared;
+    std::vector<types::global_dof_index>   dofs;
+    for (const auto &[name, vertex] : mesh.points)
+      if (vertex != numbers::invalid_unsigned_int)
+        for (auto &dof : vertex_dofs[vertex])
+          {
+            shared.push_back(&dof);
+            dofs.push_back(dof);
+          }
+    Utilities::MPI::min(dofs, communicator, dofs);
+    for (unsigned int i = 0; i < shared.size(); ++i)
+      *shared[i] = dofs[i];
+  }
+
+
+
+  void Discretization::collect_supports()
+  {
+    const auto collect = [this](const auto &groups, const unsigned int c) {
+      const std::string entry =
+        std::string("Boundary conditions/Displacement ") + "xy"[c];
+      ComponentMask component(2, false);
+      component.set(c, true);
+
+      for (const auto &[name, value] : groups)
+        {
+          std::map<types::global_dof_index, double> values;
+          if (mesh.points.count(name) > 0)
+            values[vertex_dofs[mesh.point(name, entry)][c]] = value;
+          else
+            for (const types::boundary_id id : mesh.boundary(name, entry))
+              VectorTools::interpolate_boundary_values(
+                mapping,
+                dof_handler,
+                id,
+                Functions::ConstantFunction<2>(value, 2),
+                values,
+                component);
+
+          auto &unknowns = supports[c][name];
+          unknowns.clear();
+          for (const auto &[dof, dof_value] : values)
+            {
+              unknowns.insert(dof);
+              if (const Prescribed here{dof_value, c};
+                  prescribed.emplace(dof, here).first->second != here)
+                throw InputError("'" + name +
+                                   "' shares a node with another "
+                                   "group that is moved differently",
+                                 entry,
+                                 "give both the same displacement, or let the "
+                                 "groups end before they meet");
+            }
+        }
+    };
+
+    on_all_ranks(communicator, [&]() {
+      collect(boundary.displacement_x, 0);
+      collect(boundary.displacement_y, 1);
+      if (axisymmetric)
+        hold_axis();
+    });
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(communicator, prescribed))
+      prescribed.insert(of_rank.begin(), of_rank.end());
+  }
+
+
+
+  // A ring of no radius can not grow.
+  void Discretization::hold_axis()
+  {
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        const auto on_axis = [&](const unsigned int v) {
+          return is_on_axis(cell->vertex(v));
+        };
+        const auto vertices = cell->vertex_indices();
+        if (cell->is_artificial() ||
+            std::none_of(vertices.begin(), vertices.end(), on_axis))
+          continue;
+
+        const auto &fe = cell->get_fe();
+        dofs.resize(fe.n_dofs_per_cell());
+        cell->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (fe.system_to_component_index(i).first == 0 &&
+              is_on_axis(
+                mapping[cell->active_fe_index()]
+                  .transform_unit_to_real_cell(cell, fe.unit_support_point(i))))
+            if (const Prescribed none{0, 0};
+                prescribed.emplace(dofs[i], none).first->second != none)
+              throw InputError("a node on the axis of symmetry is moved off it",
+                               "Boundary conditions/Displacement x",
+                               "u_x = 0 there: let the group end before the "
+                               "axis");
+      }
+  }
+
+
+
+  void Discretization::collect_ties()
+  {
+    const std::string entry = "Boundary conditions/Tied y";
+    for (const auto &[name, partner] : boundary.tied_y)
+      {
+        const auto dof = vertex_dofs[mesh.point(name, entry)][1];
+        if (prescribed.count(dof) > 0)
+          throw InputError("point '" + name + "' is tied and supported in y",
+                           entry,
+                           "remove the tie or the support");
+        ties[dof] = vertex_dofs[mesh.point(partner, entry)][1];
+      }
+  }
+
+
+
+  double Discretization::factor(const std::string &entry,
+                                const double       load_factor) const
+  {
+    const auto history = histories.find(entry);
+    return history == histories.end() ? load_factor
+                                      : history->second(Point<1>(load_factor));
+  }
+
+
+
+  void Discretization::make_constraints(
+    const std::map<types::global_dof_index, double> &updates)
+  {
+    constraints.clear();
+    if (mesh.triangulation.has_hanging_nodes())
+      DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+    for (const auto &[dof, displacement] : prescribed)
+      {
+        constraints.add_line(dof);
+        const auto update = updates.find(dof);
+        if (update != updates.end())
+          constraints.set_inhomogeneity(dof, update->second);
+      }
+    for (const auto &[dof, partner] : ties)
+      {
+        constraints.add_line(dof);
+        constraints.add_entry(dof, partner, 1.);
+      }
+    if (bound_centre)
+      bind_centres();
+    constraints.close();
+  }
+
+
+
+  void Discretization::bind_centres()
+  {
+    // FE_Q(2) numbers the corners 0-3, the mid-sides 4-7, the centre 8.
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (!cell->is_artificial() && cell->reference_cell().is_hyper_cube())
+        {
+          dofs.resize(cell->get_fe().n_dofs_per_cell());
+          cell->get_dof_indices(dofs);
+          for (unsigned int c = 0; c < 2; ++c)
+            {
+              const auto dof = [&](const unsigned int node) {
+                return dofs[cell->get_fe().component_to_system_index(c, node)];
+              };
+              constraints.add_line(dof(8));
+              for (unsigned int node = 0; node < 4; ++node)
+                constraints.add_entry(dof(8), dof(node), -0.25);
+              for (unsigned int node = 4; node < 8; ++node)
+                constraints.add_entry(dof(8), dof(node), 0.5);
+            }
+        }
+  }
+} // namespace Contact

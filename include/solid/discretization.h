@@ -1,0 +1,212 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_discretization_h
+#define contact_discretization_h
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/hp/fe_collection.h>
+#include <deal.II/hp/mapping_collection.h>
+#include <deal.II/hp/q_collection.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/vector.h>
+
+#include <array>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+
+#include "mesh/mesh.h"
+#include "parameters/parameters.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// The two displacement unknowns of a node.
+  using NodeDoFs = std::array<types::global_dof_index, 2>;
+
+  /// Number the unknowns of a collection {for quadrangles, for triangles}. A
+  /// mesh of quadrangles alone takes the first element for all cells.
+  void distribute_dofs(const Mesh                &mesh,
+                       const hp::FECollection<2> &fe,
+                       DoFHandler<2>             &dof_handler);
+
+
+
+  /**
+   * The finite element spaces of all bodies: quadrangles are FE_Q, triangles
+   * FE_SimplexP of the same degree, the geometry is isoparametric.
+   *
+   * Quadrature: 2x2 and 1 point at degree 1, 3x3 and 3 points at degree 2.
+   *
+   * With <code>bound_centre</code> the centre value of a quadrangle of degree 2
+   * is 1/2 sum(mid-sides) - 1/4 sum(corners): the 8-node element.
+   *
+   * With axisymmetry x is the radius and y the axis. Whatever integrates
+   * multiplies with circumference(); u_x = 0 on the axis without being asked
+   * for.
+   *
+   * With several ranks each has the unknowns of its cells and their neighbors;
+   * supports and the unknowns of named points are known to all.
+   * Vectors of the displacement are held in full by every rank.
+   */
+  class Discretization
+  {
+  public:
+    Discretization(const Mesh            &mesh,
+                   const Parameters::All &parameters,
+                   const MPI_Comm         communicator = MPI_COMM_SELF);
+
+    /// How much of the body stands behind a place X of the plane: 1 in plane
+    /// strain, the circumference 2 pi x of its ring with axisymmetry [mm].
+    double circumference(const Point<2> &X) const
+    {
+      return circumference_at(X[0]);
+    }
+
+    /// The same by the distance from the axis.
+    template<typename Number>
+    Number circumference_at(const Number &x) const
+    {
+      return axisymmetric ? Number(2 * numbers::PI * x) : Number(1);
+    }
+
+    /// Whether a place is on the axis of symmetry.
+    bool is_on_axis(const Point<2> &X) const
+    {
+      return axisymmetric && X[0] <= axis_tolerance;
+    }
+
+    /// Number the unknowns anew after the mesh was refined.
+    void redistribute();
+
+    const Mesh        &mesh;
+    const MPI_Comm     communicator;
+    const unsigned int degree;
+    const bool         bound_centre;
+    const bool         axisymmetric;
+
+    const hp::MappingCollection<2> mapping;
+    const hp::FECollection<2>      fe;
+    const hp::QCollection<2>       quadrature;
+    DoFHandler<2>                  dof_handler;
+
+    /// Behind the unit N of a force: it is one by thickness, or of a whole
+    /// ring.
+    std::string per_thickness() const
+    {
+      return axisymmetric ? "" : "/mm";
+    }
+
+    /// Supports, ties and loads at their full values.
+    const Parameters::Boundary boundary;
+
+    /// The factor of an entry of the boundary conditions under a load factor,
+    /// by its history.
+    double factor(const std::string &entry, const double load_factor) const;
+
+    /// Supports, ties, bound centres and hanging nodes, for the next Newton
+    /// update.
+    AffineConstraints<double> constraints;
+
+    /// By component: the groups that are supported, and the unknowns of each
+    /// that this rank knows.
+    std::array<std::map<std::string, std::set<types::global_dof_index>>, 2>
+      supports;
+
+    /// The unknowns of each vertex of the triangulation; invalid where no cell
+    /// of this rank or its neighbors has it.
+    std::vector<NodeDoFs> vertex_dofs;
+
+    /**
+     * Make the constraints such that the next update brings the supported
+     * unknowns from their value in @p u to the displacement prescribed under
+     * @p load_factor. Costs nothing where nothing changes.
+     */
+    void constrain_update(const Vector<double> &u, const double load_factor);
+
+    /**
+     * Bring all supported unknowns of @p u, and those that follow them, to what
+     * is prescribed under @p load_factor at once: the next update moves none.
+     * For bodies whose tangent does not mind the strains this makes.
+     */
+    void prescribe(Vector<double> &u, const double load_factor);
+
+    /// Give all ranks what the owner of each unknown has in @p u: a rank knows
+    /// the constraints of its own unknowns, not those of all others.
+    void share(Vector<double> &u) const;
+
+    /// The largest displacement that a support prescribes now [mm].
+    double largest_prescribed() const
+    {
+      return largest_displacement;
+    }
+
+    /// How far a supported unknown of @p u is at most from where it has to be
+    /// under @p load_factor [mm].
+    double distance_from_supports(const Vector<double> &u,
+                                  const double          load_factor) const;
+
+    /// Whether the next update moves a supported unknown.
+    bool update_is_prescribed() const
+    {
+      return !updates_vanish;
+    }
+
+    /// Whether a support fixes this unknown.
+    bool is_fixed(const types::global_dof_index dof) const;
+
+    /// Whether a support moves this unknown as the load grows.
+    bool is_moved(const types::global_dof_index dof) const;
+
+    /// Whether this unknown is tied to another one, or another one to it.
+    bool is_tied(const types::global_dof_index dof) const;
+
+  private:
+    /// A displacement at its full value [mm], of one component.
+    struct Prescribed
+    {
+      double       value;
+      unsigned int component;
+
+      bool operator!=(const Prescribed &other) const
+      {
+        return value != other.value || component != other.component;
+      }
+
+      template<class Archive>
+      void serialize(Archive &archive, const unsigned int)
+      {
+        archive &value &component;
+      }
+    };
+
+    /// Of the displacements prescribed in x and y, by their histories.
+    std::array<double, 2> support_factors(const double load_factor) const;
+
+    void check_radii();
+    void hold_axis();
+    void collect_vertex_dofs();
+    void share_named_points();
+    void collect_supports();
+    void collect_ties();
+    void
+    make_constraints(const std::map<types::global_dof_index, double> &updates);
+    void bind_centres();
+
+    using History = std::function<double(const Point<1> &)>;
+
+    std::map<std::string, History>                             histories;
+    std::map<types::global_dof_index, Prescribed>              prescribed;
+    std::map<types::global_dof_index, types::global_dof_index> ties;
+    double axis_tolerance       = 0; // round-off of the radii [mm]
+    bool   updates_vanish       = true;
+    double largest_displacement = 0;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,213 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solid/elasticity.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/std_cxx20/iota_view.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/counters.h"
+#include "base/errors.h"
+
+namespace Contact
+{
+  namespace
+  {
+    std::map<types::material_id, Material>
+    find_materials(const Mesh &mesh, const Parameters::Solids &parameters)
+    {
+      const std::string                      entry = "Solids/Young's modulus";
+      std::map<types::material_id, Material> materials;
+      for (const auto &[name, young] : parameters.young)
+        materials.emplace(mesh.body(name, entry),
+                          Material(young, parameters.poisson.at(name)));
+      for (const auto &[name, body] : mesh.bodies)
+        if (materials.count(body) == 0)
+          throw InputError("body '" + name + "' has no material",
+                           entry,
+                           "add '" + name + ": <value>' to the moduli");
+      return materials;
+    }
+
+
+
+    /// The bodies whose dilatation is projected.
+    std::set<types::material_id>
+    find_projected(const std::map<types::material_id, Material> &materials,
+                   const std::string                            &dilatation)
+    {
+      std::set<types::material_id> projected;
+      for (const auto &[body, material] : materials)
+        if (dilatation == "projected" ||
+            (dilatation == "automatic" && material.lambda > 10 * material.mu))
+          projected.insert(body);
+      return projected;
+    }
+  } // namespace
+
+
+
+  // Lexicographic, so that it does not depend on the number of ranks which of
+  // several equal ones is named.
+  VolumeRatio smallest_of_all_ranks(const VolumeRatio &of_rank,
+                                    const MPI_Comm     communicator)
+  {
+    using Numbers     = std::array<double, 4>; // value, body, X
+    const auto of_all = Utilities::MPI::all_gather(
+      communicator,
+      Numbers{{of_rank.value, 1. * of_rank.body, of_rank.X[0], of_rank.X[1]}});
+    const Numbers numbers = *std::min_element(of_all.begin(), of_all.end());
+    return {numbers[0],
+            static_cast<types::material_id>(numbers[1]),
+            Point<2>(numbers[2], numbers[3])};
+  }
+
+
+
+  Elasticity::Elasticity(const Discretization     &discretization,
+                         const Parameters::Solids &parameters)
+    : dead_loads(discretization)
+    , discretization(discretization)
+    , materials(find_materials(discretization.mesh, parameters))
+    , projected(find_projected(materials, parameters.dilatation))
+    , tables(tabulate_cells(discretization, materials, projected))
+    , soft_hold(discretization, tables.own)
+  {
+  }
+
+
+
+  template<class Numbers>
+  VolumeRatio Elasticity::visit(const Vector<double> &u,
+                                const bool            with_tangent,
+                                const Numbers        &numbers,
+                                const CellVisitor    &visitor) const
+  {
+    FullMatrix<double>  tangent;
+    FullMatrix<double> *wanted = with_tangent ? &tangent : nullptr;
+    Vector<double>      forces;
+    VolumeRatio         smallest;
+    for (const unsigned int number : numbers)
+      {
+        ++counters().cell_forces;
+        counters().cell_tangents += with_tangent;
+        const CellTable   &cell = tables.own[number];
+        const unsigned int n    = cell.dofs.size();
+        forces.reinit(n);
+        if (with_tangent)
+          tangent.reinit(n, n);
+        const SmallestInCell of_cell = cell_forces(cell, u, wanted, forces);
+        if (of_cell.value < smallest.value)
+          smallest = {of_cell.value, cell.body, cell.points[of_cell.point]};
+        soft_hold.add_springs(cell, u, wanted, forces);
+        visitor(cell.dofs, tangent, forces);
+      }
+    return smallest;
+  }
+
+
+
+  VolumeRatio Elasticity::visit_cells(const Vector<double> &u,
+                                      const bool            with_tangent,
+                                      const CellVisitor    &visitor) const
+  {
+    return visit(
+      u,
+      with_tangent,
+      std_cxx20::ranges::iota_view<unsigned int, unsigned int>(0, n_cells()),
+      visitor);
+  }
+
+
+
+  VolumeRatio Elasticity::visit_cells(const Vector<double> &u,
+                                      const bool            with_tangent,
+                                      const std::vector<unsigned int> &chosen,
+                                      const CellVisitor &visitor) const
+  {
+    return visit(u, with_tangent, chosen, visitor);
+  }
+
+
+
+  VolumeRatio Elasticity::assemble(const Vector<double> &u,
+                                   const double          load_factor,
+                                   Vector<double>       &rhs,
+                                   SparseMatrix<double> *matrix) const
+  {
+    const auto &constraints = discretization.constraints;
+    const auto &owned       = discretization.dof_handler.locally_owned_dofs();
+    const auto  load        = dead_loads.at(load_factor);
+    for (unsigned int i = 0; i < load.size(); ++i)
+      if (load[i] != 0 && owned.is_element(i))
+        constraints.distribute_local_to_global(i, load[i], rhs);
+
+    // Bodies at rest exert nothing.
+    if (matrix == nullptr && soft_hold.held().empty() && u.all_zero())
+      return VolumeRatio();
+
+    Vector<double> cell_rhs;
+    return visit_cells(u,
+                       matrix != nullptr,
+                       [&](const std::vector<types::global_dof_index> &dofs,
+                           const FullMatrix<double>                   &tangent,
+                           const Vector<double>                       &forces) {
+                         cell_rhs.reinit(forces.size());
+                         cell_rhs.add(-1, forces);
+                         if (matrix == nullptr)
+                           constraints.distribute_local_to_global(cell_rhs,
+                                                                  dofs,
+                                                                  rhs);
+                         else
+                           constraints.distribute_local_to_global(tangent,
+                                                                  cell_rhs,
+                                                                  dofs,
+                                                                  *matrix,
+                                                                  rhs);
+                       });
+  }
+
+
+
+  Vector<double> Elasticity::forces(const Vector<double> &u,
+                                    const double          load_factor) const
+  {
+    Vector<double> forces(discretization.dof_handler.n_dofs());
+    visit_cells(u,
+                false,
+                [&](const std::vector<types::global_dof_index> &dofs,
+                    const FullMatrix<double> &,
+                    const Vector<double> &cell_forces) {
+                  forces.add(dofs, cell_forces);
+                });
+    Utilities::MPI::sum(forces, discretization.communicator, forces);
+    forces -= dead_loads.at(load_factor);
+    return forces;
+  }
+
+
+
+  double Elasticity::strain_energy(const Vector<double> &u) const
+  {
+    double energy = 0;
+    for (const CellTable &cell : tables.own)
+      energy += cell_energy(cell, u);
+    return Utilities::MPI::sum(energy, discretization.communicator);
+  }
+
+
+
+  void Elasticity::add_couplings(DynamicSparsityPattern &pattern) const
+  {
+    for (const CellTable &cell : tables.own)
+      discretization.constraints.add_entries_local_to_global(
+        cell.dofs,
+        pattern,
+        /*keep_constrained_entries=*/false);
+  }
+} // namespace Contact

@@ -1,0 +1,220 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_elasticity_h
+#define contact_elasticity_h
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "solid/dead_loads.h"
+#include "solid/soft_hold.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The smallest ratio det F [-] of deformed to undeformed volume among the
+   * quadrature points, the body and the undeformed place X [mm] where it is;
+   * 1 and no body if no point is compressed. At zero or below a cell is turned
+   * inside out: no solution, whatever the residual says.
+   */
+  struct VolumeRatio
+  {
+    double             value = 1;
+    types::material_id body  = numbers::invalid_material_id;
+    Point<2>           X;
+  };
+
+  /// The smallest of all ranks, on all of them. Collective.
+  VolumeRatio smallest_of_all_ranks(const VolumeRatio &of_rank,
+                                    const MPI_Comm     communicator);
+
+
+
+  /**
+   * The bodies: residual and consistent tangent of
+   *   integral S(u) : delta E dX - dead load . delta u = 0.
+   *
+   * Forces are in N per mm of thickness and energies in N mm per mm; of rings,
+   * whose integrals hold the circumference, in N and N mm (symmetry.h).
+   *
+   * Dilatation. The stresses are the derivatives of the energy
+   *   integral 1/2 lambda (P tr E)^2 + mu E : E dX,
+   * where P is the identity ("full") or, cell by cell, the L2 projection onto
+   * the polynomials of degree k-1 in the coordinates of the reference cell
+   * ("projected"), weighted with the undeformed volume and integrated with the
+   * points of the cell; of rings tr E has the hoop strain in it. As nu
+   * approaches 1/2, tr E has to vanish wherever P asks for it: with the
+   * identity in more points than elements of degree 1 can afford, and they
+   * lock. P asks for one condition in a cell of degree 1 (selective
+   * integration, B-bar: T. J. R. Hughes, Int. J. Numer. Methods Eng. 15, 1980)
+   * and for three at degree 2 (Q2-P1). "automatic" projects where lambda > 10
+   * mu, that is nu > 5/11.
+   *
+   * Triangles of degree 1 have one point: P is the identity, and they lock
+   * either way. In those of degree 2 P is the mean: three conditions would be
+   * too many for the four unknowns of displacement that a triangle has (see
+   * tests/locking.cc), one is stable, at the price of an order. Prefer
+   * quadrangles where nu is close to 1/2.
+   */
+  class Elasticity
+  {
+  public:
+    virtual ~Elasticity() = default;
+
+    /// The kinematics and the symmetry named in the parameters.
+    static std::unique_ptr<Elasticity>
+    create(const Discretization     &discretization,
+           const Parameters::Solids &parameters);
+
+    /// The forces on the bodies.
+    const DeadLoads dead_loads;
+
+    /// Add the couplings of the bodies.
+    void add_couplings(DynamicSparsityPattern &pattern) const;
+
+    /// What is done with a cell: its unknowns, its tangent (empty if there was
+    /// none asked for) and its internal forces.
+    using CellVisitor =
+      std::function<void(const std::vector<types::global_dof_index> &dofs,
+                         const FullMatrix<double>                   &tangent,
+                         const Vector<double>                       &forces)>;
+
+    /// Visit all cells of this rank, or only those with the numbers @p chosen.
+    /// Returns the smallest volume ratio among them; in small strain, 1.
+    VolumeRatio visit_cells(const Vector<double> &u,
+                            const bool            with_tangent,
+                            const CellVisitor    &visitor) const;
+    VolumeRatio visit_cells(const Vector<double>            &u,
+                            const bool                       with_tangent,
+                            const std::vector<unsigned int> &chosen,
+                            const CellVisitor               &visitor) const;
+
+    /// How many cells this rank has, and the unknowns of one of them.
+    unsigned int n_cells() const
+    {
+      return tables.own.size();
+    }
+    const std::vector<types::global_dof_index> &
+    dofs_of_cell(const unsigned int number) const
+    {
+      return tables.own[number].dofs;
+    }
+
+    /**
+     * Add minus the residual (dead forces under @p load_factor minus internal
+     * forces) to @p rhs and, unless @p matrix is null, the tangent to it;
+     * constraints eliminated. Of several ranks each adds its own part, and
+     * returns the smallest volume ratio among its own cells.
+     */
+    VolumeRatio assemble(const Vector<double> &u,
+                         const double          load_factor,
+                         Vector<double>       &rhs,
+                         SparseMatrix<double> *matrix) const;
+
+    /**
+     * The forces on all nodes, unconstrained: internal minus load. Where a
+     * node is supported or in contact, the force that acts there.
+     */
+    Vector<double> forces(const Vector<double> &u,
+                          const double          load_factor) const;
+
+    /**
+     * The energy stored in the bodies [N mm per mm of thickness]: its
+     * derivative are the internal forces. Without that of a soft hold.
+     * Collective.
+     */
+    double strain_energy(const Vector<double> &u) const;
+
+    /// Grows whenever the tangent becomes another one under the same u: with
+    /// the soft hold.
+    unsigned int tangent_version() const
+    {
+      return soft_hold.version();
+    }
+
+    /// Whether the dilatation of the quadrangles of a body is projected.
+    bool is_projected(const types::material_id body) const
+    {
+      return projected.count(body) > 0;
+    }
+
+    /// Cauchy stress [MPa] in all quadrature points, by active cell; nothing
+    /// for the cells that this rank does not know.
+    virtual std::vector<std::vector<SymmetricTensor<2, 3>>>
+    stresses(const Vector<double> &u) const = 0;
+
+    /// The tangent does not depend on the displacement.
+    virtual bool is_linear() const = 0;
+
+    /// s : D^-1 : s [MPa], twice the energy by volume of a stress s in a body.
+    virtual double
+    energy_density(const types::material_id     body,
+                   const SymmetricTensor<2, 3> &stress) const = 0;
+
+    /// Young's modulus [MPa] of a body.
+    double young(const types::material_id body) const
+    {
+      return material(body).young;
+    }
+
+    /// The material of a body.
+    const Material &material(const types::material_id body) const
+    {
+      return materials.at(body);
+    }
+
+  private:
+    template<class Numbers>
+    VolumeRatio visit(const Vector<double> &u,
+                      const bool            with_tangent,
+                      const Numbers        &numbers,
+                      const CellVisitor    &visitor) const;
+
+  protected:
+    Elasticity(const Discretization     &discretization,
+               const Parameters::Solids &parameters);
+
+    /// The smallest det F of a cell, and in which of its points.
+    struct SmallestInCell
+    {
+      double       value = 1;
+      unsigned int point = 0;
+    };
+
+    /// Internal forces and, if @p tangent is not null, tangent of a cell.
+    virtual SmallestInCell cell_forces(const CellTable      &cell,
+                                       const Vector<double> &u,
+                                       FullMatrix<double>   *tangent,
+                                       Vector<double>       &forces) const = 0;
+
+    /// Strain energy of a cell.
+    virtual double cell_energy(const CellTable      &cell,
+                               const Vector<double> &u) const = 0;
+
+    const Discretization                        &discretization;
+    const std::map<types::material_id, Material> materials;
+    const std::set<types::material_id>           projected;
+
+    const CellTables tables;
+
+  public:
+    /// The springs at the cells, which are part of their residual and of their
+    /// tangent, whoever visits them.
+    SoftHold soft_hold;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,100 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solid/stress_recovery.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/reference_cell.h>
+
+#include <set>
+
+namespace Contact
+{
+  StressRecovery::StressRecovery(const Discretization &discretization)
+    : discretization(discretization)
+  {
+    for (unsigned int e = 0; e < discretization.fe.size(); ++e)
+      {
+        const auto           cell       = discretization.fe[e].reference_cell();
+        const Quadrature<2> &quadrature = discretization.quadrature[e];
+        FullMatrix<double>   values(quadrature.size(), cell.n_vertices());
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          for (unsigned int v = 0; v < cell.n_vertices(); ++v)
+            values(q, v) = cell.d_linear_shape_function(quadrature.point(q), v);
+
+        fits.emplace_back(cell.n_vertices(), quadrature.size());
+        if (quadrature.size() >= cell.n_vertices())
+          fits.back().left_invert(values);
+        else
+          fits.back().right_invert(values);
+      }
+  }
+
+
+
+  std::vector<SymmetricTensor<2, 3>>
+  StressRecovery::vertex_stresses(const Elasticity     &elasticity,
+                                  const Vector<double> &u) const
+  {
+    const auto         at_points = elasticity.stresses(u);
+    const unsigned int n_vertices =
+      discretization.mesh.triangulation.n_vertices();
+    std::vector<SymmetricTensor<2, 3>> at_vertices(n_vertices);
+    std::vector<unsigned int>          n_cells(n_vertices, 0);
+
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      {
+        if (cell->is_artificial())
+          continue;
+        const auto &values = at_points[cell->active_cell_index()];
+        const auto &fit    = fits[cell->active_fe_index()];
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            for (unsigned int q = 0; q < values.size(); ++q)
+              at_vertices[cell->vertex_index(v)] += fit(v, q) * values[q];
+            ++n_cells[cell->vertex_index(v)];
+          }
+      }
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      if (n_cells[v] > 0)
+        at_vertices[v] /= n_cells[v];
+    share_named_points(at_vertices);
+    return at_vertices;
+  }
+
+
+
+  // A rank that has a cell at a vertex knows all cells around it.
+  void StressRecovery::share_named_points(
+    std::vector<SymmetricTensor<2, 3>> &at_vertices) const
+  {
+    const MPI_Comm communicator = discretization.communicator;
+    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+      return;
+
+    std::set<unsigned int> own;
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int v : cell->vertex_indices())
+          own.insert(cell->vertex_index(v));
+    for (const auto &[name, vertex] : discretization.mesh.points)
+      if (vertex != numbers::invalid_unsigned_int)
+        {
+          const bool knows = own.count(vertex) > 0;
+          const auto sum   = Utilities::MPI::sum(knows ? at_vertices[vertex]
+                                                     : SymmetricTensor<2, 3>(),
+                                               communicator);
+          at_vertices[vertex] =
+            sum / Utilities::MPI::sum(knows ? 1. : 0., communicator);
+        }
+  }
+
+
+
+  double von_mises(const SymmetricTensor<2, 3> &stress)
+  {
+    return std::sqrt(1.5) * deviator(stress).norm();
+  }
+} // namespace Contact

@@ -1,0 +1,49 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_stress_recovery_h
+#define contact_stress_recovery_h
+
+#include <deal.II/lac/full_matrix.h>
+
+#include "solid/elasticity.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * Cauchy stress [MPa] at the vertices: in each cell the least-squares fit of
+   * the vertex shape functions (bilinear, linear in triangles) to the values in
+   * the quadrature points, evaluated at the vertices; then the mean over the
+   * cells at a vertex. With one point in a triangle the fit is the constant.
+   */
+  class StressRecovery
+  {
+  public:
+    StressRecovery(const Discretization &discretization);
+
+    /// By vertex of the triangulation.
+    std::vector<SymmetricTensor<2, 3>>
+    vertex_stresses(const Elasticity     &elasticity,
+                    const Vector<double> &u) const;
+
+  private:
+    void
+    share_named_points(std::vector<SymmetricTensor<2, 3>> &at_vertices) const;
+
+    const Discretization &discretization;
+
+    /// Quadrature point values -> vertex values, for each element.
+    std::vector<FullMatrix<double>> fits;
+  };
+
+
+
+  /// sqrt(3/2 s : s), s the stress deviator.
+  double von_mises(const SymmetricTensor<2, 3> &stress);
+} // namespace Contact
+
+#endif

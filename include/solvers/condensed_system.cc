@@ -1,0 +1,462 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/condensed_system.h"
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe.h>
+#include <deal.II/lac/sparsity_tools.h>
+
+#include <Epetra_CrsMatrix.h>
+#include <algorithm>
+
+#include "base/counters.h"
+
+namespace Contact
+{
+  CondensedSystem::CondensedSystem(const Discretization   &discretization,
+                                   const Elasticity       &elasticity,
+                                   const ContactInterface *interface,
+                                   ContactElimination     &elimination,
+                                   const std::string      &solver_name,
+                                   TimerOutput            &timer)
+    : discretization(discretization)
+    , elasticity(elasticity)
+    , elimination(elimination)
+    , timer(timer)
+    , owned(discretization.dof_handler.locally_owned_dofs())
+    , eliminable(elimination.slave_dofs)
+    , couplings(discretization, interface)
+    , solver_name(solver_name)
+  {
+    collect_interface();
+  }
+
+
+
+  // The rigid motions about the middle of each body. As a whole they are three
+  // for all bodies together: aggregates do not reach from body to body except
+  // where these touch.
+  DefiniteSolver::Modes CondensedSystem::rigid_modes() const
+  {
+    DefiniteSolver::Modes modes(3, std::vector<double>(owned.n_elements()));
+
+    // Of the coarse cells, which every rank has.
+    std::map<types::material_id, BoundingBox<2>> boxes;
+    for (const auto &cell :
+         discretization.mesh.triangulation.cell_iterators_on_level(0))
+      boxes.emplace(cell->material_id(), cell->bounding_box())
+        .first->second.merge_with(cell->bounding_box());
+
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      {
+        if (!cell->is_locally_owned())
+          continue;
+        const auto    &fe     = cell->get_fe();
+        const Point<2> centre = boxes.at(cell->material_id()).center();
+        const auto &mapping   = discretization.mapping[cell->active_fe_index()];
+        dofs.resize(fe.n_dofs_per_cell());
+        cell->get_dof_indices(dofs);
+        for (unsigned int a = 0; a < fe.base_element(0).n_dofs_per_cell(); ++a)
+          {
+            const auto in_x = dofs[fe.component_to_system_index(0, a)];
+            const auto in_y = dofs[fe.component_to_system_index(1, a)];
+            if (!owned.is_element(in_x))
+              continue;
+            const Tensor<1, 2> arm =
+              mapping.transform_unit_to_real_cell(
+                cell,
+                fe.base_element(0).unit_support_point(a)) -
+              centre;
+            const auto row_x = owned.index_within_set(in_x);
+            const auto row_y = owned.index_within_set(in_y);
+            modes[0][row_x]  = 1;
+            modes[1][row_y]  = 1;
+            modes[2][row_x]  = -arm[1];
+            modes[2][row_y]  = arm[0];
+          }
+      }
+    return modes;
+  }
+
+
+
+  // A hanging node next to the surface moves with a slave node: such cells see
+  // the active set, too.
+  void CondensedSystem::collect_interface()
+  {
+    interface_cells.clear();
+    bulk_cells.clear();
+    const auto &base    = discretization.constraints;
+    const auto  sees_it = [&](const types::global_dof_index dof) {
+      if (eliminable.count(dof) > 0 || discretization.is_moved(dof))
+        return true;
+      const auto *entries = base.get_constraint_entries(dof);
+      return entries != nullptr &&
+             std::any_of(entries->begin(),
+                         entries->end(),
+                         [&](const auto &entry) {
+                           return eliminable.count(entry.first) > 0;
+                         });
+    };
+    for (unsigned int c = 0; c < elasticity.n_cells(); ++c)
+      {
+        const Dofs &dofs = elasticity.dofs_of_cell(c);
+        if (std::any_of(dofs.begin(), dofs.end(), sees_it))
+          interface_cells.push_back(c);
+        else
+          bulk_cells.push_back(c);
+      }
+  }
+
+
+
+  void CondensedSystem::update_pattern()
+  {
+    if (!on_any_rank(!has_pattern || !couplings.serve()))
+      return;
+    TimerOutput::Scope scope(timer, "setup");
+    couplings.make();
+    make_pattern();
+  }
+
+
+
+  // The lines of now, and a pattern that has room for them.
+  void CondensedSystem::eliminate(const Vector<double> &solution,
+                                  const Vector<double> &u_start)
+  {
+    {
+      TimerOutput::Scope scope(timer, "assembly");
+      elimination.make(solution, u_start, interface_dofs);
+    }
+    const bool misses_cells = on_any_rank(add_eliminable());
+    const bool misses_partners =
+      on_any_rank(couplings.add_missing(elimination));
+    if (!misses_cells && !misses_partners)
+      return;
+    TimerOutput::Scope scope(timer, "setup");
+    if (misses_cells)
+      collect_interface();
+    make_pattern();
+    elimination.make(solution, u_start, interface_dofs);
+  }
+
+
+
+  // Whether something is to be made anew is decided by all ranks together: what
+  // each of them sees may differ by round-off.
+  bool CondensedSystem::on_any_rank(const bool condition) const
+  {
+    return Utilities::MPI::max(static_cast<unsigned int>(condition),
+                               discretization.communicator) > 0;
+  }
+
+
+
+  // What is eliminated beside the slave nodes, which shows in the lines only.
+  bool CondensedSystem::add_eliminable()
+  {
+    bool is_more = false;
+    for (const auto dof : elimination.eliminated_dofs())
+      is_more = eliminable.insert(dof).second || is_more;
+    return is_more;
+  }
+
+
+
+  void CondensedSystem::make_pattern()
+  {
+    const auto                       &dof_handler = discretization.dof_handler;
+    const auto                        n           = dof_handler.n_dofs();
+    std::set<types::global_dof_index> touched     = couplings.all();
+
+    // One rank has all rows, which is said by none.
+    IndexSet   rows;
+    const bool is_distributed =
+      Utilities::MPI::n_mpi_processes(discretization.communicator) > 1;
+    if (is_distributed)
+      {
+        rows = DoFTools::extract_locally_relevant_dofs(dof_handler);
+        rows.add_indices(touched.begin(), touched.end());
+        rows.compress();
+      }
+
+    DynamicSparsityPattern pattern(n, n, rows);
+    elasticity.add_couplings(pattern);
+
+    const auto &base = discretization.constraints;
+    for (const unsigned int c : interface_cells)
+      {
+        const Dofs &cell_dofs = elasticity.dofs_of_cell(c);
+        std::set<types::global_dof_index> coupled(cell_dofs.begin(),
+                                                  cell_dofs.end());
+        for (const auto dof : cell_dofs)
+          {
+            couplings.add_partners(dof, coupled);
+            if (const auto *entries = base.get_constraint_entries(dof))
+              for (const auto &entry : *entries)
+                {
+                  coupled.insert(entry.first);
+                  couplings.add_partners(entry.first, coupled);
+                }
+          }
+        base.add_entries_local_to_global(Dofs(coupled.begin(), coupled.end()),
+                                         pattern,
+                                         /*keep_constrained_entries=*/false);
+        touched.insert(coupled.begin(), coupled.end());
+      }
+    for (const auto i : owned)
+      pattern.add(i, i);
+
+    const MPI_Comm communicator = discretization.communicator;
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(communicator,
+                                    Dofs(touched.begin(), touched.end())))
+      touched.insert(of_rank.begin(), of_rank.end());
+    interface_dofs.assign(touched.begin(), touched.end());
+
+    if (is_distributed)
+      SparsityTools::distribute_sparsity_pattern(pattern,
+                                                 owned,
+                                                 communicator,
+                                                 rows);
+    for (Solver &solver : solvers)
+      {
+        if (solver.solver)
+          solver.solver->release();
+        solver.pattern_is_new = true;
+      }
+    current = nullptr;
+    matrix.clear();
+    matrix.reinit(owned, owned, pattern, communicator);
+    tangents_are_known = false;
+    has_pattern        = true;
+  }
+
+
+
+  unsigned int CondensedSystem::solve(const Vector<double> &solution,
+                                      const Vector<double> &u_start,
+                                      const Vector<double> &residual,
+                                      const double          tolerance,
+                                      Vector<double>       &update)
+  {
+    Vector<double> rhs(owned.size());
+    std::copy_n(residual.begin(), rhs.size(), rhs.begin());
+    bool is_new = true;
+    eliminate(solution, u_start);
+    {
+      TimerOutput::Scope scope(timer, "assembly");
+      elimination.condense(rhs);
+      is_new = assemble(solution, rhs);
+    }
+    if (is_new || current == nullptr)
+      {
+        TimerOutput::Scope scope(timer, "factorization");
+        give_matrix_to_solver();
+      }
+
+    TimerOutput::Scope     scope(timer, "solution");
+    const MPI_Comm         communicator = discretization.communicator;
+    DefiniteSolver::Vector b(owned, communicator), x(owned, communicator);
+    const auto            &base  = discretization.constraints;
+    const auto            &lines = elimination.test_constraints();
+    unsigned int           row   = 0;
+    for (const auto i : owned)
+      b.begin()[row++] =
+        base.is_constrained(i) || lines.is_constrained(i) ? 0. : rhs[i];
+
+    // In any case a digit is gained: else a point with a pressure below the
+    // tolerance might open and close for ever, and nothing move.
+    const double       size = b.l2_norm();
+    const unsigned int n_iterations =
+      current->solve(b,
+                     tolerance > 0
+                       ? std::min(tolerance,
+                                  std::max(0.1 * size, 1e-3 * tolerance))
+                       : 1e-6 * size,
+                     x);
+
+    // Everybody gets everything, first what is solved for, then what follows.
+    row = 0;
+    rhs = 0;
+    for (const auto i : owned)
+      rhs[i] = x.begin()[row++];
+    Utilities::MPI::sum(rhs, communicator, rhs);
+    elimination.distribute(rhs);
+    discretization.share(rhs);
+    std::copy_n(rhs.begin(), rhs.size(), update.begin());
+    return n_iterations;
+  }
+
+
+
+  // Each kind of matrix has a solver of its own, made when the first one comes.
+  void CondensedSystem::give_matrix_to_solver()
+  {
+    current            = nullptr;
+    const bool kind    = elimination.is_symmetric();
+    Solver    &of_kind = solvers[kind ? 0 : 1];
+    if (!of_kind.solver)
+      {
+        const auto modes =
+          solver_name == "AMG" ? rigid_modes() : DefiniteSolver::Modes();
+        of_kind.solver =
+          kind ? DefiniteSolver::create(solver_name, modes)
+               : DefiniteSolver::create_unsymmetric(solver_name, modes);
+      }
+    of_kind.solver->set_matrix(matrix, of_kind.pattern_is_new);
+    of_kind.pattern_is_new = false;
+    current                = of_kind.solver.get();
+  }
+
+
+
+  bool CondensedSystem::assemble(const Vector<double> &solution,
+                                 Vector<double>       &rhs)
+  {
+    const bool tangents_serve =
+      !on_any_rank(!tangents_are_known || !elasticity.is_linear() ||
+                   tangent_version != elasticity.tangent_version());
+    const auto signature = elimination.signature();
+    const bool is_new =
+      on_any_rank(!tangents_serve || signature != assembled_lines);
+    assembled_lines = signature;
+    if (!tangents_serve)
+      assemble_tangents(solution);
+    else if (is_new)
+      restore_interface_rows();
+
+    // With what the eliminated unknowns are to move by themselves: -K h.
+    Vector<double> moved_forces(rhs.size()), h, force;
+    const auto    &constraints = elimination.constraints();
+    const auto    &tested      = elimination.test_constraints();
+    for (unsigned int k = 0; k < interface_cells.size(); ++k)
+      {
+        const Dofs &dofs = elasticity.dofs_of_cell(interface_cells[k]);
+        const FullMatrix<double> &tangent = interface_tangents[k];
+        if (is_new && elimination.is_symmetric())
+          constraints.distribute_local_to_global(tangent, dofs, matrix);
+        else if (is_new)
+          add_unsymmetric(tangent, dofs);
+
+        h.reinit(dofs.size());
+        force.reinit(dofs.size());
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          h[i] = -constraints.get_inhomogeneity(dofs[i]);
+        tangent.vmult(force, h);
+        tested.distribute_local_to_global(force, dofs, moved_forces);
+      }
+    if (is_new)
+      matrix.compress(VectorOperation::add);
+
+    Utilities::MPI::sum(moved_forces,
+                        discretization.communicator,
+                        moved_forces);
+    rhs += moved_forces;
+    return is_new;
+  }
+
+
+
+  // Rows by the virtual displacements, columns by the displacements; what is
+  // constrained gets a diagonal as large as with the symmetric matrix.
+  void CondensedSystem::add_unsymmetric(const FullMatrix<double> &tangent,
+                                        const Dofs               &dofs)
+  {
+    const auto &tested = elimination.test_constraints();
+    tested.distribute_local_to_global(tangent,
+                                      dofs,
+                                      elimination.constraints(),
+                                      dofs,
+                                      matrix);
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      if (tested.is_constrained(dofs[i]))
+        matrix.add(dofs[i], dofs[i], std::abs(tangent(i, i)));
+  }
+
+
+
+  // All cells: of those that see the active set the tangents, of the others
+  // their sum.
+  void CondensedSystem::assemble_tangents(const Vector<double> &solution)
+  {
+    ++counters().tangents;
+    const auto &base = discretization.constraints;
+    matrix           = 0;
+    elasticity.visit_cells(solution,
+                           true,
+                           bulk_cells,
+                           [&](const Dofs               &dofs,
+                               const FullMatrix<double> &tangent,
+                               const Vector<double> &) {
+                             base.distribute_local_to_global(tangent,
+                                                             dofs,
+                                                             matrix);
+                           });
+    matrix.compress(VectorOperation::add);
+    interface_tangents.clear();
+    elasticity.visit_cells(solution,
+                           true,
+                           interface_cells,
+                           [&](const Dofs &,
+                               const FullMatrix<double> &tangent,
+                               const Vector<double> &) {
+                             interface_tangents.push_back(tangent);
+                           });
+
+    // Bound centres are in no cell.
+    if (discretization.bound_centre)
+      {
+        const std::set<types::global_dof_index> of_interface(
+          interface_dofs.begin(),
+          interface_dofs.end());
+        for (const auto i : owned)
+          if (base.is_constrained(i) && of_interface.count(i) == 0 &&
+              matrix.diag_element(i) == 0)
+            matrix.set(i, i, elasticity.young(0));
+        matrix.compress(VectorOperation::insert);
+      }
+
+    kept_rows.clear();
+    for_interface_rows([&](const int n, double *values) {
+      kept_rows.emplace_back(values, values + n);
+    });
+    tangents_are_known = true;
+    tangent_version    = elasticity.tangent_version();
+  }
+
+
+
+  void CondensedSystem::restore_interface_rows()
+  {
+    auto kept = kept_rows.begin();
+    for_interface_rows([&](const int, double *values) {
+      std::copy(kept->begin(), kept->end(), values);
+      ++kept;
+    });
+  }
+
+
+
+  void CondensedSystem::for_interface_rows(
+    const std::function<void(const int n, double *values)> &visit)
+  {
+    for (const auto dof : interface_dofs)
+      if (owned.is_element(dof))
+        {
+          int     n       = 0;
+          double *values  = nullptr;
+          int    *columns = nullptr;
+          matrix.trilinos_matrix().ExtractMyRowView(owned.index_within_set(dof),
+                                                    n,
+                                                    values,
+                                                    columns);
+          visit(n, values);
+        }
+  }
+} // namespace Contact

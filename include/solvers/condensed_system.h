@@ -1,0 +1,119 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_condensed_system_h
+#define contact_condensed_system_h
+
+#include <deal.II/base/timer.h>
+
+#include "solvers/definite_solver.h"
+#include "solvers/interface_couplings.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The linear system of a Newton step without multipliers: the active points
+   * are eliminated, see ContactElimination. It is symmetric and positive
+   * definite, with friction as well: where a node slips, the shear is a load (a
+   * step of Tresca's problem). If its bound moves with the pressure, the matrix
+   * is unsymmetric as long as a point slips, and Newton's method exact.
+   *
+   * Only cells at the slave nodes see the active set: their tangents are kept
+   * beside the matrix of all others. Linear bodies have them all once on a
+   * mesh, and a change of the active set costs the sum over the cells at the
+   * interface (and what the solver makes of it).
+   */
+  class CondensedSystem
+  {
+  public:
+    /// @p interface may be null. Phases are measured by @p timer.
+    CondensedSystem(const Discretization   &discretization,
+                    const Elasticity       &elasticity,
+                    const ContactInterface *interface,
+                    ContactElimination     &elimination,
+                    const std::string      &solver_name,
+                    TimerOutput            &timer);
+
+    /// Follow the pairing of the points; the pattern is made anew only if it
+    /// has to be.
+    void update_pattern();
+
+    /**
+     * The Newton update under the present decisions, from minus the residual
+     * of bodies and contact. @p tolerance is that of the linear residual [N per
+     * mm of thickness]; 0: six digits. Returns the number of linear iterations.
+     */
+    unsigned int solve(const Vector<double> &solution,
+                       const Vector<double> &u_start,
+                       const Vector<double> &residual,
+                       const double          tolerance,
+                       Vector<double>       &update);
+
+    /// The matrix of the last solve.
+    const DefiniteSolver::Matrix &system_matrix() const
+    {
+      return matrix;
+    }
+
+  private:
+    using Dofs = std::vector<types::global_dof_index>;
+
+    void collect_interface();
+    bool add_eliminable();
+    bool on_any_rank(const bool condition) const;
+    void make_pattern();
+    void eliminate(const Vector<double> &solution,
+                   const Vector<double> &u_start);
+
+    /// Returns whether the matrix is another one than before.
+    bool assemble(const Vector<double> &solution, Vector<double> &rhs);
+    void assemble_tangents(const Vector<double> &solution);
+    void add_unsymmetric(const FullMatrix<double> &tangent, const Dofs &dofs);
+    void give_matrix_to_solver();
+    void restore_interface_rows();
+    void for_interface_rows(
+      const std::function<void(const int n, double *values)> &visit);
+
+    DefiniteSolver::Modes rigid_modes() const;
+
+    const Discretization &discretization;
+    const Elasticity     &elasticity;
+    ContactElimination   &elimination;
+    TimerOutput          &timer;
+    const IndexSet        owned;
+
+    /// What has been eliminated or may be.
+    std::set<types::global_dof_index> eliminable;
+
+    /// The cells that see the active set, and the others.
+    std::vector<unsigned int> interface_cells, bulk_cells;
+
+    /// What the pattern provides for, and all unknowns at the interface.
+    InterfaceCouplings couplings;
+    Dofs               interface_dofs;
+
+    DefiniteSolver::Matrix           matrix;
+    std::vector<double>              assembled_lines; // their signature
+    std::vector<std::vector<double>> kept_rows; // by owned interface unknown
+    std::vector<FullMatrix<double>>  interface_tangents; // by interface cell
+    bool                             has_pattern        = false;
+    bool                             tangents_are_known = false;
+    unsigned int                     tangent_version    = 0;
+
+    /// For symmetric matrices and for the others.
+    struct Solver
+    {
+      std::unique_ptr<DefiniteSolver> solver; // when it is first needed
+      bool                            pattern_is_new = true;
+    };
+    const std::string     solver_name;
+    std::array<Solver, 2> solvers;
+    DefiniteSolver       *current = nullptr; // who has the matrix
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,432 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/contact_elimination.h"
+
+#include <limits>
+#include <sstream>
+
+#include "base/counters.h"
+#include "base/errors.h"
+#include "solvers/multiplier_recovery.h"
+
+namespace Contact
+{
+  namespace
+  {
+    /// An unknown of its own node is the pivot of a point if no coefficient of
+    /// the equation is a hundred times as large: two of sixteen digits may be
+    /// lost.
+    const double smallest_of_own = 1e-2;
+
+    /// What is left of an equation that follows from others is round-off: of
+    /// the same sums in another order, and of the pairing.
+    const double smallest_of_any = 1e-8;
+
+
+
+    std::string place(const ContactPoint &point)
+    {
+      std::ostringstream text;
+      text << "the node of the slave at (" << point.X[0][0] << ", "
+           << point.X[0][1] << ")";
+      return text.str();
+    }
+
+
+
+    /// The round-off of a gap [mm].
+    double round_off(const ContactPoint &point)
+    {
+      double largest = 0;
+      for (const Point<2> &X : point.X)
+        largest = std::max(largest, X.norm());
+      return 1e3 * std::numeric_limits<double>::epsilon() * largest;
+    }
+  } // namespace
+
+
+
+  ContactElimination::ContactElimination(const Discretization   &discretization,
+                                         const ContactInterface *interface,
+                                         const bool              moving_bound)
+    : discretization(discretization)
+    , interface(interface)
+    , moving_bound(moving_bound)
+    , rows(slave_dofs)
+    , test_rows(slave_dofs)
+  {
+    if (interface != nullptr)
+      for (const ContactPoint &point : interface->points)
+        slave_dofs.insert(point.dofs[0].begin(), point.dofs[0].end());
+  }
+
+
+
+  void ContactElimination::add_base_lines(const Dofs &surroundings,
+                                          AffineConstraints<double> &to) const
+  {
+    const auto &base = discretization.constraints;
+    for (const auto dof : surroundings)
+      if (base.is_constrained(dof))
+        {
+          to.add_line(dof);
+          if (const auto *entries = base.get_constraint_entries(dof))
+            to.add_entries(dof, *entries);
+          to.set_inhomogeneity(dof, base.get_inhomogeneity(dof));
+        }
+  }
+
+
+
+  void
+  ContactElimination::add_contact_lines(const RowElimination      &rows,
+                                        AffineConstraints<double> &to) const
+  {
+    for (const auto &[dof, line] : rows.lines())
+      {
+        to.add_line(dof);
+        to.set_inhomogeneity(dof, line.constant);
+        for (const auto &[other, coefficient] : line.entries)
+          to.add_entry(dof, other, coefficient);
+      }
+    to.close();
+  }
+
+
+
+  void ContactElimination::make(const Vector<double> &solution,
+                                const Vector<double> &u_start,
+                                const Dofs           &surroundings)
+  {
+    lines.clear();
+    test_lines.clear();
+    eliminated.clear();
+    rows.clear();
+    test_rows.clear();
+    contradicting    = nullptr;
+    largest_conflict = 0;
+
+    // What slips with a moving bound makes the matrix unsymmetric.
+    symmetric = true;
+    if (interface != nullptr && moving_bound)
+      for (const ContactPoint &point : interface->points)
+        if (point.decision.slip_direction != 0 &&
+            interface->zone(point).law.coulomb_coefficient > 0)
+          symmetric = false;
+
+    add_base_lines(surroundings, lines);
+    if (interface != nullptr)
+      for (const ContactPoint &point : interface->points)
+        if (point.decision.status != Status::open)
+          eliminate_point(point, interface->state(point, solution, u_start));
+
+    add_contact_lines(rows, lines);
+    for (const auto &line : rows.lines())
+      eliminated.push_back(line.first);
+    if (!symmetric)
+      {
+        add_base_lines(surroundings, test_lines);
+        for (const auto dof : surroundings)
+          if (test_lines.is_constrained(dof))
+            test_lines.set_inhomogeneity(dof, 0);
+        add_contact_lines(test_rows, test_lines);
+      }
+  }
+
+
+
+  // Where a point sticks, normal and tangent span both coordinates.
+  void ContactElimination::eliminate_point(const ContactPoint &point,
+                                           const ContactState &now)
+  {
+    if (point.decision.status == Status::stick)
+      {
+        ++counters().tangential_rows;
+        for (unsigned int i = 0; i < 2; ++i)
+          {
+            const Row row = equation(point,
+                                     Point<2>::unit_vector(i),
+                                     -(now.gap * point.normal[i] +
+                                       now.slip * point.tangent[i]));
+            eliminate(point, row, row);
+          }
+        return;
+      }
+    const Row row = equation(point, point.normal, -now.gap);
+    eliminate(point,
+              row,
+              symmetric
+                ? row
+                : equation(point, force_direction(point, now.p_trial), 0));
+  }
+
+
+
+  // What is tied to another unknown is replaced by that. What is held stays in
+  // the equation: it has a line of its own.
+  ContactElimination::Row
+  ContactElimination::equation(const ContactPoint &point,
+                               const Tensor<1, 2> &direction,
+                               const double        constant) const
+  {
+    const auto &base = discretization.constraints;
+    Row         row;
+    row.constant = constant;
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          const Dof    dof = point.dofs[a][i];
+          const double c   = point.C[a] * direction[i];
+          if (c == 0)
+            continue;
+          const auto *entries = base.get_constraint_entries(dof);
+          if (entries == nullptr || entries->empty())
+            row.entries[dof] += c;
+          else
+            {
+              row.constant -= c * base.get_inhomogeneity(dof);
+              for (const auto &entry : *entries)
+                row.entries[entry.first] += c * entry.second;
+            }
+        }
+    return row;
+  }
+
+
+
+  Tensor<1, 2> ContactElimination::force_direction(const ContactPoint &point,
+                                                   const double p_trial) const
+  {
+    return point.normal +
+           point.decision.slip_direction *
+             interface->zone(point).law.bound_derivative(p_trial) *
+             point.tangent;
+  }
+
+
+
+  void ContactElimination::eliminate(const ContactPoint &point,
+                                     Row                 row,
+                                     Row                 test_row)
+  {
+    const double size    = row.largest();
+    bool         is_held = true;
+    for (const auto &entry : row.entries)
+      is_held =
+        is_held && discretization.constraints.is_constrained(entry.first);
+
+    rows.reduce(row);
+    if (!symmetric)
+      test_rows.reduce(test_row);
+    const Dof dof =
+      pivot(point, row, symmetric ? row : test_row, smallest_of_any * size);
+    if (dof == numbers::invalid_dof_index)
+      {
+        drop(point, row, is_held);
+        return;
+      }
+    rows.eliminate(dof, row);
+    if (!symmetric)
+      {
+        test_row.constant = 0;
+        test_rows.eliminate(dof, test_row);
+      }
+  }
+
+
+
+  // A pivot has to serve both equations: what counts is its smaller part in the
+  // largest coefficient of either.
+  ContactElimination::Dof ContactElimination::pivot(const ContactPoint &point,
+                                                    const Row          &row,
+                                                    const Row   &test_row,
+                                                    const double smallest) const
+  {
+    const auto is_free = [this](const Dof dof) {
+      return !discretization.constraints.is_constrained(dof);
+    };
+    const auto largest_free = [&](const Row &of) {
+      double largest = 0;
+      for (const auto &[dof, coefficient] : of.entries)
+        if (is_free(dof))
+          largest = std::max(largest, std::abs(coefficient));
+      return largest;
+    };
+    const double largest = largest_free(row), of_test = largest_free(test_row);
+    if (largest <= smallest || of_test <= smallest)
+      return numbers::invalid_dof_index;
+    const auto share = [&](const Dof dof) {
+      return is_free(dof) ? std::min(std::abs(row[dof]) / largest,
+                                     std::abs(test_row[dof]) / of_test)
+                          : 0.;
+    };
+
+    const auto [x, y] = point.dofs[0];
+    const Dof own     = share(y) >= share(x) ? y : x;
+    if (share(own) >= smallest_of_own)
+      return own;
+    Dof best = own;
+    for (const auto &entry : row.entries)
+      if (share(entry.first) > share(best))
+        best = entry.first;
+    return share(best) > smallest_of_any ? best : numbers::invalid_dof_index;
+  }
+
+
+
+  // An equation that follows from others says nothing, if it does not say the
+  // contrary. Where supports hold all, no pressure helps against penetration;
+  // else the points may decide otherwise in the next step.
+  void ContactElimination::drop(const ContactPoint &point,
+                                const Row          &row,
+                                const bool          is_held)
+  {
+    double left = -row.constant;
+    for (const auto &[dof, coefficient] : row.entries)
+      left += coefficient * discretization.constraints.get_inhomogeneity(dof);
+    if (std::abs(left) <= round_off(point))
+      return;
+    if (is_held && left < 0)
+      {
+        std::ostringstream text;
+        text << place(point)
+             << " is over-constrained: supports hold it and what it faces, and "
+                "move them "
+             << -left
+             << " mm into each other; let the supports end before the contact "
+                "surfaces, or name the node in Contact/Excluded points";
+        throw NotConverged(text.str());
+      }
+    if (std::abs(left) > largest_conflict)
+      {
+        largest_conflict = std::abs(left);
+        contradicting    = &point;
+      }
+  }
+
+
+
+  std::string ContactElimination::contradiction() const
+  {
+    if (contradicting == nullptr)
+      return "";
+    std::ostringstream text;
+    text << "; " << place(*contradicting)
+         << " is over-constrained: what it has to do contradicts other points "
+            "and supports by "
+         << largest_conflict
+         << " mm; exchange slave and master, or let the supports or the "
+            "surfaces end before they meet";
+    return text.str();
+  }
+
+
+
+  void ContactElimination::condense(Vector<double> &rhs) const
+  {
+    for (const auto line : eliminated)
+      {
+        for (const auto &[dof, coefficient] :
+             *test_constraints().get_constraint_entries(line))
+          rhs[dof] += coefficient * rhs[line];
+        rhs[line] = 0;
+      }
+  }
+
+
+
+  void ContactElimination::for_each_entry(
+    const std::function<void(const Dof line, const Dof dof)> &visit) const
+  {
+    for (const auto line : eliminated)
+      {
+        for (const auto &entry : *lines.get_constraint_entries(line))
+          visit(line, entry.first);
+        if (!symmetric)
+          for (const auto &entry : *test_lines.get_constraint_entries(line))
+            visit(line, entry.first);
+      }
+  }
+
+
+
+  // The lines as numbers, to see whether they are others than before.
+  std::vector<double> ContactElimination::signature() const
+  {
+    std::vector<double> signature;
+    const auto          add = [&](const AffineConstraints<double> &of) {
+      for (const auto line : eliminated)
+        {
+          signature.push_back(line);
+          for (const auto &[dof, coefficient] :
+               *of.get_constraint_entries(line))
+            {
+              signature.push_back(dof);
+              signature.push_back(coefficient);
+            }
+        }
+    };
+    add(lines);
+    if (!symmetric)
+      add(test_lines);
+    return signature;
+  }
+
+
+
+  void ContactElimination::distribute(Vector<double> &update) const
+  {
+    for (const auto &line : lines.get_lines())
+      {
+        double value = line.inhomogeneity;
+        for (const auto &[dof, coefficient] : line.entries)
+          value += coefficient * update[dof];
+        update[line.index] = value;
+      }
+    discretization.constraints.distribute(update);
+  }
+
+
+
+  void ContactElimination::recover_pressures(const Vector<double> &residual,
+                                             Vector<double> &solution) const
+  {
+    const auto tractions =
+      MultiplierRecovery(discretization, *interface, eliminated, moving_bound)
+        .tractions(residual);
+    for (unsigned int k = 0; k < tractions.size(); ++k)
+      solution[interface->normal_index(interface->points[k].multipliers[0])] =
+        tractions[k].p;
+  }
+
+
+
+  void ContactElimination::recover_shears(const Vector<double> &residual,
+                                          Vector<double>       &solution) const
+  {
+    if (interface->n_multipliers() == interface->n_normal_multipliers())
+      return;
+    const auto tractions =
+      MultiplierRecovery(discretization, *interface, eliminated, moving_bound)
+        .tractions(residual);
+    for (unsigned int k = 0; k < tractions.size(); ++k)
+      {
+        const ContactPoint &point = interface->points[k];
+        const FrictionLaw  &law   = interface->zone(point).law;
+        if (law.is_frictionless())
+          continue;
+        const double bound =
+          moving_bound ? law.bound(tractions[k].p) : point.tresca_bound;
+        double &q = solution[interface->tangential_index(point.multipliers[0])];
+        if (point.decision.status == Status::stick)
+          q = tractions[k].q;
+        else if (point.decision.slip_direction != 0)
+          q = point.decision.slip_direction * bound;
+        else
+          q = 0;
+      }
+  }
+} // namespace Contact

@@ -1,0 +1,161 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_contact_elimination_h
+#define contact_contact_elimination_h
+
+#include <functional>
+
+#include "contact/contact_interface.h"
+#include "solvers/row_elimination.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The active points as constraints on the displacements, for rules whose
+   * points belong to one slave node each (nodal, mortar).
+   *
+   * With the coefficients C_a of a point, its gap g and slip s, the Newton
+   * update du has to fulfil
+   *   n . sum_a C_a du_a = -g,
+   *   t . sum_a C_a du_a = -s      if it sticks
+   * (there both are written by coordinates). These equations are solved by
+   * Gauss' elimination. The pivot is an unknown of the point's own slave node,
+   * that with the larger coefficient after substitution of what is known. Where
+   * a support or another point has taken it (two normals at one node, a slave
+   * that is the master of another one, a slave node that is held), another
+   * unknown of the equation serves. An equation without one follows from
+   * others: it is dropped. This is the way of step-42, with any normal and a
+   * deformable master.
+   *
+   * A slipping point whose bound moves with the pressure, q = s bound(p),
+   * exerts per unit of pressure a force along m = n + s bound'(p) t, while its
+   * constraint is along n. The virtual displacements under which the pressures
+   * do no work are then others than the displacements: they fulfil
+   *   m . sum_a C_a v_a = 0
+   * and are eliminated by the same pivots into lines of their own. The
+   * condensed matrix is unsymmetric, as that of the saddle point is, and the
+   * Newton step the same.
+   */
+  class ContactElimination
+  {
+  public:
+    using Dof  = types::global_dof_index;
+    using Dofs = std::vector<Dof>;
+
+    /// @p interface may be null: then there is nothing to eliminate. With
+    /// @p moving_bound the bound of the shear traction moves with the pressure
+    /// within a Newton step.
+    ContactElimination(const Discretization   &discretization,
+                       const ContactInterface *interface,
+                       const bool              moving_bound = false);
+
+    /// The unknowns of the slave nodes of all points: those that are eliminated
+    /// as a rule.
+    std::set<Dof> slave_dofs;
+
+    /**
+     * Make the constraints of the present decisions, together with those that
+     * Discretization puts on the unknowns @p surroundings. Throws NotConverged
+     * where a point penetrates and supports leave none of its unknowns free.
+     */
+    void make(const Vector<double> &solution,
+              const Vector<double> &u_start,
+              const Dofs           &surroundings);
+
+    /// Of the displacements, and of the virtual ones.
+    const AffineConstraints<double> &constraints() const
+    {
+      return lines;
+    }
+
+    const AffineConstraints<double> &test_constraints() const
+    {
+      return symmetric ? lines : test_lines;
+    }
+
+    /// Whether both are the same, and so the matrix symmetric.
+    bool is_symmetric() const
+    {
+      return symmetric;
+    }
+
+    /// What is eliminated by the points, in the order of the unknowns.
+    const Dofs &eliminated_dofs() const
+    {
+      return eliminated;
+    }
+
+    /// Call @p visit with each eliminated unknown and each one that moves it.
+    void for_each_entry(
+      const std::function<void(const Dof line, const Dof dof)> &visit) const;
+
+    /// All that the eliminated matrix depends on, as numbers.
+    std::vector<double> signature() const;
+
+    /// The transpose of the elimination: the force on an eliminated unknown
+    /// goes to those that move it.
+    void condense(Vector<double> &rhs) const;
+
+    /// Complete an update whose free unknowns are known.
+    void distribute(Vector<double> &update) const;
+
+    /**
+     * Set the multipliers in @p solution from @p residual, minus the residual
+     * of the bodies alone, under the decisions and bounds the points have now,
+     * and the lines of the last make(). See MultiplierRecovery.
+     */
+    void recover_pressures(const Vector<double> &residual,
+                           Vector<double>       &solution) const;
+    void recover_shears(const Vector<double> &residual,
+                        Vector<double>       &solution) const;
+
+    /// Where the last equations contradict each other: for the message of a
+    /// Newton's method that does not converge. Else empty.
+    std::string contradiction() const;
+
+  private:
+    using Row = RowElimination::Row;
+
+    void add_base_lines(const Dofs                &surroundings,
+                        AffineConstraints<double> &to) const;
+    void add_contact_lines(const RowElimination      &rows,
+                           AffineConstraints<double> &to) const;
+    void eliminate_point(const ContactPoint &point, const ContactState &now);
+    void eliminate(const ContactPoint &point, Row row, Row test_row);
+    void drop(const ContactPoint &point, const Row &row, const bool is_held);
+
+    /// The equation along @p direction: its part on the displacements.
+    Row equation(const ContactPoint &point,
+                 const Tensor<1, 2> &direction,
+                 const double        constant) const;
+
+    /// m = n + s bound'(p) t.
+    Tensor<1, 2> force_direction(const ContactPoint &point,
+                                 const double        p_trial) const;
+
+    Dof pivot(const ContactPoint &point,
+              const Row          &row,
+              const Row          &test_row,
+              const double        smallest) const;
+
+    const Discretization   &discretization;
+    const ContactInterface *interface;
+    const bool              moving_bound;
+
+    AffineConstraints<double> lines, test_lines;
+    Dofs                      eliminated;
+    RowElimination            rows, test_rows;
+    bool                      symmetric = true;
+
+    /// The point of the worst of the contradicting equations, and by how much.
+    const ContactPoint *contradicting    = nullptr;
+    double              largest_conflict = 0; // [mm]
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,415 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/definite_solver.h"
+
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_gmres.h>
+#include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_solver.h>
+
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_MultiVector.h>
+#include <Teuchos_ParameterList.hpp>
+#include <array>
+#include <cholmod.h>
+#include <cmath>
+#include <sstream>
+#include <umfpack.h>
+
+#include "base/counters.h"
+#include "base/errors.h"
+
+namespace Contact
+{
+  namespace
+  {
+    /// The compressed rows of a matrix on one rank, which are its columns, too.
+    struct Columns
+    {
+      explicit Columns(const DefiniteSolver::Matrix &matrix)
+        : n(matrix.m())
+      {
+        const int error =
+          matrix.trilinos_matrix().ExtractCrsDataPointers(starts, rows, values);
+        AssertThrow(error == 0, ExcMessage("the matrix is not compressed"));
+      }
+
+      const int n;
+      int      *starts = nullptr, *rows = nullptr;
+      double   *values = nullptr;
+    };
+
+
+
+    const std::string not_definite =
+      "the matrix is not positive definite: a body can move without "
+      "resistance, or has lost its stability; if friction alone holds it, try "
+      "'Solution/Friction = each step'";
+
+
+
+    /// The supernodal Cholesky factorization of SuiteSparse. The analysis is
+    /// kept as long as the pattern stands.
+    class Cholmod : public DefiniteSolver
+    {
+    public:
+      Cholmod()
+      {
+        cholmod_start(&common);
+        common.supernodal                 = CHOLMOD_SUPERNODAL;
+        common.print                      = 0;
+        common.quick_return_if_not_posdef = 1;
+      }
+
+      ~Cholmod() override
+      {
+        cholmod_free_factor(&factor, &common);
+        cholmod_finish(&common);
+      }
+
+      void set_matrix(const Matrix &matrix, const bool new_pattern) override
+      {
+        const Columns  columns(matrix);
+        cholmod_sparse view{};
+        view.nrow   = columns.n;
+        view.ncol   = columns.n;
+        view.nzmax  = columns.starts[columns.n];
+        view.p      = columns.starts;
+        view.i      = columns.rows;
+        view.x      = columns.values;
+        view.stype  = -1; // symmetric, the lower triangle is read
+        view.itype  = CHOLMOD_INT;
+        view.xtype  = CHOLMOD_REAL;
+        view.dtype  = CHOLMOD_DOUBLE;
+        view.sorted = 0;
+        view.packed = 1;
+
+        if (factor == nullptr || new_pattern)
+          {
+            ++counters().symbolic_factorizations;
+            cholmod_free_factor(&factor, &common);
+            factor = cholmod_analyze(&view, &common);
+          }
+        ++counters().numeric_factorizations;
+        cholmod_factorize(&view, factor, &common);
+        if (common.status == CHOLMOD_NOT_POSDEF)
+          throw NotConverged(not_definite);
+        if (common.status != CHOLMOD_OK)
+          throw NotConverged("CHOLMOD failed with status " +
+                             std::to_string(common.status) +
+                             "; set Solution/Linear solver = AMG if it lacked "
+                             "memory");
+      }
+
+      // It keeps a factor of its own.
+      void release() override
+      {
+      }
+
+      unsigned int solve(const Vector &b, const double, Vector &x) override
+      {
+        ++counters().linear_solves;
+        cholmod_dense view{};
+        view.nrow  = b.size();
+        view.ncol  = 1;
+        view.nzmax = b.size();
+        view.d     = b.size();
+        view.x     = const_cast<double *>(b.begin());
+        view.xtype = CHOLMOD_REAL;
+        view.dtype = CHOLMOD_DOUBLE;
+
+        cholmod_dense *result =
+          cholmod_solve(CHOLMOD_A, factor, &view, &common);
+        std::copy_n(static_cast<double *>(result->x), b.size(), x.begin());
+        cholmod_free_dense(&result, &common);
+        return 1;
+      }
+
+    private:
+      cholmod_common  common;
+      cholmod_factor *factor = nullptr;
+    };
+
+
+
+    /// UMFPACK on the compressed rows, which are the columns of the transpose.
+    /// The analysis is kept as long as the pattern stands.
+    class Umfpack : public DefiniteSolver
+    {
+    public:
+      Umfpack()
+      {
+        umfpack_di_defaults(control.data());
+        // Newton's method corrects what round-off leaves.
+        control[UMFPACK_IRSTEP] = 0;
+      }
+
+      void set_matrix(const Matrix &matrix, const bool new_pattern) override
+      {
+        columns    = std::make_unique<Columns>(matrix);
+        int status = UMFPACK_OK;
+        if (symbolic == nullptr || new_pattern)
+          {
+            ++counters().symbolic_factorizations;
+            void *handle = nullptr;
+            status       = umfpack_di_symbolic(columns->n,
+                                         columns->n,
+                                         columns->starts,
+                                         columns->rows,
+                                         columns->values,
+                                         &handle,
+                                         control.data(),
+                                         nullptr);
+            symbolic =
+              Handle(handle, [](void *p) { umfpack_di_free_symbolic(&p); });
+          }
+        numeric.reset();
+        if (status == UMFPACK_OK)
+          {
+            ++counters().numeric_factorizations;
+            void *handle = nullptr;
+            status       = umfpack_di_numeric(columns->starts,
+                                        columns->rows,
+                                        columns->values,
+                                        symbolic.get(),
+                                        &handle,
+                                        control.data(),
+                                        nullptr);
+            numeric =
+              Handle(handle, [](void *p) { umfpack_di_free_numeric(&p); });
+          }
+        if (status != UMFPACK_OK)
+          throw NotConverged(
+            status == UMFPACK_WARNING_singular_matrix
+              ? "the matrix is singular: a body can move without resistance"
+              : "UMFPACK failed with status " + std::to_string(status) +
+                  "; set Solution/Linear solver = AMG if it lacked memory");
+      }
+
+      // It looks at the matrix with the next solve.
+      void release() override
+      {
+        numeric.reset();
+      }
+
+      unsigned int solve(const Vector &b, const double, Vector &x) override
+      {
+        ++counters().linear_solves;
+        umfpack_di_solve(UMFPACK_At,
+                         columns->starts,
+                         columns->rows,
+                         columns->values,
+                         x.begin(),
+                         b.begin(),
+                         numeric.get(),
+                         control.data(),
+                         nullptr);
+        return 1;
+      }
+
+    private:
+      using Handle = std::unique_ptr<void, void (*)(void *)>;
+
+      std::array<double, UMFPACK_CONTROL> control;
+      std::unique_ptr<Columns>            columns;
+      Handle                              symbolic{nullptr, nullptr};
+      Handle                              numeric{nullptr, nullptr};
+    };
+
+
+
+    /// A direct solver of the Amesos package.
+    class Mumps : public DefiniteSolver
+    {
+    public:
+      void set_matrix(const Matrix &matrix, const bool) override
+      {
+        // It does both with every matrix.
+        ++counters().symbolic_factorizations;
+        ++counters().numeric_factorizations;
+        solver = std::make_unique<TrilinosWrappers::SolverDirect>(
+          control,
+          TrilinosWrappers::SolverDirect::AdditionalData(false,
+                                                         "Amesos_Mumps"));
+        try
+          {
+            solver->initialize(matrix);
+          }
+        catch (const ExceptionBase &)
+          {
+            throw NotConverged("MUMPS can not factorize the matrix: a body can "
+                               "move without resistance, or memory is short");
+          }
+      }
+
+      void release() override
+      {
+        solver.reset();
+      }
+
+      unsigned int solve(const Vector &b, const double, Vector &x) override
+      {
+        ++counters().linear_solves;
+        solver->solve(x, b);
+        return 1;
+      }
+
+    private:
+      SolverControl                                   control;
+      std::unique_ptr<TrilinosWrappers::SolverDirect> solver;
+    };
+
+
+
+    /**
+     * Conjugate gradients, or GMRES where the matrix is unsymmetric, with
+     * smoothed aggregation. A hierarchy is kept, also
+     * for a matrix with other values, until it has become clearly worse than
+     * it was when it was new: a constraint more or less costs the conjugate
+     * gradients about one iteration.
+     */
+    class Multigrid : public DefiniteSolver
+    {
+    public:
+      Multigrid(const Modes &modes, const bool symmetric)
+        : modes(modes)
+        , symmetric(symmetric)
+      {
+      }
+
+      void set_matrix(const Matrix &matrix, const bool new_pattern) override
+      {
+        this->matrix = &matrix;
+        if (new_pattern || per_digit > 1.3 * per_digit_when_new)
+          build();
+      }
+
+      void release() override
+      {
+        preconditioner.clear();
+      }
+
+      unsigned int
+      solve(const Vector &b, const double tolerance, Vector &x) override
+      {
+        SolverControl control(max_iterations, tolerance);
+        try
+          {
+            iterate(control, b, x);
+          }
+        catch (const SolverControl::NoConvergence &)
+          {
+            if (!is_new)
+              {
+                build();
+                return solve(b, tolerance, x);
+              }
+            std::ostringstream residual;
+            residual << control.last_value();
+            throw NotConverged((symmetric ? "conjugate gradients" : "GMRES") +
+                               std::string(" with AMG stall at the "
+                                           "residual ") +
+                               residual.str() + " N/mm (rings: N) after " +
+                               std::to_string(max_iterations) +
+                               " iterations; set Solution/Linear solver = "
+                               "CHOLMOD, or MUMPS with several ranks");
+          }
+
+        // Solves of different depth compare by their iterations per digit.
+        const double digits =
+          std::log10(control.initial_value() / control.last_value());
+        per_digit = digits > 0 ? control.last_step() / digits : 0.;
+        if (is_new)
+          per_digit_when_new = per_digit;
+        is_new = false;
+        return control.last_step();
+      }
+
+    private:
+      void iterate(SolverControl &control, const Vector &b, Vector &x) const
+      {
+        ++counters().linear_solves;
+        x = 0;
+        if (symmetric)
+          SolverCG<Vector>(control).solve(*matrix, x, b, preconditioner);
+        else // the residual of the system itself is what is measured
+          SolverGMRES<Vector>(
+            control,
+            SolverGMRES<Vector>::AdditionalData(/*max_n_tmp_vectors=*/102,
+                                                /*right_preconditioning=*/true))
+            .solve(*matrix, x, b, preconditioner);
+      }
+
+      void build()
+      {
+        ++counters().symbolic_factorizations;
+        ++counters().numeric_factorizations;
+        preconditioner.clear();
+        TrilinosWrappers::PreconditionAMG::AdditionalData data;
+        data.elliptic              = true;
+        data.smoother_sweeps       = 2;
+        data.aggregation_threshold = 0;
+        Teuchos::ParameterList              parameters;
+        std::unique_ptr<Epetra_MultiVector> no_modes;
+        data.set_parameters(parameters, no_modes, *matrix);
+
+        null_space.clear();
+        for (const auto &mode : modes)
+          null_space.insert(null_space.end(), mode.begin(), mode.end());
+        parameters.set("PDE equations", 2);
+        parameters.set("null space: type", "pre-computed");
+        parameters.set("null space: add default vectors", false);
+        parameters.set("null space: dimension", static_cast<int>(modes.size()));
+        parameters.set("null space: vectors", null_space.data());
+        preconditioner.initialize(*matrix, parameters);
+        is_new = true;
+      }
+
+      static constexpr unsigned int max_iterations = 500;
+
+      const Modes                       modes;
+      const bool                        symmetric;
+      std::vector<double>               null_space;
+      const Matrix                     *matrix = nullptr;
+      TrilinosWrappers::PreconditionAMG preconditioner;
+      bool                              is_new    = false;
+      double                            per_digit = 0, per_digit_when_new = 0;
+    };
+  } // namespace
+
+
+
+  std::unique_ptr<DefiniteSolver>
+  DefiniteSolver::create(const std::string &name, const Modes &modes)
+  {
+    if (name == "CHOLMOD")
+      return std::make_unique<Cholmod>();
+    if (name == "MUMPS")
+      return std::make_unique<Mumps>();
+    return std::make_unique<Multigrid>(modes, /*symmetric=*/true);
+  }
+
+
+
+  std::unique_ptr<DefiniteSolver>
+  DefiniteSolver::create_unsymmetric(const std::string &name,
+                                     const Modes       &modes)
+  {
+    if (name == "CHOLMOD")
+      return std::make_unique<Umfpack>();
+    if (name == "MUMPS")
+      return std::make_unique<Mumps>();
+    return std::make_unique<Multigrid>(modes, /*symmetric=*/false);
+  }
+
+
+
+  std::string DefiniteSolver::choose(const std::size_t  n_unknowns,
+                                     const unsigned int n_ranks)
+  {
+    return n_ranks == 1 && n_unknowns < 100000 ? "CHOLMOD" : "AMG";
+  }
+} // namespace Contact

@@ -1,0 +1,123 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/force_scale.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <limits>
+
+namespace Contact
+{
+  ForceScale::ForceScale(const Discretization   &discretization,
+                         const Elasticity       &elasticity,
+                         const ContactInterface *interface)
+    : discretization(discretization)
+    , elasticity(elasticity)
+    , interface(interface)
+  {
+    for (const auto &[name, body] : discretization.mesh.bodies)
+      {
+        const Material &material = elasticity.material(body);
+        modulus = std::max(modulus, material.lambda + 2 * material.mu);
+      }
+
+    // Size and coordinates of the coarse mesh, which every rank has.
+    Point<2> low, high;
+    double   smallest = std::numeric_limits<double>::max(), circumference = 0;
+    bool     is_first = true;
+    for (const auto &cell :
+         discretization.mesh.triangulation.cell_iterators_on_level(0))
+      for (const unsigned int v : cell->vertex_indices())
+        for (unsigned int i = 0; i < 2; ++i)
+          {
+            const Point<2> X = cell->vertex(v);
+            low[i]           = is_first ? X[i] : std::min(low[i], X[i]);
+            high[i]          = is_first ? X[i] : std::max(high[i], X[i]);
+            coordinate       = std::max(coordinate, std::abs(X[i]));
+            circumference =
+              std::max(circumference, discretization.circumference(X));
+            is_first = is_first && i == 0;
+          }
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        smallest = std::min(smallest, cell->minimum_vertex_distance());
+    smallest = Utilities::MPI::min(smallest, discretization.communicator);
+    slender  = std::max(1., low.distance(high) / smallest);
+    modulus *= circumference;
+
+    if (interface != nullptr)
+      {
+        const Vector<double> undeformed(discretization.dof_handler.n_dofs());
+        for (const ContactPoint &point : interface->points)
+          if (point.facing && !interface->zone(point).tied)
+            overlap =
+              std::max(overlap,
+                       -interface->state(point, undeformed, undeformed).gap);
+      }
+  }
+
+
+
+  double ForceScale::in(const Vector<double> &solution,
+                        const Vector<double> &u_start,
+                        const double          load_factor,
+                        const double          newton_tolerance,
+                        const bool            moving_bound) const
+  {
+    const double way    = discretization.largest_prescribed();
+    const double most   = modulus * (way + overlap) * slender;
+    double       acting = interface != nullptr
+                            ? contact_forces(solution, u_start, moving_bound)
+                            : 0.;
+    if (way > 0)
+      acting = std::max(acting, reactions(solution, load_factor));
+
+    const double dead = elasticity.dead_loads.whole();
+    const double round_off =
+      std::numeric_limits<double>::epsilon() * modulus * (coordinate + way) *
+      std::sqrt(static_cast<double>(discretization.dof_handler.n_dofs()));
+    return Utilities::MPI::max(std::max({dead,
+                                         std::min(acting, dead + most),
+                                         so_far,
+                                         round_off / newton_tolerance}),
+                               discretization.communicator);
+  }
+
+
+
+  double ForceScale::contact_forces(const Vector<double> &solution,
+                                    const Vector<double> &u_start,
+                                    const bool            moving_bound) const
+  {
+    double sum = 0;
+    for (const ContactPoint &point : interface->points)
+      if (point.decision.status != Status::open)
+        {
+          const ContactState now = interface->state(point, solution, u_start);
+          const Traction     t   = interface->traction(point,
+                                                 point.decision,
+                                                 now.p_trial,
+                                                 now.q_trial,
+                                                 moving_bound);
+          sum += point.weight * std::hypot(t.p, t.q);
+        }
+    return sum;
+  }
+
+
+
+  double ForceScale::reactions(const Vector<double> &solution,
+                               const double          load_factor) const
+  {
+    const Vector<double> forces = elasticity.forces(solution, load_factor);
+    double               sum    = 0;
+    for (const auto dof : discretization.dof_handler.locally_owned_dofs())
+      if (discretization.is_fixed(dof))
+        sum += std::abs(forces[dof]);
+    return Utilities::MPI::sum(sum, discretization.communicator);
+  }
+} // namespace Contact

@@ -1,0 +1,85 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_force_scale_h
+#define contact_force_scale_h
+
+#include "contact/contact_interface.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The force F that residuals are compared with [N per mm of thickness; rings:
+   * N]: a state is accepted if the norm of its residual is at most the Newton
+   * tolerance times F.
+   *
+   * F is the largest of
+   *  - the dead loads, the sum of their magnitudes at their full values;
+   *  - the forces that act in the state: of contact, and of supports that move
+   *    (the sum of their magnitudes), also at the ends of earlier increments;
+   *  - the force that round-off alone makes, divided by the Newton tolerance:
+   *      eps M (X + d) sqrt(N),
+   *    M the largest P-wave modulus, X the largest coordinate, d the way that
+   *    the data prescribe, N the number of unknowns. This is what is left of F
+   *    in a scene in which no force acts.
+   *
+   * A state must not make its own residual small. The forces that act count up
+   * to what the data can cause only,
+   *    M (d + o) D / h,
+   * o being the overlap of the undeformed surfaces, D the size of the bodies
+   * and h that of the smallest cell; and no term grows with the displacements
+   * of the state. Of rings, all but the dead loads is times the largest
+   * circumference.
+   */
+  class ForceScale
+  {
+  public:
+    /// @p interface may be null; its points have to be paired in the
+    /// undeformed state. Collective.
+    ForceScale(const Discretization   &discretization,
+               const Elasticity       &elasticity,
+               const ContactInterface *interface);
+
+    /// F in the state @p solution under @p load_factor. Collective.
+    double in(const Vector<double> &solution,
+              const Vector<double> &u_start,
+              const double          load_factor,
+              const double          newton_tolerance,
+              const bool            moving_bound) const;
+
+    /// The state of which this was the scale is the end of an increment.
+    void accept(const double scale)
+    {
+      so_far = std::max(so_far, scale);
+    }
+
+    template<class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &so_far;
+    }
+
+  private:
+    double contact_forces(const Vector<double> &solution,
+                          const Vector<double> &u_start,
+                          const bool            moving_bound) const;
+    double reactions(const Vector<double> &solution,
+                     const double          load_factor) const;
+
+    const Discretization   &discretization;
+    const Elasticity       &elasticity;
+    const ContactInterface *interface;
+
+    double modulus    = 0; // M, of rings times the largest circumference
+    double coordinate = 0; // X [mm]
+    double overlap    = 0; // o [mm]
+    double slender    = 1; // D / h
+    double so_far     = 0; // at the ends of earlier increments
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,365 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/free_motions.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/errors.h"
+
+namespace Contact
+{
+  namespace
+  {
+    /// A part of a displacement: @p factor times that of a piece at X.
+    struct Share
+    {
+      unsigned int piece;
+      Point<2>     X;
+      double       factor;
+    };
+
+
+
+    /// What is resisted, in terms of the rigid motions of all pieces:
+    /// displacement in x, in y, and rotation about the centre times the size.
+    class ResistedMotions
+    {
+    public:
+      explicit ResistedMotions(const MeshPieces &pieces)
+        : pieces(pieces)
+        , squares(3 * pieces.size(), 3 * pieces.size())
+      {
+      }
+
+      /// The sum of the shares is resisted along @p direction.
+      void resist(const std::vector<Share> &shares,
+                  const Tensor<1, 2>       &direction)
+      {
+        std::map<unsigned int, double> row;
+        for (const auto &[piece, X, factor] : shares)
+          {
+            const auto        &box  = pieces[piece].box;
+            const auto        &ends = box.get_boundary_points();
+            const Tensor<1, 2> arm =
+              (X - box.center()) / (0.5 * ends.first.distance(ends.second));
+            row[3 * piece] += factor * direction[0];
+            row[3 * piece + 1] += factor * direction[1];
+            row[3 * piece + 2] +=
+              factor * (direction[1] * arm[0] - direction[0] * arm[1]);
+          }
+        for (const auto &[i, a] : row)
+          for (const auto &[j, b] : row)
+            squares(i, j) += a * b;
+      }
+
+      /// A motion of each piece by itself is resisted.
+      void resist(const unsigned int motion)
+      {
+        for (unsigned int piece = 0; piece < pieces.size(); ++piece)
+          squares(3 * piece + motion, 3 * piece + motion) += 1;
+      }
+
+      /// Add what the other ranks have.
+      void sum(const MPI_Comm communicator)
+      {
+        Utilities::MPI::sum(squares, communicator, squares);
+      }
+
+      /// The orthogonal projection onto the motions that are free.
+      FullMatrix<double> projection_onto_free() const;
+
+    private:
+      const MeshPieces  &pieces;
+      FullMatrix<double> squares;
+    };
+
+
+
+    // Rows that resist the same motion many times would hide others that one
+    // row resists: all diagonal entries are scaled to one, but those that are
+    // round-off beside the others of their piece.
+    FullMatrix<double> ResistedMotions::projection_onto_free() const
+    {
+      const double        round_off = 1e-10;
+      const unsigned int  n         = squares.m();
+      std::vector<double> scale(n);
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          double largest = 0;
+          for (unsigned int j = i - i % 3; j < i - i % 3 + 3; ++j)
+            largest = std::max(largest, squares(j, j));
+          const double square = std::max(squares(i, i), round_off * largest);
+          scale[i]            = square > 0 ? 1 / std::sqrt(square) : 1;
+        }
+
+      LAPACKFullMatrix<double> scaled(n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          scaled(i, j) = scale[i] * squares(i, j) * scale[j];
+      Vector<double>     values;
+      FullMatrix<double> modes;
+      scaled.compute_eigenvalues_symmetric(-1, round_off, 0, values, modes);
+
+      // Unscaled, the modes are no longer orthonormal (Gram and Schmidt, twice
+      // because of round-off).
+      FullMatrix<double>          projection(n, n);
+      std::vector<Vector<double>> basis;
+      for (unsigned int m = 0; m < values.size(); ++m)
+        {
+          Vector<double> mode(n);
+          for (unsigned int i = 0; i < n; ++i)
+            mode[i] = scale[i] * modes(i, m);
+          mode /= mode.l2_norm();
+          for (unsigned int pass = 0; pass < 2; ++pass)
+            for (const Vector<double> &other : basis)
+              mode.add(-(mode * other), other);
+          mode /= mode.l2_norm();
+          for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int j = 0; j < n; ++j)
+              projection(i, j) += mode[i] * mode[j];
+          basis.push_back(mode);
+        }
+      return projection;
+    }
+
+
+
+    /// Supports, vertex by vertex, and what rings resist by themselves: growing
+    /// and turning inside out.
+    void resist_by_supports(const Discretization &discretization,
+                            ResistedMotions      &motions)
+    {
+      const Mesh &mesh = discretization.mesh;
+      for (const auto &cell : mesh.triangulation.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int v : cell->vertex_indices())
+            for (unsigned int c = 0; c < 2; ++c)
+              if (discretization.is_fixed(
+                    discretization.vertex_dofs[cell->vertex_index(v)][c]))
+                motions.resist(
+                  {{mesh.pieces.of_cell(cell), cell->vertex(v), 1}},
+                  Point<2>::unit_vector(c));
+      motions.sum(discretization.communicator);
+      if (discretization.axisymmetric)
+        for (const unsigned int motion : {0, 2})
+          motions.resist(motion);
+    }
+
+
+
+    /// Ties, and the nodes that two pieces have in common.
+    void resist_by_joints(const Discretization &discretization,
+                          ResistedMotions      &motions)
+    {
+      const Mesh &mesh = discretization.mesh;
+      for (const auto &[piece, other, X] : mesh.pieces.joints())
+        for (unsigned int c = 0; c < 2; ++c)
+          motions.resist({{piece, X, 1}, {other, X, -1}},
+                         Point<2>::unit_vector(c));
+
+      const auto share = [&](const std::string &point, const double factor) {
+        const unsigned int vertex =
+          mesh.point(point, "Boundary conditions/Tied y");
+        return Share{mesh.pieces.of_coarse_vertex(vertex),
+                     mesh.triangulation.get_vertices()[vertex],
+                     factor};
+      };
+      for (const auto &[name, partner] : discretization.boundary.tied_y)
+        motions.resist({share(name, 1), share(partner, -1)},
+                       Point<2>::unit_vector(1));
+    }
+
+
+
+    using PieceOfNode = std::map<types::global_dof_index, unsigned int>;
+
+    /// The points in contact.
+    void resist_by_contact(const ContactInterface &interface,
+                           const PieceOfNode      &of_node,
+                           const Tangents          tangents,
+                           ResistedMotions        &motions)
+    {
+      const auto sticks = [&](const ContactPoint &point) {
+        return tangents == Tangents::as_decided
+                 ? point.decision.status == Status::stick
+                 : tangents == Tangents::stuck &&
+                     !interface.zone(point).law.is_frictionless();
+      };
+      for (const ContactPoint &point : interface.points)
+        {
+          if (point.decision.status == Status::open)
+            continue;
+          std::vector<Share> shares;
+          for (unsigned int a = 0; a < point.n_nodes; ++a)
+            shares.push_back(
+              {of_node.at(point.dofs[a][0]), point.X[a], point.C[a]});
+          motions.resist(shares, point.normal);
+          if (sticks(point))
+            motions.resist(shares, point.tangent);
+        }
+    }
+
+
+
+    /// All nodes that may come into contact, whatever it be with.
+    void resist_where_contact_may_be(const ContactInterface &interface,
+                                     const PieceOfNode      &of_node,
+                                     ResistedMotions        &motions)
+    {
+      const auto hold = [&](const Surface &surface) {
+        for (const Surface::Node &node : surface.nodes)
+          for (unsigned int c = 0; c < 2; ++c)
+            motions.resist({{of_node.at(node.dofs[0]), node.X, 1}},
+                           Point<2>::unit_vector(c));
+      };
+      for (const auto &zone : interface.zones)
+        {
+          hold(zone->slave);
+          if (zone->master)
+            hold(*zone->master);
+        }
+    }
+
+
+
+    unsigned int number_of_motions(const SymmetricTensor<2, 3> &projection)
+    {
+      unsigned int n     = 0;
+      const auto   modes = eigenvectors(projection);
+      for (const auto &mode : modes)
+        n += mode.first > 0.01 * modes.front().first;
+      return n;
+    }
+
+
+
+    /// The motions in the range of a projection, in words.
+    std::string name_of_motions(const SymmetricTensor<2, 3> &projection)
+    {
+      const std::array<std::string, 3> names{
+        {"displacement in x", "displacement in y", "rotation"}};
+      const auto               modes   = eigenvectors(projection);
+      const double             largest = modes.front().first;
+      std::vector<std::string> parts;
+      for (unsigned int i = 0; i < 3; ++i)
+        if (projection[i][i] > 0.01 * largest)
+          parts.push_back(names[i]);
+      const bool  is_one = number_of_motions(projection) == 1;
+      std::string text   = parts[0];
+      for (unsigned int i = 1; i < parts.size(); ++i)
+        text += (is_one                 ? " with "
+                 : i + 1 < parts.size() ? ", "
+                                        : " and ") +
+                parts[i];
+      return text;
+    }
+
+
+
+    std::vector<FreeMotion> find_free(const MeshPieces      &pieces,
+                                      const ResistedMotions &motions)
+    {
+      const FullMatrix<double> projection = motions.projection_onto_free();
+      std::vector<FreeMotion>  free;
+      for (unsigned int piece = 0; piece < pieces.size(); ++piece)
+        {
+          SymmetricTensor<2, 3> part;
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int j = 0; j <= i; ++j)
+              part[i][j] = projection(3 * piece + i, 3 * piece + j);
+          // The square of its share in the motion of all.
+          if (trace(part) > 1e-6)
+            free.push_back(
+              {piece, name_of_motions(part), number_of_motions(part)});
+        }
+      return free;
+    }
+  } // namespace
+
+
+
+  // The cells that have the nodes may be those of other ranks.
+  PieceOfNode pieces_of_nodes(const Discretization   &discretization,
+                              const ContactInterface &interface)
+  {
+    PieceOfNode of_node;
+    const auto  add = [&](const Surface &surface) {
+      for (const Surface::Node &node : surface.nodes)
+        of_node[node.dofs[0]] = 0;
+    };
+    for (const auto &zone : interface.zones)
+      {
+        add(zone->slave);
+        if (zone->master)
+          add(*zone->master);
+      }
+
+    // One more than the number, so that zero is none.
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->at_boundary())
+        {
+          dofs.resize(cell->get_fe().n_dofs_per_cell());
+          cell->get_dof_indices(dofs);
+          for (const auto dof : dofs)
+            if (const auto node = of_node.find(dof); node != of_node.end())
+              node->second = discretization.mesh.pieces.of_cell(cell) + 1;
+        }
+    std::vector<unsigned int> numbers;
+    for (const auto &node : of_node)
+      numbers.push_back(node.second);
+    Utilities::MPI::max(numbers, discretization.communicator, numbers);
+    auto number = numbers.begin();
+    for (auto &node : of_node)
+      node.second = *number++ - 1;
+    return of_node;
+  }
+
+
+
+  std::vector<FreeMotion> free_motions(const Discretization   &discretization,
+                                       const ContactInterface *interface,
+                                       const Tangents          tangents)
+  {
+    ResistedMotions motions(discretization.mesh.pieces);
+    resist_by_supports(discretization, motions);
+    resist_by_joints(discretization, motions);
+    if (interface != nullptr)
+      resist_by_contact(*interface,
+                        pieces_of_nodes(discretization, *interface),
+                        tangents,
+                        motions);
+    return find_free(discretization.mesh.pieces, motions);
+  }
+
+
+
+  void check_supports(const Discretization   &discretization,
+                      const ContactInterface *interface)
+  {
+    ResistedMotions motions(discretization.mesh.pieces);
+    resist_by_supports(discretization, motions);
+    resist_by_joints(discretization, motions);
+    if (interface != nullptr)
+      resist_where_contact_may_be(*interface,
+                                  pieces_of_nodes(discretization, *interface),
+                                  motions);
+    const auto free = find_free(discretization.mesh.pieces, motions);
+    if (!free.empty())
+      throw InputError("nothing holds " +
+                         discretization.mesh.piece_name(free.front().piece) +
+                         " against: " + free.front().name,
+                       "Boundary conditions, Contact",
+                       "support it in that motion, tie a point of it, or "
+                       "give it a surface that can touch another body");
+  }
+} // namespace Contact

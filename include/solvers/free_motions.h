@@ -1,0 +1,74 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_free_motions_h
+#define contact_free_motions_h
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "contact/contact_interface.h"
+#include "solid/discretization.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// A rigid motion of a piece of a body that nothing resists.
+  struct FreeMotion
+  {
+    unsigned int piece; // see MeshPieces
+    std::string  name;  // as in "displacement in x with rotation"
+    unsigned int n;     // how many motions that are: three if all are free
+  };
+
+
+
+  /// What the points in contact resist along their tangents: nothing; what
+  /// sticks, as they have decided; or as if all of them stuck.
+  enum class Tangents
+  {
+    free,
+    as_decided,
+    stuck
+  };
+
+
+
+  /**
+   * The pieces of the bodies that something could move without resistance, and
+   * their motions: supports hold them, ties, the nodes that they have in common
+   * with other pieces, and, unless @p interface is null, the points in contact
+   * along their normals and, as @p tangents says, along their tangents.
+   *
+   * Each piece has three rigid motions. A resisted direction is a row over
+   * those of all pieces: the displacement there, or the difference of the
+   * displacements of the two pieces that touch, are tied or share a node, so
+   * that two pieces that hold but each other are both free. What is free is the
+   * null space of the sum of the rows' squares. Collective.
+   */
+  std::vector<FreeMotion>
+  free_motions(const Discretization   &discretization,
+               const ContactInterface *interface,
+               const Tangents          tangents = Tangents::as_decided);
+
+  /// The pieces of the nodes of all surfaces, by the first unknown of the node.
+  /// Collective.
+  std::map<types::global_dof_index, unsigned int>
+  pieces_of_nodes(const Discretization   &discretization,
+                  const ContactInterface &interface);
+
+  /**
+   * Check that every piece of a body is held, or can come to be: by supports,
+   * or by contact if it has a surface that may touch another body. Throws
+   * InputError with the name of the body, the place of the piece if the body
+   * has several, and a motion that is free. Collective.
+   */
+  void check_supports(const Discretization   &discretization,
+                      const ContactInterface *interface);
+} // namespace Contact
+
+#endif

@@ -1,0 +1,128 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/interface_couplings.h"
+
+#include <algorithm>
+
+namespace Contact
+{
+  InterfaceCouplings::InterfaceCouplings(const Discretization   &discretization,
+                                         const ContactInterface *interface)
+    : discretization(discretization)
+    , interface(interface)
+  {
+    if (interface != nullptr)
+      for (const auto &zone : interface->zones)
+        if (zone->master)
+          collect_neighbors(*zone->master);
+  }
+
+
+
+  void InterfaceCouplings::collect_neighbors(const Surface &master)
+  {
+    for (const Surface::Edge &edge : master.edges)
+      for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
+        for (unsigned int b = 0; b < master.n_nodes_per_edge(); ++b)
+          for (unsigned int c = 0; c < 2; ++c)
+            {
+              const NodeDoFs &around = master.nodes[edge.nodes[b]].dofs;
+              neighbors_on_master[master.nodes[edge.nodes[a]].dofs[c]]
+                .insert(around.begin(), around.end());
+            }
+  }
+
+
+
+  InterfaceCouplings::Dofs
+  InterfaceCouplings::reachable(const ContactPoint &point) const
+  {
+    std::set<types::global_dof_index> dofs;
+    for (unsigned int a = 1; a < point.n_nodes; ++a)
+      for (const auto dof : point.dofs[a])
+        {
+          dofs.insert(dof);
+          if (const auto around = neighbors_on_master.find(dof);
+              around != neighbors_on_master.end())
+            dofs.insert(around->second.begin(), around->second.end());
+        }
+    return Dofs(dofs.begin(), dofs.end());
+  }
+
+
+
+  void InterfaceCouplings::make()
+  {
+    provided.clear();
+    partners.clear();
+    if (interface == nullptr)
+      return;
+    for (const ContactPoint &point : interface->points)
+      {
+        provided.push_back(reachable(point));
+        for (const auto dof : point.dofs[0])
+          {
+            auto &of_dof = partners[dof];
+            of_dof.insert(point.dofs[0].begin(), point.dofs[0].end());
+            of_dof.insert(provided.back().begin(), provided.back().end());
+          }
+      }
+  }
+
+
+
+  bool InterfaceCouplings::serve() const
+  {
+    if (interface == nullptr)
+      return true;
+    for (unsigned int q = 0; q < interface->points.size(); ++q)
+      {
+        const ContactPoint &point = interface->points[q];
+        for (unsigned int a = 1; a < point.n_nodes; ++a)
+          if (!std::binary_search(provided[q].begin(),
+                                  provided[q].end(),
+                                  point.dofs[a][0]))
+            return false;
+      }
+    return true;
+  }
+
+
+
+  bool InterfaceCouplings::add_missing(const ContactElimination &elimination)
+  {
+    bool misses = false;
+    elimination.for_each_entry([&](const types::global_dof_index line,
+                                   const types::global_dof_index dof) {
+      if (partners[line].insert(dof).second)
+        misses = true;
+    });
+    return misses;
+  }
+
+
+
+  void InterfaceCouplings::add_partners(
+    const types::global_dof_index      dof,
+    std::set<types::global_dof_index> &coupled) const
+  {
+    if (const auto found = partners.find(dof); found != partners.end())
+      coupled.insert(found->second.begin(), found->second.end());
+  }
+
+
+
+  std::set<types::global_dof_index> InterfaceCouplings::all() const
+  {
+    std::set<types::global_dof_index> all;
+    for (const auto &[dof, of_dof] : partners)
+      {
+        all.insert(dof);
+        all.insert(of_dof.begin(), of_dof.end());
+      }
+    return all;
+  }
+} // namespace Contact

@@ -1,0 +1,74 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_interface_couplings_h
+#define contact_interface_couplings_h
+
+#include "solvers/contact_elimination.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The unknowns that an eliminated unknown may be expressed by: its partners,
+   * for which the pattern of the condensed matrix has to provide.
+   *
+   * They begin with the nodes that the points of an unknown see, and on the
+   * master those of one more edge to either side: the bodies may slide a little
+   * before a new pattern is due. Points that see slave nodes of each other are
+   * eliminated into chains, whose length depends on the active set: what such
+   * lines need beyond is added as it shows. Provided for in advance, a slave
+   * of n nodes would fill n^2 entries that hardly ever are needed.
+   *
+   * All ranks have the same points and the same lines, and so the same partners
+   * without a message.
+   */
+  class InterfaceCouplings
+  {
+  public:
+    using Dofs = std::vector<types::global_dof_index>;
+
+    /// @p interface may be null: nothing is coupled.
+    InterfaceCouplings(const Discretization   &discretization,
+                       const ContactInterface *interface);
+
+    /// Take the partners from the points of now.
+    void make();
+
+    /// Whether they serve the points of now.
+    bool serve() const;
+
+    /// Add what the lines of @p elimination need. Returns whether anything was
+    /// missing.
+    bool add_missing(const ContactElimination &elimination);
+
+    /// Add to @p coupled the partners of an unknown, if it has any.
+    void add_partners(const types::global_dof_index      dof,
+                      std::set<types::global_dof_index> &coupled) const;
+
+    /// All unknowns of the points with all their partners.
+    std::set<types::global_dof_index> all() const;
+
+  private:
+    void collect_neighbors(const Surface &master);
+    Dofs reachable(const ContactPoint &point) const;
+
+    const Discretization   &discretization;
+    const ContactInterface *interface;
+
+    /// Of each point, the unknowns that it may see.
+    std::vector<Dofs> provided;
+
+    std::map<types::global_dof_index, std::set<types::global_dof_index>>
+      partners;
+
+    /// Of the unknowns on masters those of the edges around them.
+    std::map<types::global_dof_index, std::set<types::global_dof_index>>
+      neighbors_on_master;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,275 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/multiplier_recovery.h"
+
+#include <deal.II/lac/sparse_direct.h>
+
+#include <algorithm>
+
+namespace Contact
+{
+  MultiplierRecovery::MultiplierRecovery(const Discretization   &discretization,
+                                         const ContactInterface &interface,
+                                         const std::vector<Dof> &eliminated,
+                                         const bool              moving_bound)
+    : discretization(discretization)
+    , points(interface.points)
+    , interface(interface)
+    , moving_bound(moving_bound)
+    , coupled(interface.points.size(), false)
+  {
+    collect_equations(eliminated);
+    collect_shares();
+    find_coupled_points();
+  }
+
+
+
+  void MultiplierRecovery::collect_equations(const std::vector<Dof> &eliminated)
+  {
+    for (const ContactPoint &point : points)
+      if (point.decision.status != Status::open)
+        for (const auto dof : point.dofs[0])
+          if (!discretization.constraints.is_constrained(dof))
+            equations[dof];
+    for (const auto dof : eliminated)
+      equations[dof];
+  }
+
+
+
+  // The force on an unknown that is tied is in the equation of its partner.
+  void MultiplierRecovery::collect_shares()
+  {
+    const auto add =
+      [this](const Dof dof, const Share &share, const double part) {
+        if (const auto equation = equations.find(dof);
+            equation != equations.end())
+          equation->second.push_back(
+            {share.point, share.coordinate, part * share.factor});
+      };
+    for (unsigned int k = 0; k < points.size(); ++k)
+      if (points[k].decision.status != Status::open)
+        for (unsigned int a = 0; a < points[k].n_nodes; ++a)
+          for (unsigned int i = 0; i < 2; ++i)
+            {
+              const Dof   dof = points[k].dofs[a][i];
+              const Share share{k, i, points[k].weight * points[k].C[a]};
+              const auto *entries =
+                discretization.constraints.get_constraint_entries(dof);
+              if (entries == nullptr)
+                add(dof, share, 1);
+              else
+                for (const auto &entry : *entries)
+                  add(entry.first, share, entry.second);
+            }
+  }
+
+
+
+  // Alone is who shares the equations of its node with nobody, has no part in
+  // others, and no more multipliers than equations.
+  void MultiplierRecovery::find_coupled_points()
+  {
+    std::vector<unsigned int> n_equations(points.size(), 0);
+    for (const auto &[dof, shares] : equations)
+      for (const Share &share : shares)
+        {
+          ++n_equations[share.point];
+          if (shares.size() > 1 ||
+              dof != points[share.point].dofs[0][share.coordinate])
+            coupled[share.point] = true;
+        }
+    for (unsigned int k = 0; k < points.size(); ++k)
+      if (points[k].decision.status != Status::open &&
+          n_equations[k] < (has_shear_unknown(k) ? 2 : 1))
+        coupled[k] = true;
+  }
+
+
+
+  bool MultiplierRecovery::has_shear_unknown(const unsigned int point) const
+  {
+    return points[point].decision.status == Status::stick;
+  }
+
+
+
+  MultiplierRecovery::Factors
+  MultiplierRecovery::factors(const Share &share) const
+  {
+    const ContactPoint &point   = points[share.point];
+    const FrictionLaw  &law     = interface.zone(point).law;
+    const double        normal  = point.normal[share.coordinate];
+    const double        tangent = point.tangent[share.coordinate];
+    const int           slips   = point.decision.slip_direction;
+    if (has_shear_unknown(share.point))
+      return {share.factor * normal, share.factor * tangent, 0};
+    if (slips == 0)
+      return {share.factor * normal, 0, 0};
+    if (moving_bound)
+      return {share.factor *
+                (normal + slips * law.coulomb_coefficient * tangent),
+              0,
+              share.factor * slips * law.tresca_limit * tangent};
+    return {share.factor * normal,
+            0,
+            share.factor * slips * point.tresca_bound * tangent};
+  }
+
+
+
+  std::vector<MultiplierRecovery::Pair>
+  MultiplierRecovery::tractions(const Vector<double> &residual) const
+  {
+    std::vector<Pair> tractions(points.size());
+    bool              any_coupled = false;
+    for (unsigned int k = 0; k < points.size(); ++k)
+      if (coupled[k])
+        any_coupled = true;
+      else if (points[k].decision.status != Status::open)
+        tractions[k] = traction_of_single(k, residual);
+    if (any_coupled)
+      solve_coupled(residual, tractions);
+    return tractions;
+  }
+
+
+
+  // With both equations of a node the pressure is the force along the normal,
+  // whatever the shear; with one of them, its part in that.
+  MultiplierRecovery::Pair
+  MultiplierRecovery::traction_of_single(const unsigned int    k,
+                                         const Vector<double> &residual) const
+  {
+    const ContactPoint &point = points[k];
+    const double        own   = point.weight * point.C[0];
+    Tensor<1, 2>        traction, direction;
+    unsigned int        n_equations = 0;
+    for (unsigned int i = 0; i < 2; ++i)
+      if (!discretization.constraints.is_constrained(point.dofs[0][i]))
+        {
+          ++n_equations;
+          traction[i]  = -residual[point.dofs[0][i]] / own;
+          direction[i] = point.normal[i];
+        }
+    if (n_equations == 1)
+      for (unsigned int i = 0; i < 2; ++i)
+        if (!discretization.constraints.is_constrained(point.dofs[0][i]))
+          {
+            const Factors f = factors({k, i, 1});
+            traction[i] -= f.known;
+            direction[i] = f.p;
+          }
+    return {traction * direction / direction.norm_square(),
+            traction * point.tangent};
+  }
+
+
+
+  std::vector<unsigned int> MultiplierRecovery::first_columns() const
+  {
+    std::vector<unsigned int> first_column(points.size() + 1, 0);
+    for (unsigned int k = 0; k < points.size(); ++k)
+      first_column[k + 1] =
+        first_column[k] + (coupled[k] ? (has_shear_unknown(k) ? 2 : 1) : 0);
+    return first_column;
+  }
+
+
+
+  // The unknowns are the multipliers times the root of their weight.
+  std::vector<MultiplierRecovery::Equation>
+  MultiplierRecovery::coupled_equations(
+    const std::vector<unsigned int> &first_column,
+    const Vector<double>            &residual) const
+  {
+    std::vector<Equation> system;
+    for (const auto &[dof, shares] : equations)
+      if (!shares.empty() && coupled[shares.front().point])
+        {
+          Equation equation{{}, -residual[dof]};
+          for (const Share &share : shares)
+            {
+              const Factors f    = factors(share);
+              const double  root = std::sqrt(points[share.point].weight);
+              const auto    j    = first_column[share.point];
+              equation.row[j] += f.p / root;
+              if (has_shear_unknown(share.point))
+                equation.row[j + 1] += f.q / root;
+              equation.rhs -= f.known;
+            }
+          system.push_back(std::move(equation));
+        }
+    return system;
+  }
+
+
+
+  void MultiplierRecovery::solve_coupled(const Vector<double> &residual,
+                                         std::vector<Pair>    &tractions) const
+  {
+    const auto           first_column = first_columns();
+    const Vector<double> x =
+      least_squares(coupled_equations(first_column, residual),
+                    first_column.back());
+    for (unsigned int k = 0; k < points.size(); ++k)
+      if (coupled[k])
+        {
+          const double root = std::sqrt(points[k].weight);
+          const auto   j    = first_column[k];
+          tractions[k].p    = x[j] / root;
+          tractions[k].q    = has_shear_unknown(k) ? x[j + 1] / root : 0.;
+        }
+  }
+
+
+
+  // By the normal equations. A little on the diagonal chooses among unknowns
+  // that are not unique; where they are, it is taken back by iterating.
+  Vector<double>
+  MultiplierRecovery::least_squares(const std::vector<Equation> &system,
+                                    const unsigned int           n)
+  {
+    DynamicSparsityPattern couplings(n, n);
+    for (const Equation &equation : system)
+      for (const auto &a : equation.row)
+        for (const auto &b : equation.row)
+          couplings.add(a.first, b.first);
+    for (unsigned int j = 0; j < n; ++j)
+      couplings.add(j, j);
+    SparsityPattern pattern;
+    pattern.copy_from(couplings);
+    SparseMatrix<double> matrix(pattern);
+    Vector<double>       rhs(n), x(n), change(n);
+    for (const Equation &equation : system)
+      for (const auto &a : equation.row)
+        {
+          rhs[a.first] += a.second * equation.rhs;
+          for (const auto &b : equation.row)
+            matrix.add(a.first, b.first, a.second * b.second);
+        }
+    double largest = 0;
+    for (unsigned int j = 0; j < n; ++j)
+      largest = std::max(largest, matrix.diag_element(j));
+    if (largest == 0) // paired anew, nobody is left in the equations
+      return x;
+
+    SparseMatrix<double> shifted(pattern);
+    shifted.copy_from(matrix);
+    for (unsigned int j = 0; j < n; ++j)
+      shifted.add(j, j, 1e-10 * largest);
+    SparseDirectUMFPACK solver;
+    solver.factorize(shifted);
+    for (unsigned int turn = 0; turn < 4; ++turn)
+      {
+        matrix.residual(change, x, rhs);
+        solver.solve(change);
+        x += change;
+      }
+    return x;
+  }
+} // namespace Contact

@@ -1,0 +1,104 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_multiplier_recovery_h
+#define contact_multiplier_recovery_h
+
+#include "contact/contact_interface.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The multipliers of eliminated points, from the forces f that the bodies
+   * exert on the nodes:
+   *   sum over the active points of w C_k (p n + q t) = f_k.
+   * Where a point slips, its shear is known, q = s bound, or with a bound that
+   * moves a part of it is: q = s (tresca_limit + mu p). Equations are those of
+   * the unknowns of slave nodes that no support holds, and of what else was
+   * eliminated.
+   *
+   * Most points are alone with the two equations of their node. The others
+   * (coupled by slave nodes that several see, by chains of zones, by supports)
+   * are solved for together: the least squares
+   *   min |sum of w C (p n + q t) - f|^2,
+   * because there may be more equations than multipliers; where active points
+   * say the same twice, the multipliers with the smallest integral of their
+   * square share the force.
+   */
+  class MultiplierRecovery
+  {
+  public:
+    /// @p eliminated: what the points eliminate.
+    MultiplierRecovery(const Discretization   &discretization,
+                       const ContactInterface &interface,
+                       const std::vector<types::global_dof_index> &eliminated,
+                       const bool moving_bound);
+
+    /// Pressure and shear of a point [MPa].
+    struct Pair
+    {
+      double p = 0, q = 0;
+    };
+
+    /// Of all points, from @p residual, minus the residual of the bodies alone;
+    /// zero for open ones.
+    std::vector<Pair> tractions(const Vector<double> &residual) const;
+
+  private:
+    using Dof = types::global_dof_index;
+
+    /// What the points exert on an equation: the point, and its w C times the
+    /// coordinate.
+    struct Share
+    {
+      unsigned int point;
+      unsigned int coordinate;
+      double       factor;
+    };
+
+    /// The factors of the multipliers of a point in a share, and what is known.
+    struct Factors
+    {
+      double p, q, known;
+    };
+
+    void    collect_equations(const std::vector<Dof> &eliminated);
+    void    collect_shares();
+    void    find_coupled_points();
+    Factors factors(const Share &share) const;
+    bool    has_shear_unknown(const unsigned int point) const;
+    Pair    traction_of_single(const unsigned int    point,
+                               const Vector<double> &residual) const;
+    void    solve_coupled(const Vector<double> &residual,
+                          std::vector<Pair>    &tractions) const;
+
+    /// A row of the least squares, and its right-hand side.
+    struct Equation
+    {
+      std::map<unsigned int, double> row;
+      double                         rhs;
+    };
+
+    /// Where the unknowns of each point begin, and their number.
+    std::vector<unsigned int> first_columns() const;
+    std::vector<Equation>
+    coupled_equations(const std::vector<unsigned int> &first_column,
+                      const Vector<double>            &residual) const;
+    static Vector<double> least_squares(const std::vector<Equation> &system,
+                                        const unsigned int           n);
+
+    const Discretization            &discretization;
+    const std::vector<ContactPoint> &points;
+    const ContactInterface          &interface;
+    const bool                       moving_bound;
+
+    std::map<Dof, std::vector<Share>> equations;
+    std::vector<bool>                 coupled; // by point
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,69 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_rigid_rotation_h
+#define contact_rigid_rotation_h
+
+#include <vector>
+
+#include "contact/contact_interface.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The rigid rotation of each piece (MeshPieces) in the linear theory: the
+   * omega [rad] of the motion a + omega e_z x (X - c), c the centre of mass,
+   * that is closest to the displacement @p u in the mean of the squares over
+   * the piece, by the corners of its cells. Collective.
+   */
+  std::vector<double> rigid_rotations(const Discretization &discretization,
+                                      const Vector<double> &u);
+
+  /**
+   * A piece that can turn in itself: nothing but contact holds it, without
+   * friction and on circles about one centre C, and the loads on it do no work
+   * as it turns about C. What it touches pushes along normals that go through
+   * C: the rotation is not resisted, and nothing excites it either, the piece
+   * stays as it is. Not so on a mesh: the corners of polygons resist, and in
+   * small strain, where turning lengthens, contact drives the piece round until
+   * it has parted.
+   */
+  struct TurningPiece
+  {
+    unsigned int   piece;
+    Vector<double> rotation; // e_z x (X - C) at its nodes, zero elsewhere [mm]
+  };
+
+  /// All such pieces. Collective.
+  std::vector<TurningPiece> turning_pieces(const Discretization &discretization,
+                                           const Elasticity     &elasticity,
+                                           const ContactInterface &interface);
+
+  /// Take the rigid rotations of these pieces out of @p u. Collective.
+  void remove_rotations(const Discretization            &discretization,
+                        const std::vector<TurningPiece> &pieces,
+                        Vector<double>                  &u);
+
+  /**
+   * Check that no piece that supports leave free turns further than small
+   * strain can mean. There a rotation by omega lengthens a body by
+   * sqrt(1 + omega^2) - 1, about omega^2/2, which is no strain in this theory
+   * but moves its surface all the same. Beyond the larger one of
+   *   - the largest strain of the piece, sqrt(s : D^-1 : s / E): what is left
+   *     out is more than what is computed,
+   *   - 1e-3, the strain at which metals yield (omega = 2.6 degrees): below
+   *     it, an unstrained body that moves aside is where it should be to a
+   *     thousandth of its size,
+   * the result means nothing: throws NotConverged with the name of the piece
+   * and the angle. Does nothing with large displacements. Collective.
+   */
+  void check_rotations(const Discretization &discretization,
+                       const Elasticity     &elasticity,
+                       const Vector<double> &u);
+} // namespace Contact
+
+#endif

@@ -1,0 +1,177 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/saddle_point_system.h"
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include "base/counters.h"
+#include "solvers/active_set.h"
+
+namespace Contact
+{
+  SaddlePointSystem::SaddlePointSystem(
+    const Discretization                  &discretization,
+    const Elasticity                      &elasticity,
+    ContactInterface                      *interface,
+    const ContactInterface::Linearization &linearization,
+    const bool                             geometry_follows,
+    TimerOutput                           &timer)
+    : discretization(discretization)
+    , elasticity(elasticity)
+    , interface(interface)
+    , linearization(linearization)
+    , geometry_follows(geometry_follows)
+    , timer(timer)
+  {
+  }
+
+
+
+  void SaddlePointSystem::update_pattern(const bool pairing_has_changed)
+  {
+    if (!pattern.empty() && !pairing_has_changed)
+      return;
+    TimerOutput::Scope scope(timer, "setup");
+
+    const auto n_unknowns = discretization.dof_handler.n_dofs() +
+                            (interface ? interface->n_multipliers() : 0);
+    DynamicSparsityPattern couplings(n_unknowns, n_unknowns);
+    elasticity.add_couplings(couplings);
+    if (interface)
+      interface->add_couplings(couplings);
+    for (unsigned int i = 0; i < couplings.n_rows(); ++i)
+      couplings.add(i, i);
+
+    pattern.copy_from(couplings);
+    matrix.reinit(pattern);
+    solver.initialize(pattern);
+  }
+
+
+
+  void SaddlePointSystem::forget_pattern()
+  {
+    matrix.clear();
+    pattern.reinit(0, 0, 0);
+  }
+
+
+
+  bool SaddlePointSystem::solve(const Vector<double> &solution,
+                                const Vector<double> &u_start,
+                                const double          load_factor,
+                                const double          residual,
+                                const double          last_residual,
+                                const bool            search,
+                                Vector<double>       &rhs_and_update)
+  {
+    if (!factorization_serves(residual, last_residual))
+      assemble_and_factorize(solution, u_start, load_factor, rhs_and_update);
+    {
+      TimerOutput::Scope scope(timer, "solution");
+      solver.solve(rhs_and_update);
+      discretization.constraints.distribute(rhs_and_update);
+    }
+    if (!interface || !search)
+      return true;
+    TimerOutput::Scope scope(timer, "active set");
+    return ActiveSetSearch(discretization, *interface, solver, linearization)
+      .correct(solution, u_start, rhs_and_update);
+  }
+
+
+
+  // Under decisions that stay linear bodies keep their matrix, if the points do
+  // not follow them. Newton's method with moving geometry is left as it is: it
+  // is there for its quadratic convergence.
+  bool SaddlePointSystem::factorization_serves(const double residual,
+                                               const double last_residual) const
+  {
+    if (!solver.is_factorized() || discretization.update_is_prescribed() ||
+        factorized_version != elasticity.tangent_version() ||
+        (interface && factorized_decisions != interface->signature()))
+      return false;
+    if (elasticity.is_linear() && !geometry_follows)
+      return true;
+    return interface && !linearization.moving_geometry &&
+           residual < 0.1 * last_residual;
+  }
+
+
+
+  // The right-hand side is assembled anew with the matrix, because prescribed
+  // displacements enter it through the matrix.
+  void SaddlePointSystem::assemble_and_factorize(const Vector<double> &solution,
+                                                 const Vector<double> &u_start,
+                                                 const double    load_factor,
+                                                 Vector<double> &rhs)
+  {
+    {
+      TimerOutput::Scope scope(timer, "assembly");
+      matrix = 0;
+      rhs    = 0;
+      if (interface && elasticity.is_linear())
+        {
+          add_tangent_of_linear_bodies(solution);
+          elasticity.assemble(solution, load_factor, rhs, nullptr);
+        }
+      else
+        {
+          ++counters().tangents;
+          elasticity.assemble(solution, load_factor, rhs, &matrix);
+        }
+      if (interface)
+        interface->assemble(solution, u_start, linearization, rhs, &matrix);
+
+      // Unknowns that are not free keep a row of their own, and get their
+      // update from the constraints afterwards.
+      for (unsigned int i = 0; i < discretization.dof_handler.n_dofs(); ++i)
+        if (discretization.constraints.is_constrained(i))
+          {
+            matrix.diag_element(i) = 1;
+            rhs[i]                 = 0;
+          }
+    }
+
+    TimerOutput::Scope scope(timer, "factorization");
+    solver.factorize(matrix);
+    factorized_version = elasticity.tangent_version();
+    if (interface)
+      factorized_decisions = interface->signature();
+  }
+
+
+
+  // Contact changes, linear bodies do not: their tangent is assembled once on
+  // a mesh and added to what the points make of the matrix.
+  void SaddlePointSystem::add_tangent_of_linear_bodies(
+    const Vector<double> &solution)
+  {
+    if (bodies_tangent.empty() ||
+        bodies_version != elasticity.tangent_version())
+      {
+        ++counters().tangents;
+        const auto             n = discretization.dof_handler.n_dofs();
+        DynamicSparsityPattern couplings(n, n);
+        elasticity.add_couplings(couplings);
+        bodies_tangent.clear();
+        bodies_pattern.copy_from(couplings);
+        bodies_tangent.reinit(bodies_pattern);
+        elasticity.visit_cells(
+          solution,
+          /*with_tangent=*/true,
+          [this](const std::vector<types::global_dof_index> &dofs,
+                 const FullMatrix<double>                   &tangent,
+                 const Vector<double> &) {
+            discretization.constraints
+              .distribute_local_to_global(tangent, dofs, bodies_tangent);
+          });
+        bodies_version = elasticity.tangent_version();
+      }
+    for (const auto &entry : bodies_tangent)
+      matrix.add(entry.row(), entry.column(), entry.value());
+  }
+} // namespace Contact

@@ -1,0 +1,92 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_saddle_point_system_h
+#define contact_saddle_point_system_h
+
+#include <deal.II/base/timer.h>
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/sparsity_pattern.h>
+
+#include "contact/contact_interface.h"
+#include "solvers/linear_solver.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The linear system of a Newton step in displacements and multipliers, a
+   * saddle point: every contact rule can have it, on one process. It is solved
+   * directly, and as a factorization is what costs, it is kept while it serves.
+   * See CondensedSystem for the other form.
+   */
+  class SaddlePointSystem
+  {
+  public:
+    /// @p interface may be null. @p geometry_follows: points are paired with
+    /// bodies that have moved. @p linearization may change from step to step.
+    /// Phases are measured by @p timer.
+    SaddlePointSystem(const Discretization                  &discretization,
+                      const Elasticity                      &elasticity,
+                      ContactInterface                      *interface,
+                      const ContactInterface::Linearization &linearization,
+                      const bool                             geometry_follows,
+                      TimerOutput                           &timer);
+
+    /// When a point faces another edge than before, the matrix couples other
+    /// unknowns than before: a new pattern, and a new analysis in the solver.
+    void update_pattern(const bool pairing_has_changed);
+
+    /// The points are no longer those that the pattern was made for.
+    void forget_pattern();
+
+    /**
+     * The Newton update under the present decisions, from minus the residual
+     * of bodies and contact. The factorization at hand may serve if the last
+     * one reduced the residual well: @p residual, @p last_residual [-]. With
+     * @p search the active set is searched in the linearised problem; returns
+     * whether that, if any, has come to an end.
+     */
+    bool solve(const Vector<double> &solution,
+               const Vector<double> &u_start,
+               const double          load_factor,
+               const double          residual,
+               const double          last_residual,
+               const bool            search,
+               Vector<double>       &rhs_and_update);
+
+  private:
+    bool factorization_serves(const double residual,
+                              const double last_residual) const;
+    void assemble_and_factorize(const Vector<double> &solution,
+                                const Vector<double> &u_start,
+                                const double          load_factor,
+                                Vector<double>       &rhs);
+    void add_tangent_of_linear_bodies(const Vector<double> &solution);
+
+    const Discretization                  &discretization;
+    const Elasticity                      &elasticity;
+    ContactInterface                      *interface;
+    const ContactInterface::Linearization &linearization;
+    const bool                             geometry_follows;
+    TimerOutput                           &timer;
+
+    SparsityPattern      pattern;
+    SparseMatrix<double> matrix;
+    DirectSolver         solver;
+
+    // The tangent of linear bodies without contact, and of which version.
+    SparsityPattern      bodies_pattern;
+    SparseMatrix<double> bodies_tangent;
+    unsigned int         bodies_version = 0;
+
+    // What the matrix was factorized under.
+    std::vector<signed char> factorized_decisions;
+    unsigned int             factorized_version = 0;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,170 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_contact_check_h
+#define contact_contact_check_h
+
+#include "base/words.h"
+#include "contact/contact_interface.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * What has to hold between bodies in contact, whatever the mesh: how far it
+   * does not. All ranks get the same numbers.
+   *
+   * What is relative to the force F [N per mm] is so to the one that Newton's
+   * method is relative to; a gap g becomes a force as w k g, with the weight w
+   * of the point and the stiffness k = E/h of its slave edge.
+   */
+  struct ContactInvariants
+  {
+    /// The forces of contact on slave and master together, and their moment
+    /// about the middle of the slave by its size, by the sum of the magnitudes
+    /// of all these forces.
+    double force_imbalance  = 0;
+    double moment_imbalance = 0;
+
+    /// The largest of: a negative pressure in contact; a gap in contact, a
+    /// multiplier where open (in the weak sense of the rule); with the nodal
+    /// and the mortar rule, a penetration where open. By F.
+    double complementarity = 0;
+
+    /// The largest |q| - bound of the friction law under the present pressure,
+    /// by the largest bound.
+    double cone = 0;
+
+    /// The largest slip of what sticks (in the weak sense of the rule) and,
+    /// with the nodal and the mortar rule, slip along the shear instead of
+    /// against it. By F.
+    double slip = 0;
+
+    /// The largest -gap [mm] of all points, also by the length of the slave
+    /// edge, and where, undeformed. With the Gauss rule surfaces penetrate
+    /// each other between the nodes: no violation.
+    double   penetration          = 0;
+    double   relative_penetration = 0;
+    Point<2> deepest;
+
+    /// One sentence for each invariant that is violated: which, by how much,
+    /// where, what to do.
+    std::vector<std::string> violations;
+
+    /// One sentence for each thing that a user should know of this state though
+    /// the discrete equations hold.
+    std::vector<std::string> notes;
+
+    /// Add a sentence if @p value is above @p limit, or not a number.
+    void judge(const std::string &name,
+               const double       value,
+               const double       limit,
+               const std::string &sentence,
+               const std::string &advice);
+  };
+
+
+
+  /// What the tolerances leave open in a state.
+  struct Slack
+  {
+    double reference;       // F [N per mm]
+    double relative;        // Newton's tolerance
+    double force;           // the same times F [N per mm]
+    double shear       = 0; // of the bounds by a fixed point [MPa]
+    double shear_force = 0; // the same on all points [N per mm]
+  };
+
+
+
+  /**
+   * Check the contact of one converged state, by a computation of its own: from
+   * the displacements, the decisions and multipliers of the points.
+   *
+   * @par Forces
+   * A point exerts w (p n + q t) C_a on its node a. These add up to zero
+   * because the C_a do. With r = sum C_a x_a = g n + o t their moment is
+   *   w (g q - o p):
+   * zero where the gap is, if the foot is the closest point (o = 0). With the
+   * Gauss rule the gap is zero in the mean only; over a corner of the master
+   * the foot stays behind; where the surfaces have moved by d since they were
+   * paired, the foot is that of the pairing: |o| <= sqrt(2) sum |C_a| d. So
+   * much is the method's own. With undeformed geometry the moments are those of
+   * the undeformed bodies.
+   *
+   * @par Complementarity and friction
+   * The weak conditions of the rule are what Newton's method has solved, for
+   * each multiplier k,
+   *   sum w psi_k (p - lambda_n)/c = 0,  sum w psi_k (q - lambda_t)/c = 0.
+   * With a point per multiplier (nodal, mortar; there gap and slip are the
+   * weighted ones) they say g = 0 in contact, lambda = 0 where open, s = 0
+   * where it sticks; from p = max(0, lambda - c g) follow p >= 0 and g >= 0,
+   * from the slip law q s <= 0, point by point. The Gauss rule has several
+   * points per multiplier and promises the weak conditions and p >= 0. Gaps
+   * are those of the pairing of the last turn. Where most points of an edge
+   * face nothing, they pull its multipliers to zero, and what is left is a
+   * penalty -c g, with c far below the stiffness of the bodies: if that makes
+   * half of the largest pressure, the bodies pass through each other.
+   *
+   * @par Depth
+   * On a mesh that is too coarse the discrete conditions may hold while a node
+   * is deep inside of the other body. There is a note if it is deeper, by more
+   * than half of the largest displacement of the two surfaces, than it was
+   * undeformed.
+   */
+  class ContactCheck
+  {
+  public:
+    /// Of the state @p solution at the end of an increment that began with the
+    /// displacement @p u_start; since they were paired the surfaces have moved
+    /// by @p moved [mm]. All arguments have to outlive the object.
+    ContactCheck(const Discretization       &discretization,
+                 const ContactInterface     &interface,
+                 const Parameters::Solution &parameters,
+                 const Vector<double>       &solution,
+                 const Vector<double>       &u_start,
+                 const double                moved);
+
+    /// Let the slack know of bounds by a fixed point.
+    void widen(Slack &slack) const;
+
+    /// Add the forces of the pressures and of the shears on the nodes [N per
+    /// mm], and what the shears dissipate in the increment [N mm per mm].
+    void add_forces(Vector<double> &pressures,
+                    Vector<double> &shears,
+                    double         &dissipation) const;
+
+    void check(const Slack &slack, ContactInvariants &found) const;
+
+  private:
+    void check_balance(const ContactZone &zone,
+                       const Slack       &slack,
+                       ContactInvariants &found) const;
+    void check_depth(const ContactZone &zone, ContactInvariants &found) const;
+
+    /// Whether a node of a slave edge is pushed.
+    bool carries_force(const ContactZone &zone,
+                       const unsigned int slave_edge) const;
+    void check_normal(const Slack &slack, ContactInvariants &found) const;
+    void check_tangential(const Slack &slack, ContactInvariants &found) const;
+
+    /// Where a point is, in a sentence.
+    std::string at(const ContactPoint &point) const;
+
+    const Discretization       &discretization;
+    const ContactInterface     &interface;
+    const Parameters::Solution &parameters;
+    const Vector<double>       &solution, &u_start;
+    const double                moved;
+
+    // By point.
+    std::vector<ContactState> states;
+    std::vector<Traction>     tractions;
+    double                    largest_bound = 0; // [MPa]
+  };
+} // namespace Contact
+
+#endif

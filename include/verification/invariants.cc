@@ -1,0 +1,330 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "verification/invariants.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_tools.h>
+
+#include <cmath>
+#include <limits>
+
+namespace Contact
+{
+  namespace
+  {
+    const std::string wrong_forces =
+      "Do not use this increment: lower 'Solution/Newton tolerance'; if that "
+      "does not help, it is an error of the program.";
+  } // namespace
+
+
+
+  std::map<std::string, double> Invariants::measures() const
+  {
+    return {{"force_imbalance", force_imbalance},
+            {"moment_imbalance", moment_imbalance},
+            {"equilibrium", equilibrium},
+            {"supports", supports},
+            {"complementarity", complementarity},
+            {"friction_cone", cone},
+            {"slip", slip},
+            {"penetration", penetration},
+            {"relative_penetration", relative_penetration},
+            {"energy_imbalance", energy_imbalance}};
+  }
+
+
+
+  std::map<std::string, double> Invariants::works() const
+  {
+    return {{"strain_energy", strain_energy},
+            {"external", external_work},
+            {"contact", contact_work},
+            {"friction", friction_work},
+            {"stabilization", stabilization_work},
+            {"path", path_work},
+            {"dissipation", dissipation}};
+  }
+
+
+
+  InvariantCheck::InvariantCheck(const Discretization       &discretization,
+                                 const Elasticity           &elasticity,
+                                 const ContactInterface     *interface,
+                                 const Parameters::Solution &parameters)
+    : discretization(discretization)
+    , elasticity(elasticity)
+    , interface(interface)
+    , parameters(parameters)
+  {
+    for (Vector<double> *vector : {&start.displacement,
+                                   &start.external,
+                                   &start.pressures,
+                                   &start.shears,
+                                   &start.holds})
+      vector->reinit(discretization.dof_handler.n_dofs());
+    end = start;
+  }
+
+
+
+  void InvariantCheck::advance()
+  {
+    start = end;
+  }
+
+
+
+  const InvariantCheck::State &InvariantCheck::state() const
+  {
+    return start;
+  }
+
+
+
+  void InvariantCheck::restore(const State &state)
+  {
+    start = state;
+  }
+
+
+
+  Invariants InvariantCheck::check(const Vector<double> &solution,
+                                   const double          load_factor,
+                                   const double          newton_tolerance,
+                                   const double          reference_force,
+                                   const Vector<double> *hold_forces,
+                                   const double          moved)
+  {
+    Invariants found;
+    end = start;
+    std::copy(solution.begin(),
+              solution.begin() + end.displacement.size(),
+              end.displacement.begin());
+    end.pressures = 0;
+    end.shears    = 0;
+
+    const double force = reference_force > 0 ? reference_force : 1;
+    Slack        slack{force, newton_tolerance, newton_tolerance * force};
+    if (interface != nullptr)
+      {
+        const ContactCheck contact(discretization,
+                                   *interface,
+                                   parameters,
+                                   solution,
+                                   start.displacement,
+                                   moved);
+        contact.widen(slack);
+        contact.add_forces(end.pressures, end.shears, end.dissipation);
+        contact.check(slack, found);
+      }
+    found.supports =
+      discretization.distance_from_supports(end.displacement, load_factor);
+    found.judge("supports",
+                found.supports,
+                std::numeric_limits<double>::epsilon() *
+                  discretization.largest_prescribed(),
+                "a supported node is " + brief(found.supports) +
+                  " mm from where it has to be",
+                wrong_forces);
+    balance_bodies(load_factor, slack, hold_forces, found);
+    check_energy(slack, found);
+    return found;
+  }
+
+
+
+  // @sect4{The bodies}
+  //
+  // What their forces leave where contact, loads and holds have been taken off:
+  // reactions where the constraints hold an unknown by itself, nothing
+  // elsewhere. The force on an unknown that others move goes to those. Every
+  // rank knows the constraints of its own unknowns.
+  void InvariantCheck::balance_bodies(const double          load_factor,
+                                      const Slack          &slack,
+                                      const Vector<double> *hold_forces,
+                                      Invariants           &found)
+  {
+    Vector<double> left = elasticity.forces(end.displacement, load_factor);
+    left -= end.pressures;
+    left -= end.shears;
+    if (hold_forces != nullptr)
+      {
+        std::copy(hold_forces->begin(),
+                  hold_forces->begin() + end.holds.size(),
+                  end.holds.begin());
+        left -= end.holds;
+      }
+    else
+      end.holds = 0;
+
+    const auto    &constraints = discretization.constraints;
+    const auto    &owned = discretization.dof_handler.locally_owned_dofs();
+    const MPI_Comm communicator = discretization.communicator;
+    if (discretization.mesh.triangulation.has_hanging_nodes())
+      {
+        // Hanging nodes hand over to their neighbors. Of those that a support
+        // fixes the constraints of an update know nothing any longer.
+        AffineConstraints<double> hanging;
+        DoFTools::make_hanging_node_constraints(discretization.dof_handler,
+                                                hanging);
+        hanging.close();
+        Vector<double> handed_over(left.size());
+        for (const auto &line : hanging.get_lines())
+          if (owned.is_element(line.index))
+            {
+              handed_over[line.index] -= left[line.index];
+              for (const auto &[other, coefficient] : line.entries)
+                handed_over[other] += coefficient * left[line.index];
+            }
+        Utilities::MPI::sum(handed_over, communicator, handed_over);
+        left += handed_over;
+      }
+    Vector<double> reactions(left.size()), residual(left.size());
+    for (const auto dof : owned)
+      if (!constraints.is_constrained(dof))
+        residual[dof] += left[dof];
+      else if (const auto *entries = constraints.get_constraint_entries(dof);
+               entries == nullptr || entries->empty())
+        reactions[dof] = left[dof];
+      else
+        for (const auto &[other, coefficient] : *entries)
+          residual[other] += coefficient * left[dof];
+    Utilities::MPI::sum(reactions, communicator, reactions);
+    Utilities::MPI::sum(residual, communicator, residual);
+
+    end.external = elasticity.dead_loads.at(load_factor);
+    end.external += reactions;
+    add_up(reactions, found);
+
+    // The force scale knows the round-off of the stiffest body. Where that is
+    // more than the loads, these are not in the solution.
+    const double loads   = elasticity.dead_loads.whole();
+    const double allowed = (slack.force + slack.shear_force) / slack.reference;
+    found.equilibrium    = residual.l2_norm() / slack.reference;
+    if (loads > 0 && found.equilibrium <= allowed)
+      found.judge("resolution",
+                  residual.l2_norm() / loads,
+                  1e-3,
+                  "of loads of " + brief(loads) + " N" +
+                    discretization.per_thickness() + " " +
+                    brief(residual.l2_norm()) + " N" +
+                    discretization.per_thickness() +
+                    " are lost in the round-off of the stiffest body",
+                  "Take a smaller Young's modulus, or an obstacle instead of "
+                  "that body.");
+    if (hold_forces != nullptr)
+      found.judge("stabilization",
+                  end.holds.l2_norm() / slack.reference,
+                  1e-3,
+                  "springs that hold a body still carry " +
+                    brief(end.holds.l2_norm()) + " N" +
+                    discretization.per_thickness(),
+                  "Support the body in the motion that is named above, or "
+                  "refine its surfaces.");
+    found.judge("equilibrium",
+                found.equilibrium,
+                allowed,
+                "a force of " + brief(residual.l2_norm()) + " N" +
+                  discretization.per_thickness() +
+                  " is left over where no support acts",
+                wrong_forces);
+  }
+
+
+
+  // Every rank has all reactions: each adds up those of its own unknowns.
+  void InvariantCheck::add_up(const Vector<double> &reactions,
+                              Invariants           &found) const
+  {
+    const auto &owned = discretization.dof_handler.locally_owned_dofs();
+    for (unsigned int c = 0; c < 2; ++c)
+      for (const auto &[group, unknowns] : discretization.supports[c])
+        {
+          double sum = 0;
+          for (const auto dof : unknowns)
+            if (owned.is_element(dof))
+              sum += reactions[dof];
+          found.reactions[group][std::string(1, "xy"[c])] =
+            Utilities::MPI::sum(sum, discretization.communicator);
+        }
+  }
+
+
+
+  void InvariantCheck::check_energy(const Slack &slack, Invariants &found)
+  {
+    Vector<double> d(end.displacement);
+    d -= start.displacement;
+    end.strain_energy = elasticity.strain_energy(end.displacement);
+
+    // By the trapezoidal rule.
+    const auto work = [&](const Vector<double> State::*forces) {
+      return 0.5 * ((start.*forces) * d + (end.*forces) * d);
+    };
+    const double external      = work(&State::external);
+    const double contact       = work(&State::pressures);
+    const double friction      = work(&State::shears);
+    const double stabilization = work(&State::holds);
+    const double sum           = external + contact + friction + stabilization;
+
+    double path = 0;
+    if (!elasticity.is_linear())
+      {
+        Vector<double> middle(start.displacement);
+        middle.add(0.5, d);
+        double along = 0;
+        elasticity.visit_cells(
+          middle,
+          /*with_tangent=*/false,
+          [&](const std::vector<types::global_dof_index> &dofs,
+              const FullMatrix<double> &,
+              const Vector<double> &forces) {
+            for (unsigned int i = 0; i < dofs.size(); ++i)
+              along += forces[i] * d[dofs[i]];
+          });
+        path = 2. / 3 *
+               (Utilities::MPI::sum(along, discretization.communicator) - sum);
+      }
+
+    end.external_work += external;
+    end.contact_work += contact;
+    end.friction_work += friction;
+    end.stabilization_work += stabilization;
+    end.path_work += path;
+
+    const double change  = end.strain_energy - start.strain_energy;
+    const double missing = std::abs(change - sum - path);
+    const double scale   = std::abs(change) + std::abs(external) +
+                         std::abs(contact) + std::abs(friction) +
+                         std::abs(stabilization) + std::abs(path);
+    // In increments that do nothing round-off is no more than that of all
+    // works.
+    const double works = end.strain_energy + std::abs(end.external_work);
+    // Of sums of as many terms as there are unknowns.
+    const double round_off = std::numeric_limits<double>::epsilon() * d.size() *
+                             (scale + start.strain_energy + end.strain_energy);
+
+    found.strain_energy      = end.strain_energy;
+    found.external_work      = end.external_work;
+    found.contact_work       = end.contact_work;
+    found.friction_work      = end.friction_work;
+    found.stabilization_work = end.stabilization_work;
+    found.path_work          = end.path_work;
+    found.dissipation        = end.dissipation;
+    if (scale == 0)
+      return;
+    found.energy_imbalance = missing / std::max(scale, works);
+    found.judge("energy",
+                missing / scale,
+                ((slack.force + slack.shear_force) * d.l2_norm() + round_off) /
+                  scale,
+                "strain energy and works differ by " + brief(missing) +
+                  " N mm" + discretization.per_thickness() +
+                  " in this increment",
+                wrong_forces);
+  }
+} // namespace Contact

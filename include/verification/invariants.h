@@ -1,0 +1,176 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_invariants_h
+#define contact_invariants_h
+
+#include <map>
+#include <string>
+
+#include "verification/contact_check.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * What has to hold after a load increment, of contact and of the bodies. Of
+   * several levels of refinement each starts from the undeformed bodies.
+   */
+  struct Invariants : public ContactInvariants
+  {
+    /// The norm of the forces that are left over where no support acts, by F.
+    double equilibrium = 0;
+
+    /// The largest distance of a supported node from where it has to be [mm].
+    double supports = 0;
+
+    /**
+     * Energy and works since the start [N mm per mm of thickness]:
+     *   strain energy = works of the loads and moved supports (external), of
+     *     the pressures (contact), of the shears (friction), of what else holds
+     *     the bodies (stabilization), and path work.
+     * See InvariantCheck. The dissipation is that of the slip law, which is
+     * never negative; it and minus the friction work agree in the limit of
+     * many increments, where contact work and path work vanish.
+     */
+    double strain_energy      = 0;
+    double external_work      = 0;
+    double contact_work       = 0;
+    double friction_work      = 0;
+    double stabilization_work = 0;
+    double path_work          = 0;
+    double dissipation        = 0;
+
+    /// What is missing to the equation above in this increment, by the larger
+    /// of the sum of the magnitudes of its terms and of strain energy and
+    /// external work.
+    double energy_imbalance = 0;
+
+    /// What each group of supports exerts on the bodies, by direction, in the
+    /// frame of the mesh [N per mm of thickness; axisymmetric: N]. A node of
+    /// two groups counts in both.
+    std::map<std::string, std::map<std::string, double>> reactions;
+
+    /// By name, for the summary.
+    std::map<std::string, double> measures() const;
+    std::map<std::string, double> works() const;
+  };
+
+
+
+  /**
+   * Check the invariants of one increment after the other, by a computation
+   * of its own: from the energy and the forces of the bodies, and from what
+   * ContactCheck finds.
+   *
+   * @par Energy
+   * Along the straight path from u_0 to u_1 = u_0 + d of an increment the
+   * energy E changes by the integral of f(u_0 + t d) . d over t from 0 to 1, f
+   * the internal forces. In small strain f is linear in t: the trapezoidal rule
+   * is exact. In large displacement it is a polynomial of degree 3 (St.
+   * Venant-Kirchhoff): Simpson's rule is exact,
+   *   E_1 - E_0 = 1/2 (f_0 + f_1) . d + path work,
+   *   path work = 2/3 (f_1/2 . d - 1/2 (f_0 + f_1) . d).
+   * At both ends there is equilibrium: f = load + reactions + forces of contact
+   * (+ forces that hold the bodies). Hence an identity without an error of time
+   * discretization, with each work by the trapezoidal rule. It holds up to what
+   * Newton's method leaves of the residual: |r . d| <= tolerance F |d|.
+   *
+   * Reactions work where supports are moved. Pressures would not work if points
+   * touched along the whole path or not at all; those that open or close within
+   * the increment do, of the second order in its length, and so do the turning
+   * normals of large displacement. The dissipation is -sum w q s with the q of
+   * the end, as the slip law has it (implicit Euler).
+   *
+   * @par Tolerances
+   * An invariant is violated if it is further off than the tolerances of the
+   * solution explain. Forces and gaps: Newton's tolerance times F. With the
+   * bounds of the shear by a fixed point, they change by the friction tolerance
+   * times the largest bound after the last Newton step. There are no others,
+   * but round-off.
+   *
+   * @par Cost
+   * Two passes over the cells without a tangent; a third in large displacement.
+   */
+  class InvariantCheck
+  {
+  public:
+    /// The state at the start of an increment, all that the next one needs.
+    struct State
+    {
+      /// Displacements [mm], and forces on the nodes [N per mm]: loads and
+      /// reactions; of the pressures and the shears of contact; of what else
+      /// holds the bodies. Full on all ranks.
+      Vector<double> displacement;
+      Vector<double> external, pressures, shears, holds;
+
+      /// The works so far.
+      double strain_energy = 0, external_work = 0, contact_work = 0,
+             friction_work = 0, stabilization_work = 0, path_work = 0,
+             dissipation = 0;
+
+      template<class Archive>
+      void serialize(Archive &archive, const unsigned int)
+      {
+        archive &displacement &external &pressures &shears &holds;
+        archive &strain_energy &external_work &contact_work &friction_work
+          &stabilization_work &path_work &dissipation;
+      }
+    };
+
+    /// Start from the undeformed bodies without loads. @p interface may be
+    /// null.
+    InvariantCheck(const Discretization       &discretization,
+                   const Elasticity           &elasticity,
+                   const ContactInterface     *interface,
+                   const Parameters::Solution &parameters);
+
+    /**
+     * Check the converged state @p solution under @p load_factor. The residual
+     * is below @p newton_tolerance times @p reference_force [N per mm; 0: as an
+     * absolute value]. @p hold_forces are what else acts on the nodes, if
+     * anything does; @p moved is the way of the surfaces since they were paired
+     * [mm].
+     */
+    Invariants check(const Vector<double> &solution,
+                     const double          load_factor,
+                     const double          newton_tolerance,
+                     const double          reference_force,
+                     const Vector<double> *hold_forces = nullptr,
+                     const double          moved       = 0);
+
+    /// The increment that was checked last is accepted: the next one starts
+    /// from its end. Without, the increment is repeated from the same start.
+    void advance();
+
+    /// Where the next increment starts.
+    const State &state() const;
+    void         restore(const State &state);
+
+    template<class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &start;
+    }
+
+  private:
+    void balance_bodies(const double          load_factor,
+                        const Slack          &slack,
+                        const Vector<double> *hold_forces,
+                        Invariants           &found);
+    void add_up(const Vector<double> &reactions, Invariants &found) const;
+    void check_energy(const Slack &slack, Invariants &found);
+
+    const Discretization      &discretization;
+    const Elasticity          &elasticity;
+    const ContactInterface    *interface;
+    const Parameters::Solution parameters;
+
+    State start, end;
+  };
+} // namespace Contact
+
+#endif
