@@ -224,6 +224,8 @@ namespace Contact
     n /= n.norm();
 
     NormalCone directions{n, n};
+    directions.reach =
+      SurfaceSearch::overhang * slave.reference_length(point.slave_edge);
     if (point.slave_xi == -1)
       {
         directions.at_end = edge.begins_surface;
@@ -337,7 +339,9 @@ namespace Contact
   {
     const Projection projection =
       search.closest_facing(slave_position(point, u), directions);
-    point.facing      = !projection.off_the_end;
+    const double beyond = (std::abs(projection.xi) - 1) / 2 *
+                          master.reference_length(projection.edge);
+    point.facing      = !projection.off_the_end && beyond <= directions.reach;
     point.master_edge = projection.edge;
     point.master_xi   = projection.xi;
 

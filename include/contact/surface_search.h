@@ -10,6 +10,7 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <functional>
+#include <limits>
 
 #include "contact/surface.h"
 
@@ -29,6 +30,9 @@ namespace Contact
     /// At an end of the surface, where the body has a side that is in no group:
     /// what is beside it counts if nothing is opposite.
     bool at_end = false;
+
+    /// How far beyond the end of a face it still looks [mm].
+    double reach = std::numeric_limits<double>::max();
 
     /**
      * Faces whose normals are further from opposite than this do not face each
@@ -102,9 +106,10 @@ namespace Contact
 
     /**
      * How far beyond the end of a face, in edge coordinates, a point still
-     * counts as facing the last edge, extrapolated. Points on a symmetry line
-     * or over an edge of the other body sit exactly on the end, where the tilt
-     * of the edge under load moves the foot of the normal to either side.
+     * counts as facing the last edge, extrapolated, and no further than the
+     * same part of an edge of the slave. Points on a symmetry line or over an
+     * edge of the other body sit exactly on the end, where the tilt of the edge
+     * under load moves the foot of the normal to either side.
      */
     static constexpr double overhang = 0.1;
 
