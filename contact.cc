@@ -308,7 +308,7 @@ namespace Contact
     : parameters(parameters)
     , prm(prm)
     , screen(std::cout,
-             verbose && parameters.output.screen == "full" &&
+             verbose && parameters.output.screen == Parameters::Screen::full &&
                Utilities::MPI::this_mpi_process(communicator) == 0)
     , timer(std::cout, TimerOutput::never, TimerOutput::cpu_and_wall_times)
   {
@@ -366,12 +366,13 @@ namespace Contact
   {
     timer.enter_subsection("setup");
     mesh = std::make_unique<Mesh>(parameters.mesh, communicator);
-    if (parameters.refinement.strategy == "adaptive")
+    if (parameters.refinement.strategy == Parameters::Strategy::adaptive)
       check_adaptive(*mesh);
     discretization =
       std::make_unique<Discretization>(*mesh, parameters, communicator);
 
-    linearization.moving_bound = parameters.solution.friction == "Newton";
+    linearization.moving_bound =
+      parameters.solution.friction == Parameters::FrictionLoop::newton;
     make_interface();
     timer.leave_subsection();
 
@@ -450,9 +451,10 @@ namespace Contact
         system_name  = "saddle point, UMFPACK";
         return;
       }
-    std::string name = parameters.solution.linear_solver;
-    if (name == "automatic")
-      name =
+    Parameters::Choice<Parameters::SolverKind> solver =
+      parameters.solution.linear_solver;
+    if (solver == Parameters::SolverKind::automatic)
+      solver =
         DefiniteSolver::choose(summary.n_displacements,
                                Utilities::MPI::n_mpi_processes(communicator));
     elimination =
@@ -463,9 +465,9 @@ namespace Contact
                                                   *elasticity,
                                                   interface.get(),
                                                   *elimination,
-                                                  name,
+                                                  solver,
                                                   timer);
-    system_name = "condensed, " + name;
+    system_name = "condensed, " + solver.name();
   }
 
 
@@ -886,7 +888,8 @@ namespace Contact
   // no pressure is known: there it sticks in the first turn.
   void ContactProblem::solve_with_friction_loop()
   {
-    if (!has_friction() || parameters.solution.friction != "fixed point" ||
+    if (!has_friction() ||
+        parameters.solution.friction != Parameters::FrictionLoop::fixed_point ||
         !interface->has_coulomb_friction())
       {
         if (has_friction() && level == 0)
@@ -1070,7 +1073,9 @@ namespace Contact
   {
     pairing_is_frozen = frozen;
     linearization.moving_geometry =
-      parameters.geometry(summary.n_displacements) == "Newton" && !frozen;
+      parameters.geometry(summary.n_displacements) ==
+        Parameters::GeometryLoop::newton &&
+      !frozen;
   }
 
 
@@ -1184,7 +1189,8 @@ namespace Contact
     if (geometry_follows() && !configuration.all_zero())
       ++counters().geometry_updates;
     const bool changed =
-      interface && interface->pair(parameters.solution.geometry == "undeformed"
+      interface && interface->pair(parameters.solution.geometry ==
+                                       Parameters::GeometryLoop::undeformed
                                      ? Vector<double>(solution.size())
                                      : configuration,
                                    linearization.moving_geometry);
@@ -1274,7 +1280,8 @@ namespace Contact
   void ContactProblem::recover_multipliers()
   {
     elimination->recover_pressures(system_rhs, solution);
-    if (has_friction() && parameters.solution.friction == "each step")
+    if (has_friction() &&
+        parameters.solution.friction == Parameters::FrictionLoop::each_step)
       interface->update_bounds(solution, start);
     elimination->recover_shears(system_rhs, solution);
   }
@@ -1349,9 +1356,9 @@ namespace Contact
                                                  const double       residual)
   {
     const bool decided = step > 0 || !interface || interface->is_tied();
-    const bool one_solve_is_all = elasticity->is_linear() && decided &&
-                                  !pairs_each_step() &&
-                                  parameters.solution.friction == "fixed point";
+    const bool one_solve_is_all =
+      elasticity->is_linear() && decided && !pairs_each_step() &&
+      parameters.solution.friction == Parameters::FrictionLoop::fixed_point;
     const double forcing =
       std::min(1e-5, parameters.solution.linear_tolerance * residual);
     const double relative =
@@ -1395,7 +1402,7 @@ namespace Contact
   // @sect4{ContactProblem::refine}
   void ContactProblem::refine()
   {
-    if (parameters.refinement.strategy == "adaptive")
+    if (parameters.refinement.strategy == Parameters::Strategy::adaptive)
       {
         TimerOutput::Scope scope(timer, "estimate");
         const auto        &at_vertices = recovered_stresses();
@@ -1407,7 +1414,7 @@ namespace Contact
                      .indicators(at_vertices, interface.get(), solution),
                    parameters.refinement.fraction);
         for (const auto &zone : parameters.zones())
-          if (zone.rule == "nodal" && !zone.master.empty())
+          if (zone.rule == Parameters::Rule::nodal && !zone.master.empty())
             flag_slave_like_master(
               *mesh,
               mesh->boundary(zone.slave, zone.section() + "/Slave"),
@@ -1819,8 +1826,10 @@ namespace Contact
 
   bool ContactProblem::pairs_each_step() const
   {
-    return parameters.solution.geometry != "undeformed" &&
-           parameters.solution.geometry != "fixed point";
+    return parameters.solution.geometry !=
+             Parameters::GeometryLoop::undeformed &&
+           parameters.solution.geometry !=
+             Parameters::GeometryLoop::fixed_point;
   }
 
 
@@ -1829,7 +1838,7 @@ namespace Contact
   bool ContactProblem::geometry_follows() const
   {
     return interface && !interface->is_tied() &&
-           parameters.solution.geometry != "undeformed";
+           parameters.solution.geometry != Parameters::GeometryLoop::undeformed;
   }
 
 
@@ -1972,7 +1981,8 @@ namespace
           break;
       }
 
-    if (cases.front().output.screen != "none" && is_first_rank)
+    if (cases.front().output.screen != Parameters::Screen::none &&
+        is_first_rank)
       print_table(std::cout, summaries);
 
     int status = 0;

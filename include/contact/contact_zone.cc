@@ -156,7 +156,8 @@ namespace Contact
       }
     // Over a ring, the shape function of degree 2 of a node on the axis has the
     // integral zero: it has no dual function.
-    if (slave.degree == 2 && master && parameters.rule == "mortar")
+    if (slave.degree == 2 && master &&
+        parameters.rule == Parameters::Rule::mortar)
       for (unsigned int i = 0; i < slave.nodes.size(); ++i)
         if (discretization.is_on_axis(slave.nodes[i].X))
           excluded.insert(i);
@@ -169,7 +170,7 @@ namespace Contact
                            const unsigned int first_point)
   {
     std::vector<ContactPoint> points;
-    if (parameters.rule == "mortar" && master)
+    if (parameters.rule == Parameters::Rule::mortar && master)
       {
         mortar = std::make_unique<MortarRule>(slave,
                                               *master,
@@ -177,7 +178,7 @@ namespace Contact
                                               excluded);
         points = mortar->make_points(multipliers);
       }
-    else if (parameters.rule == "Gauss")
+    else if (parameters.rule == Parameters::Rule::gauss)
       points = make_gauss_points(slave, parameters.n_gauss_points, multipliers);
     else
       points = make_nodal_points(slave, excluded, multipliers);
@@ -271,7 +272,8 @@ namespace Contact
     const auto multiplier = [&](const unsigned int i) {
       return multipliers.of_node[i];
     };
-    const bool on_axis = slave.degree == 2 && parameters.rule != "Gauss" &&
+    const bool on_axis = slave.degree == 2 &&
+                         parameters.rule != Parameters::Rule::gauss &&
                          discretization.is_on_axis(slave.nodes[node].X);
     if (on_axis)
       for (const Surface::Edge &edge : slave.edges)

@@ -16,26 +16,42 @@ namespace Contact
 {
   namespace
   {
-    std::string pairing(const std::string &geometry)
+    std::string pairing(const Parameters::GeometryLoop geometry)
     {
-      if (geometry == "undeformed")
-        return "paired once";
-      if (geometry == "fixed point")
-        return "a loop that pairs the bodies and solves";
-      if (geometry == "each step")
-        return "paired before each Newton step";
-      return "paired before each Newton step, projections in the tangent";
+      using Parameters::GeometryLoop;
+      switch (geometry)
+        {
+          case GeometryLoop::undeformed:
+            return "paired once";
+          case GeometryLoop::fixed_point:
+            return "a loop that pairs the bodies and solves";
+          case GeometryLoop::each_step:
+            return "paired before each Newton step";
+          case GeometryLoop::newton:
+            return "paired before each Newton step, projections in the tangent";
+          case GeometryLoop::automatic:
+            break;
+        }
+      AssertThrow(false, ExcInternalError());
+      return "";
     }
 
 
 
-    std::string following(const std::string &friction)
+    std::string following(const Parameters::FrictionLoop friction)
     {
-      if (friction == "fixed point")
-        return "tangential multipliers, a loop over Tresca problems";
-      if (friction == "each step")
-        return "tangential multipliers, a bound for each Newton step";
-      return "tangential multipliers, the bound in the tangent";
+      using Parameters::FrictionLoop;
+      switch (friction)
+        {
+          case FrictionLoop::fixed_point:
+            return "tangential multipliers, a loop over Tresca problems";
+          case FrictionLoop::each_step:
+            return "tangential multipliers, a bound for each Newton step";
+          case FrictionLoop::newton:
+            return "tangential multipliers, the bound in the tangent";
+        }
+      AssertThrow(false, ExcInternalError());
+      return "";
     }
 
 
@@ -61,7 +77,7 @@ namespace Contact
       if (zone.friction_coefficient > 0)
         return {"friction",
                 with_number("Coulomb", zone.friction_coefficient) + ", " +
-                  solution.friction,
+                  solution.friction.name(),
                 following(solution.friction),
                 coulomb};
       if (zone.tresca_limit > 0)
@@ -80,9 +96,10 @@ namespace Contact
     {
       const std::string points = std::to_string(zone.n_points) + " points";
       if (zone.master)
-        return parameters.rule + " rule, " + points;
-      return (parameters.rule == "mortar" ? "nodal rule, which mortar is here, "
-                                          : parameters.rule + " rule, ") +
+        return parameters.rule.name() + " rule, " + points;
+      return (parameters.rule == Parameters::Rule::mortar
+                ? "nodal rule, which mortar is here, "
+                : parameters.rule.name() + " rule, ") +
              points + " on an obstacle";
     }
 
@@ -121,9 +138,11 @@ namespace Contact
 
     std::vector<Effect> effects{
       {"kinematics",
-       kinematics + (discretization.axisymmetric ? ", axisymmetric" : ""),
-       kinematics == "small strain" ? "one tangent on a mesh"
-                                    : "a tangent for each Newton step",
+       kinematics.name() +
+         (discretization.axisymmetric ? ", axisymmetric" : ""),
+       kinematics == Parameters::Strains::small
+         ? "one tangent on a mesh"
+         : "a tangent for each Newton step",
        discretization.axisymmetric ? "Solids/Kinematics, Solids/Symmetry"
                                    : "Solids/Kinematics"},
       {"element",
@@ -141,10 +160,13 @@ namespace Contact
       effects.push_back({"contact", "none", "no multipliers", "Contact/Slave"});
     else if (!interface->is_tied())
       {
-        const std::string geometry =
+        const auto geometry =
           parameters.geometry(discretization.dof_handler.n_dofs());
         effects.push_back(
-          {"geometry", geometry, pairing(geometry), "Solution/Geometry"});
+          {"geometry",
+           Parameters::Choice<Parameters::GeometryLoop>(geometry).name(),
+           pairing(geometry),
+           "Solution/Geometry"});
       }
 
     effects.push_back(
@@ -153,7 +175,7 @@ namespace Contact
        parameters.is_condensed(discretization.dof_handler.n_dofs())
          ? "multipliers eliminated"
          : "multipliers are unknowns",
-       parameters.solution.linear_solver != "automatic"
+       parameters.solution.linear_solver != Parameters::SolverKind::automatic
          ? "Solution/Linear solver"
          : "Solution/System"});
     effects.push_back({"increments",
@@ -161,13 +183,13 @@ namespace Contact
                        "each starts from the last one",
                        "Solution/Increments"});
     if (refinement.n_levels > 0)
-      effects.push_back(
-        {"levels",
-         std::to_string(refinement.n_levels) + ", " + refinement.strategy,
-         refinement.strategy == "adaptive"
-           ? "stresses recovered and errors estimated on each"
-           : "each starts from the last one",
-         "Refinement/Levels"});
+      effects.push_back({"levels",
+                         std::to_string(refinement.n_levels) + ", " +
+                           refinement.strategy.name(),
+                         refinement.strategy == Parameters::Strategy::adaptive
+                           ? "stresses recovered and errors estimated on each"
+                           : "each starts from the last one",
+                         "Refinement/Levels"});
     const bool profile = output.profile && interface != nullptr;
     effects.push_back(
       {"files",

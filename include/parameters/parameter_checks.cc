@@ -161,7 +161,7 @@ namespace Contact
 
     void Element::check() const
     {
-      if (degree == 1 && centre_node == "free")
+      if (degree == 1 && centre_node == CentreNode::free)
         throw EntryError("An element of degree 1 has no centre node to free.",
                          {"Element/Centre node", "Element/Degree"},
                          "set 'Degree = 2' for the 9-node element, or "
@@ -328,7 +328,7 @@ namespace Contact
                           section() + "/Master"},
                          "set slave and master, or no friction");
       if (tied && !has_point_per_multiplier())
-        throw EntryError("Surfaces are glued in nodes, and the rule " + rule +
+        throw EntryError("Surfaces are glued in nodes, and the rule " + rule.name() +
                            " has none.",
                          {section() + "/Tied", section() + "/Rule"},
                          "set 'Rule = mortar' or 'Rule = nodal'");
@@ -351,7 +351,7 @@ namespace Contact
                          {entry, section() + "/Slave"},
                          "set slave and master, or leave the points empty");
       if (!has_point_per_multiplier())
-        throw EntryError("Points of the rule " + rule +
+        throw EntryError("Points of the rule " + rule.name() +
                            " are inside the faces: there is none to exclude at "
                            "a point group.",
                          {entry, section() + "/Rule"},

@@ -27,8 +27,8 @@ namespace Contact
       probes.check();
 
       check_theory();
-      if (solution.geometry == "undeformed" &&
-          solids.kinematics != "small strain")
+      if (solution.geometry == GeometryLoop::undeformed &&
+          solids.kinematics != Strains::small)
         throw EntryError("Large displacements are not those of undeformed "
                          "surfaces.",
                          {"Solution/Geometry", "Solids/Kinematics"},
@@ -42,7 +42,7 @@ namespace Contact
     // Which closed form belongs to which scene.
     void All::check_theory() const
     {
-      const bool plane = solids.symmetry == "plane strain";
+      const bool plane = solids.symmetry == Symmetry::plane_strain;
       if (!probes.hertz.empty() && !plane)
         throw EntryError("The line contact of Hertz is one of plane strain.",
                          {"Probes/Hertz", "Solids/Symmetry"},
@@ -88,7 +88,7 @@ namespace Contact
       };
 
       for (const Contact &zone : zones)
-        if (zone.rule == "Gauss" && zone.n_gauss_points <= element.degree)
+        if (zone.rule == Rule::gauss && zone.n_gauss_points <= element.degree)
           clash("With " + std::to_string(zone.n_gauss_points) +
                   " Gauss points an edge there are multipliers that no point "
                   "sees.",
@@ -96,13 +96,13 @@ namespace Contact
                 "set 'Gauss points = " + std::to_string(element.degree + 1) +
                   "' or more");
       if (n_ranks > 1 && shared != zones.end())
-        clash("The rule " + shared->rule +
+        clash("The rule " + shared->rule.name() +
                 " is solved by one process, here are " +
                 std::to_string(n_ranks) + ".",
               {shared->section() + "/Rule"},
               "run it without mpirun, or set 'Rule = mortar' or 'Rule = "
               "nodal'");
-      if (n_ranks > 1 && solution.linear_solver == "CHOLMOD")
+      if (n_ranks > 1 && solution.linear_solver == SolverKind::cholmod)
         clash("CHOLMOD works in one process, here are " +
                 std::to_string(n_ranks) + ".",
               {solver},
@@ -114,15 +114,15 @@ namespace Contact
             clash("A saddle point system is solved by one process.",
                   {system},
                   "run it without mpirun, or set 'System = condensed'");
-          if (is_frictional && solution.friction == "each step")
+          if (is_frictional && solution.friction == FrictionLoop::each_step)
             clash("With multipliers the bound follows in a loop or in the "
                   "tangent.",
                   {"Solution/Friction", system},
                   "set 'Friction = Newton', or 'System = condensed'");
-          if (solution.linear_solver != "automatic" &&
-              solution.linear_solver != "UMFPACK")
+          if (solution.linear_solver != SolverKind::automatic &&
+              solution.linear_solver != SolverKind::umfpack)
             clash("A saddle point system is not positive definite: " +
-                    solution.linear_solver + " can not solve it.",
+                    solution.linear_solver.name() + " can not solve it.",
                   {solver, system},
                   "set 'Linear solver = UMFPACK', or 'System = condensed'");
           if (refinement.n_levels > 0)
@@ -133,24 +133,26 @@ namespace Contact
           return;
         }
 
-      if (solution.linear_solver == "UMFPACK")
+      if (solution.linear_solver == SolverKind::umfpack)
         clash("UMFPACK is for saddle point systems.",
               {solver, system},
               "set 'Linear solver = CHOLMOD'");
       if (shared != zones.end())
-        clash("The multipliers of the rule " + shared->rule +
+        clash("The multipliers of the rule " + shared->rule.name() +
                 " can not be eliminated: " +
-                (solution.linear_solver == "automatic"
+                (solution.linear_solver == SolverKind::automatic
                    ? "a condensed system"
-                   : solution.linear_solver) +
+                   : solution.linear_solver.name()) +
                 " is not for it.",
               {shared->section() + "/Rule",
-               solution.system != "automatic"          ? system
-               : solution.linear_solver != "automatic" ? solver
-                                                       : "Refinement/Levels"},
+               solution.system != SystemKind::automatic ? system
+               : solution.linear_solver != SolverKind::automatic
+                 ? solver
+                 : "Refinement/Levels"},
               "set 'Rule = mortar' or 'Rule = nodal'; the rule " +
-                shared->rule + " takes 'System = saddle point' and UMFPACK");
-      if (!zones.empty() && solution.geometry == "Newton")
+                shared->rule.name() +
+                " takes 'System = saddle point' and UMFPACK");
+      if (!zones.empty() && solution.geometry == GeometryLoop::newton)
         clash("The condensed system does not know how projections move.",
               {"Solution/Geometry", system},
               "set 'Geometry = each step'");

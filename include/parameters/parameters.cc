@@ -94,10 +94,10 @@ namespace Contact
 
     bool All::is_condensed(const std::size_t n_displacements) const
     {
-      if (solution.system != "automatic")
-        return solution.system == "condensed";
-      if (solution.linear_solver != "automatic")
-        return solution.linear_solver != "UMFPACK";
+      if (solution.system != SystemKind::automatic)
+        return solution.system == SystemKind::condensed;
+      if (solution.linear_solver != SolverKind::automatic)
+        return solution.linear_solver != SolverKind::umfpack;
       if (refinement.n_levels > 0 || n_ranks > 1)
         return true;
       const auto zones    = this->zones();
@@ -110,19 +110,21 @@ namespace Contact
       // Beyond, a sparse direct solver of the saddle point takes too much time
       // and memory.
       const bool is_large = n_displacements > 100000;
-      return (is_large || solution.friction == "each step") &&
-             solution.geometry != "Newton" && all_have([](const Contact &zone) {
+      return (is_large || solution.friction == FrictionLoop::each_step) &&
+             solution.geometry != GeometryLoop::newton &&
+             all_have([](const Contact &zone) {
                return zone.has_point_per_multiplier();
              });
     }
 
 
 
-    std::string All::geometry(const std::size_t n_displacements) const
+    GeometryLoop All::geometry(const std::size_t n_displacements) const
     {
-      if (solution.geometry != "automatic")
+      if (solution.geometry != GeometryLoop::automatic)
         return solution.geometry;
-      return is_condensed(n_displacements) ? "each step" : "Newton";
+      return is_condensed(n_displacements) ? GeometryLoop::each_step
+                                           : GeometryLoop::newton;
     }
   } // namespace Parameters
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "parameters/choices.h"
 
 namespace Contact
 {
@@ -79,8 +80,8 @@ namespace Contact
     {
       unsigned int degree = 1;
 
-      /// "bound": the 8-node quadrilateral, "free": the 9-node one.
-      std::string centre_node = "bound";
+      /// Bound: the 8-node quadrilateral, free: the 9-node one.
+      Choice<CentreNode> centre_node = CentreNode::bound;
 
       void add_parameters(ParameterHandler &prm);
       void check() const;
@@ -95,14 +96,13 @@ namespace Contact
       std::map<std::string, double> young;
       std::map<std::string, double> poisson;
 
-      /// "plane strain" or "axisymmetric", see symmetry.h.
-      std::string symmetry = "plane strain";
+      /// See symmetry.h.
+      Choice<Symmetry> symmetry = Symmetry::plane_strain;
 
-      /// "small strain" or "large displacement".
-      std::string kinematics = "large displacement";
+      Choice<Strains> kinematics = Strains::large;
 
-      /// "automatic", "full" or "projected", see Elasticity.
-      std::string dilatation = "automatic";
+      /// See Elasticity.
+      Choice<Dilatation> dilatation = Dilatation::automatic;
 
       void add_parameters(ParameterHandler &prm);
       void check() const;
@@ -166,8 +166,7 @@ namespace Contact
       /// Instead of a master: see Obstacle.
       std::map<std::string, std::vector<double>> obstacle;
 
-      /// "nodal", "Gauss" or "mortar".
-      std::string  rule           = "mortar";
+      Choice<Rule> rule           = Rule::mortar;
       unsigned int n_gauss_points = 3;
 
       /// Points of the slave surface that carry no contact point.
@@ -190,7 +189,7 @@ namespace Contact
       /// eliminated, excluded at a node, and live on one of several processes.
       bool has_point_per_multiplier() const
       {
-        return rule != "Gauss";
+        return rule != Rule::gauss;
       }
 
       bool frictional() const
@@ -227,16 +226,14 @@ namespace Contact
       unsigned int n_increments = 2;
       unsigned int max_cuts     = 6; // of an increment to half
 
-      /// "undeformed", "fixed point", "each step", "Newton", or "automatic":
-      /// see All::geometry().
-      std::string  geometry                = "automatic";
-      double       geometry_tolerance      = 1e-3;
-      unsigned int max_geometry_iterations = 30;
+      /// See All::geometry().
+      Choice<GeometryLoop> geometry                = GeometryLoop::automatic;
+      double               geometry_tolerance      = 1e-3;
+      unsigned int         max_geometry_iterations = 30;
 
-      /// "fixed point", "each step" or "Newton".
-      std::string  friction                = "Newton";
-      double       friction_tolerance      = 1e-10;
-      unsigned int max_friction_iterations = 60;
+      Choice<FrictionLoop> friction                = FrictionLoop::newton;
+      double               friction_tolerance      = 1e-10;
+      unsigned int         max_friction_iterations = 60;
 
       double       newton_tolerance      = 1e-8;
       unsigned int max_newton_iterations = 25;
@@ -244,11 +241,9 @@ namespace Contact
       /// Of iterative solvers, relative to the residual of the Newton step.
       double linear_tolerance = 1e-3;
 
-      /// "automatic", "saddle point" or "condensed".
-      std::string system = "automatic";
+      Choice<SystemKind> system = SystemKind::automatic;
 
-      /// "automatic", "UMFPACK", "CHOLMOD", "AMG" or "MUMPS".
-      std::string linear_solver = "automatic";
+      Choice<SolverKind> linear_solver = SolverKind::automatic;
 
       void add_parameters(ParameterHandler &prm);
       void check() const;
@@ -261,8 +256,7 @@ namespace Contact
     {
       unsigned int n_levels = 0; // refinements on top of the first mesh
 
-      /// "uniform" or "adaptive".
-      std::string strategy = "uniform";
+      Choice<Strategy> strategy = Strategy::uniform;
 
       double fraction  = 0.5;  // of the estimated error, in refined cells
       double tolerance = 1e-4; // Newton tolerance of all levels but the last
@@ -319,8 +313,7 @@ namespace Contact
     {
       std::string directory = "output";
 
-      /// "full", "table" or "none".
-      std::string screen = "full";
+      Choice<Screen> screen = Screen::full;
 
       bool vtu     = false;
       bool profile = false;
@@ -370,7 +363,7 @@ namespace Contact
 
       /// The geometry loop: Newton's where the system knows how the pairing
       /// moves, unless the file asks for another one.
-      std::string geometry(const std::size_t n_displacements) const;
+      GeometryLoop geometry(const std::size_t n_displacements) const;
 
       void add_parameters(ParameterHandler &prm);
 

@@ -63,8 +63,7 @@ namespace Contact
                         "The node in the middle of a quadrilateral of degree "
                         "2 [-]; bound: half the sum of the mid-sides minus a "
                         "quarter of the sum of the corners (8-node element), "
-                        "free: an unknown (9-node element).",
-                        Patterns::Selection("bound|free"));
+                        "free: an unknown (9-node element).");
       prm.leave_subsection();
     }
 
@@ -86,23 +85,19 @@ namespace Contact
                         "slice of 1 mm; axisymmetric: rings about the axis x "
                         "= 0, x >= 0 being the radius, without torsion. Forces "
                         "are then those of whole rings [N], stress zz is that "
-                        "of the hoops, and u_x = 0 on the axis.",
-                        Patterns::Selection("plane strain|axisymmetric"));
+                        "of the hoops, and u_x = 0 on the axis.");
       prm.add_parameter("Kinematics",
                         kinematics,
                         "How the bodies move [-]; large displacement: Green "
                         "strain and rotations of any size, small strain: "
-                        "linear.",
-                        Patterns::Selection("small strain|"
-                                            "large displacement"));
+                        "linear.");
       prm.add_parameter(
         "Dilatation",
         dilatation,
         "The trace of the strain in a cell [-]; full: as it is, "
         "projected: its mean, in quadrangles of degree 2 its linear "
         "part, against locking, automatic: projected for bodies "
-        "with nu > 5/11. Triangles of degree 1 lock either way.",
-        Patterns::Selection("automatic|full|projected"));
+        "with nu > 5/11. Triangles of degree 1 lock either way.");
       prm.leave_subsection();
     }
 
@@ -213,8 +208,7 @@ namespace Contact
                         "Where the contact points are [-]; nodal: in the nodes "
                         "of the slave; Gauss: in the Gauss points of its "
                         "faces; mortar: in the nodes, with gaps that are "
-                        "weighted along the surface by dual functions.",
-                        Patterns::Selection("nodal|Gauss|mortar"));
+                        "weighted along the surface by dual functions.");
       prm.add_parameter("Gauss points",
                         n_gauss_points,
                         "Gauss points per slave face [-]; only for the rule "

@@ -27,10 +27,7 @@ namespace Contact
 
     void Solution::add_parameters(ParameterHandler &prm)
     {
-      const Patterns::Integer   at_least_one(1);
-      const Patterns::Selection loop("fixed point|each step|Newton");
-      const Patterns::Selection geometry_loop(
-        "automatic|undeformed|fixed point|each step|Newton");
+      const Patterns::Integer at_least_one(1);
 
       prm.enter_subsection("Solution");
       prm.add_parameter("Increments",
@@ -53,8 +50,7 @@ namespace Contact
                         "the surfaces by less than the geometry tolerance; "
                         "Newton: with the displacements, in the tangent as "
                         "well (saddle point system); automatic: Newton, in "
-                        "the condensed system each step.",
-                        geometry_loop);
+                        "the condensed system each step.");
       prm.add_parameter(
         "Geometry tolerance",
         geometry_tolerance,
@@ -70,8 +66,7 @@ namespace Contact
                         "How the bound of friction follows the pressure [-]; "
                         "fixed point: in a loop of its own; each step: "
                         "renewed before each Newton step; Newton: with the "
-                        "displacements, in the tangent as well.",
-                        loop);
+                        "displacements, in the tangent as well.");
       prm.add_parameter(
         "Friction tolerance",
         friction_tolerance,
@@ -103,18 +98,14 @@ namespace Contact
         "automatic: condensed without contact and for glued surfaces, with "
         "several levels, with several processes, with another solver than "
         "UMFPACK, and with more than 100000 displacements for the rules nodal "
-        "and mortar, otherwise saddle point.",
-        Patterns::Selection("automatic|saddle point|"
-                            "condensed"));
+        "and mortar, otherwise saddle point.");
       prm.add_parameter("Linear solver",
                         linear_solver,
                         "UMFPACK for saddle point systems; for condensed ones "
                         "CHOLMOD, AMG (conjugate gradients with smoothed "
                         "aggregation) or MUMPS [-]; automatic: UMFPACK, or "
                         "CHOLMOD below 100000 unknowns on one rank and AMG "
-                        "beyond.",
-                        Patterns::Selection("automatic|UMFPACK|CHOLMOD|AMG|"
-                                            "MUMPS"));
+                        "beyond.");
       prm.leave_subsection();
     }
 
@@ -132,8 +123,7 @@ namespace Contact
                         strategy,
                         "uniform: all cells; adaptive: the cells with the "
                         "largest estimated errors, for meshes of quadrangles "
-                        "[-].",
-                        Patterns::Selection("uniform|adaptive"));
+                        "[-].");
       prm.add_parameter("Fraction",
                         fraction,
                         "The share of the estimated error (squared) that is in "
@@ -213,8 +203,7 @@ namespace Contact
       prm.add_parameter("Screen",
                         screen,
                         "What is printed [-]; full: all iterations and the "
-                        "table of results, table: the table, none: nothing.",
-                        Patterns::Selection("full|table|none"));
+                        "table of results, table: the table, none: nothing.");
       prm.add_parameter("VTU",
                         vtu,
                         "Whether displacements and stresses of each increment "

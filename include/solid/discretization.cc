@@ -64,8 +64,10 @@ namespace Contact
     : mesh(mesh)
     , communicator(communicator)
     , degree(parameters.element.degree)
-    , bound_centre(degree == 2 && parameters.element.centre_node == "bound")
-    , axisymmetric(parameters.solids.symmetry == "axisymmetric")
+    , bound_centre(degree == 2 && parameters.element.centre_node ==
+                                    Parameters::CentreNode::bound)
+    , axisymmetric(parameters.solids.symmetry ==
+                   Parameters::Symmetry::axisymmetric)
     , mapping(MappingQ<2>(degree), MappingFE<2>(FE_SimplexP<2>(degree)))
     , fe(FESystem<2>(FE_Q<2>(degree), 2),
          FESystem<2>(FE_SimplexP<2>(degree), 2))

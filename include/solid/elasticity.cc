@@ -39,12 +39,13 @@ namespace Contact
     /// The bodies whose dilatation is projected.
     std::set<types::material_id>
     find_projected(const std::map<types::material_id, Material> &materials,
-                   const std::string                            &dilatation)
+                   const Parameters::Dilatation                  dilatation)
     {
       std::set<types::material_id> projected;
       for (const auto &[body, material] : materials)
-        if (dilatation == "projected" ||
-            (dilatation == "automatic" && material.lambda > 10 * material.mu))
+        if (dilatation == Parameters::Dilatation::projected ||
+            (dilatation == Parameters::Dilatation::automatic &&
+             material.lambda > 10 * material.mu))
           projected.insert(body);
       return projected;
     }

@@ -336,7 +336,7 @@ namespace Contact
     const auto create_with =
       [&](const auto symmetry) -> std::unique_ptr<Elasticity> {
       using Symmetry = std::decay_t<decltype(symmetry)>;
-      if (parameters.kinematics == "small strain")
+      if (parameters.kinematics == Parameters::Strains::small)
         return std::make_unique<Solid<SmallStrain, Symmetry>>(discretization,
                                                               parameters);
       return std::make_unique<Solid<LargeDisplacement, Symmetry>>(

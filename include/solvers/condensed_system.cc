@@ -16,12 +16,12 @@
 
 namespace Contact
 {
-  CondensedSystem::CondensedSystem(const Discretization   &discretization,
-                                   const Elasticity       &elasticity,
-                                   const ContactInterface *interface,
-                                   ContactElimination     &elimination,
-                                   const std::string      &solver_name,
-                                   TimerOutput            &timer)
+  CondensedSystem::CondensedSystem(const Discretization        &discretization,
+                                   const Elasticity            &elasticity,
+                                   const ContactInterface      *interface,
+                                   ContactElimination          &elimination,
+                                   const Parameters::SolverKind solver_kind,
+                                   TimerOutput                 &timer)
     : discretization(discretization)
     , elasticity(elasticity)
     , elimination(elimination)
@@ -29,7 +29,7 @@ namespace Contact
     , owned(discretization.dof_handler.locally_owned_dofs())
     , eliminable(elimination.slave_dofs)
     , couplings(discretization, interface)
-    , solver_name(solver_name)
+    , solver_kind(solver_kind)
   {
     collect_interface();
   }
@@ -303,11 +303,12 @@ namespace Contact
     Solver    &of_kind = solvers[kind ? 0 : 1];
     if (!of_kind.solver)
       {
-        const auto modes =
-          solver_name == "AMG" ? rigid_modes() : DefiniteSolver::Modes();
+        const auto modes = solver_kind == Parameters::SolverKind::amg
+                             ? rigid_modes()
+                             : DefiniteSolver::Modes();
         of_kind.solver =
-          kind ? DefiniteSolver::create(solver_name, modes)
-               : DefiniteSolver::create_unsymmetric(solver_name, modes);
+          kind ? DefiniteSolver::create(solver_kind, modes)
+               : DefiniteSolver::create_unsymmetric(solver_kind, modes);
       }
     of_kind.solver->set_matrix(matrix, of_kind.pattern_is_new);
     of_kind.pattern_is_new = false;

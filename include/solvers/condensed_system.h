@@ -31,12 +31,12 @@ namespace Contact
   {
   public:
     /// @p interface may be null. Phases are measured by @p timer.
-    CondensedSystem(const Discretization   &discretization,
-                    const Elasticity       &elasticity,
-                    const ContactInterface *interface,
-                    ContactElimination     &elimination,
-                    const std::string      &solver_name,
-                    TimerOutput            &timer);
+    CondensedSystem(const Discretization        &discretization,
+                    const Elasticity            &elasticity,
+                    const ContactInterface      *interface,
+                    ContactElimination          &elimination,
+                    const Parameters::SolverKind solver_kind,
+                    TimerOutput                 &timer);
 
     /// Follow the pairing of the points; the pattern is made anew only if it
     /// has to be.
@@ -110,9 +110,9 @@ namespace Contact
       std::unique_ptr<DefiniteSolver> solver; // when it is first needed
       bool                            pattern_is_new = true;
     };
-    const std::string     solver_name;
-    std::array<Solver, 2> solvers;
-    DefiniteSolver       *current = nullptr; // who has the matrix
+    const Parameters::SolverKind solver_kind;
+    std::array<Solver, 2>        solvers;
+    DefiniteSolver              *current = nullptr; // who has the matrix
   };
 } // namespace Contact
 

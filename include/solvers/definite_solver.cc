@@ -383,11 +383,11 @@ namespace Contact
 
 
   std::unique_ptr<DefiniteSolver>
-  DefiniteSolver::create(const std::string &name, const Modes &modes)
+  DefiniteSolver::create(const Parameters::SolverKind kind, const Modes &modes)
   {
-    if (name == "CHOLMOD")
+    if (kind == Parameters::SolverKind::cholmod)
       return std::make_unique<Cholmod>();
-    if (name == "MUMPS")
+    if (kind == Parameters::SolverKind::mumps)
       return std::make_unique<Mumps>();
     return std::make_unique<Multigrid>(modes, /*symmetric=*/true);
   }
@@ -395,21 +395,22 @@ namespace Contact
 
 
   std::unique_ptr<DefiniteSolver>
-  DefiniteSolver::create_unsymmetric(const std::string &name,
-                                     const Modes       &modes)
+  DefiniteSolver::create_unsymmetric(const Parameters::SolverKind kind,
+                                     const Modes                 &modes)
   {
-    if (name == "CHOLMOD")
+    if (kind == Parameters::SolverKind::cholmod)
       return std::make_unique<Umfpack>();
-    if (name == "MUMPS")
+    if (kind == Parameters::SolverKind::mumps)
       return std::make_unique<Mumps>();
     return std::make_unique<Multigrid>(modes, /*symmetric=*/false);
   }
 
 
 
-  std::string DefiniteSolver::choose(const std::size_t  n_unknowns,
-                                     const unsigned int n_ranks)
+  Parameters::SolverKind DefiniteSolver::choose(const std::size_t  n_unknowns,
+                                                const unsigned int n_ranks)
   {
-    return n_ranks == 1 && n_unknowns < 100000 ? "CHOLMOD" : "AMG";
+    return n_ranks == 1 && n_unknowns < 100000 ? Parameters::SolverKind::cholmod
+                                               : Parameters::SolverKind::amg;
   }
 } // namespace Contact

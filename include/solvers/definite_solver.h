@@ -10,8 +10,9 @@
 #include <deal.II/lac/trilinos_vector.h>
 
 #include <memory>
-#include <string>
 #include <vector>
+
+#include "parameters/choices.h"
 
 namespace Contact
 {
@@ -33,12 +34,12 @@ namespace Contact
     using Modes = std::vector<std::vector<double>>;
 
     /**
-     * The solver named "CHOLMOD" (one rank), "MUMPS", or "AMG": conjugate
-     * gradients with Trilinos' smoothed aggregation, which takes
-     * the @p modes as near null space, and alone needs them.
+     * CHOLMOD (one rank), MUMPS, or AMG: conjugate gradients with Trilinos'
+     * smoothed aggregation, which takes the @p modes as near null space, and
+     * alone needs them.
      */
-    static std::unique_ptr<DefiniteSolver> create(const std::string &name,
-                                                  const Modes       &modes);
+    static std::unique_ptr<DefiniteSolver>
+    create(const Parameters::SolverKind kind, const Modes &modes);
 
     /**
      * The counterpart for unsymmetric matrices: UMFPACK for "CHOLMOD", "MUMPS",
@@ -46,15 +47,15 @@ namespace Contact
      * rows at the interface are unsymmetric.
      */
     static std::unique_ptr<DefiniteSolver>
-    create_unsymmetric(const std::string &name, const Modes &modes);
+    create_unsymmetric(const Parameters::SolverKind kind, const Modes &modes);
 
     /**
      * What "automatic" stands for. In two dimensions CHOLMOD is as fast as AMG
      * at a hundred thousand unknowns, and faster the more often an analysis or
      * a factorization serves; beyond, its time and memory grow faster.
      */
-    static std::string choose(const std::size_t  n_unknowns,
-                              const unsigned int n_ranks);
+    static Parameters::SolverKind choose(const std::size_t  n_unknowns,
+                                         const unsigned int n_ranks);
 
     virtual ~DefiniteSolver() = default;
 

@@ -92,7 +92,8 @@ namespace Contact
                              point.decision,
                              states.back().p_trial,
                              states.back().q_trial,
-                             parameters.friction == "Newton"));
+                             parameters.friction ==
+                               Parameters::FrictionLoop::newton));
         const ContactZone &zone = interface.zone(point);
         if (!zone.tied && point.decision.status != Status::open)
           largest_bound =
@@ -104,7 +105,7 @@ namespace Contact
 
   void ContactCheck::widen(Slack &slack) const
   {
-    if (parameters.friction == "fixed point" &&
+    if (parameters.friction == Parameters::FrictionLoop::fixed_point &&
         interface.has_coulomb_friction())
       slack.shear = parameters.friction_tolerance * largest_bound;
     for (const ContactPoint &point : interface.points)
@@ -156,7 +157,8 @@ namespace Contact
                                    const Slack       &slack,
                                    ContactInvariants &found) const
   {
-    const bool           undeformed = parameters.geometry == "undeformed";
+    const bool undeformed =
+      parameters.geometry == Parameters::GeometryLoop::undeformed;
     const double         foot_moves = std::sqrt(2.) * moved;
     const Vector<double> none(u_start.size());
     const auto position = [&](const Surface &surface, const unsigned int node) {

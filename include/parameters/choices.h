@@ -1,0 +1,312 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_choices_h
+#define contact_choices_h
+
+#include <deal.II/base/patterns.h>
+
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace Contact
+{
+  using namespace dealii;
+
+  namespace Parameters
+  {
+    /// The values of an entry by their names, for each enum below: where they
+    /// are read, written, and made a pattern of.
+    template<typename Enum>
+    using NamedValues = std::vector<std::pair<std::string, Enum>>;
+
+    /// What the plane of the mesh is a section of.
+    enum class Symmetry
+    {
+      plane_strain,
+      axisymmetric
+    };
+
+    inline NamedValues<Symmetry> named_values(const Symmetry)
+    {
+      return {{"plane strain", Symmetry::plane_strain},
+              {"axisymmetric", Symmetry::axisymmetric}};
+    }
+
+
+
+    /// Of the theory of the bodies.
+    enum class Strains
+    {
+      small,
+      large
+    };
+
+    inline NamedValues<Strains> named_values(const Strains)
+    {
+      return {{"small strain", Strains::small},
+              {"large displacement", Strains::large}};
+    }
+
+
+
+    /// The ninth node of a quadratic quadrangle.
+    enum class CentreNode
+    {
+      bound,
+      free
+    };
+
+    inline NamedValues<CentreNode> named_values(const CentreNode)
+    {
+      return {{"bound", CentreNode::bound}, {"free", CentreNode::free}};
+    }
+
+
+
+    /// The volume change of the bodies: as it is, or projected.
+    enum class Dilatation
+    {
+      automatic,
+      full,
+      projected
+    };
+
+    inline NamedValues<Dilatation> named_values(const Dilatation)
+    {
+      return {{"automatic", Dilatation::automatic},
+              {"full", Dilatation::full},
+              {"projected", Dilatation::projected}};
+    }
+
+
+
+    /// The discretization of contact.
+    enum class Rule
+    {
+      nodal,
+      gauss,
+      mortar
+    };
+
+    inline NamedValues<Rule> named_values(const Rule)
+    {
+      return {{"nodal", Rule::nodal},
+              {"Gauss", Rule::gauss},
+              {"mortar", Rule::mortar}};
+    }
+
+
+
+    /// The way in which projections and normals follow the bodies.
+    enum class GeometryLoop
+    {
+      automatic,
+      undeformed,
+      fixed_point,
+      each_step,
+      newton
+    };
+
+    inline NamedValues<GeometryLoop> named_values(const GeometryLoop)
+    {
+      return {{"automatic", GeometryLoop::automatic},
+              {"undeformed", GeometryLoop::undeformed},
+              {"fixed point", GeometryLoop::fixed_point},
+              {"each step", GeometryLoop::each_step},
+              {"Newton", GeometryLoop::newton}};
+    }
+
+
+
+    /// The way in which the bound of friction follows the pressure.
+    enum class FrictionLoop
+    {
+      fixed_point,
+      each_step,
+      newton
+    };
+
+    inline NamedValues<FrictionLoop> named_values(const FrictionLoop)
+    {
+      return {{"fixed point", FrictionLoop::fixed_point},
+              {"each step", FrictionLoop::each_step},
+              {"Newton", FrictionLoop::newton}};
+    }
+
+
+
+    /// The linear system.
+    enum class SystemKind
+    {
+      automatic,
+      saddle_point,
+      condensed
+    };
+
+    inline NamedValues<SystemKind> named_values(const SystemKind)
+    {
+      return {{"automatic", SystemKind::automatic},
+              {"saddle point", SystemKind::saddle_point},
+              {"condensed", SystemKind::condensed}};
+    }
+
+
+
+    /// The solver of the linear system.
+    enum class SolverKind
+    {
+      automatic,
+      umfpack,
+      cholmod,
+      amg,
+      mumps
+    };
+
+    inline NamedValues<SolverKind> named_values(const SolverKind)
+    {
+      return {{"automatic", SolverKind::automatic},
+              {"UMFPACK", SolverKind::umfpack},
+              {"CHOLMOD", SolverKind::cholmod},
+              {"AMG", SolverKind::amg},
+              {"MUMPS", SolverKind::mumps}};
+    }
+
+
+
+    /// Of the refinement between two levels.
+    enum class Strategy
+    {
+      uniform,
+      adaptive
+    };
+
+    inline NamedValues<Strategy> named_values(const Strategy)
+    {
+      return {{"uniform", Strategy::uniform}, {"adaptive", Strategy::adaptive}};
+    }
+
+
+
+    /// The output on the screen.
+    enum class Screen
+    {
+      full,
+      table,
+      none
+    };
+
+    inline NamedValues<Screen> named_values(const Screen)
+    {
+      return {{"full", Screen::full},
+              {"table", Screen::table},
+              {"none", Screen::none}};
+    }
+
+
+
+    /**
+     * An entry that is one of the values of an enum. It is compared and
+     * switched over as the value, and has the value's name.
+     */
+    template<typename Enum>
+    class Choice
+    {
+    public:
+      Choice(const Enum value)
+        : value(value)
+      {
+      }
+
+      /// Throws an exception if no value has this name.
+      explicit Choice(const std::string &name)
+        : value(find(name))
+      {
+      }
+
+      Choice &operator=(const std::string &name)
+      {
+        value = find(name);
+        return *this;
+      }
+
+      operator Enum() const
+      {
+        return value;
+      }
+
+      std::string name() const
+      {
+        for (const auto &[name, of_name] : named_values(Enum()))
+          if (of_name == value)
+            return name;
+        AssertThrow(false, ExcInternalError());
+        return "";
+      }
+
+      /// All names, for the pattern of the entry.
+      static std::string names()
+      {
+        std::string all;
+        for (const auto &[name, value] : named_values(Enum()))
+          all += (all.empty() ? "" : "|") + name;
+        return all;
+      }
+
+    private:
+      static Enum find(const std::string &name)
+      {
+        for (const auto &[of_value, value] : named_values(Enum()))
+          if (of_value == name)
+            return value;
+        AssertThrow(false, ExcMessage("no value is named '" + name + "'"));
+        return Enum();
+      }
+
+      Enum value;
+    };
+  } // namespace Parameters
+} // namespace Contact
+
+
+
+namespace dealii
+{
+  namespace Patterns
+  {
+    namespace Tools
+    {
+      /// For ParameterHandler::add_parameter().
+      template<typename Enum>
+      struct Convert<Contact::Parameters::Choice<Enum>>
+      {
+        using Choice = Contact::Parameters::Choice<Enum>;
+
+        static std::unique_ptr<PatternBase> to_pattern()
+        {
+          return std::make_unique<Selection>(Choice::names());
+        }
+
+        static std::string
+        to_string(const Choice &choice,
+                  const PatternBase & = *Convert<Choice>::to_pattern())
+        {
+          return choice.name();
+        }
+
+        static Choice
+        to_value(const std::string &name,
+                 const PatternBase & = *Convert<Choice>::to_pattern())
+        {
+          return Choice(name);
+        }
+      };
+    } // namespace Tools
+  }   // namespace Patterns
+} // namespace dealii
+
+#endif
