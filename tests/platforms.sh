@@ -8,7 +8,8 @@
 # RELEASE: bookworm, trixie and sid without. As root, with debootstrap and some
 # 5 GB in DIRECTORY for each; where a chroot is there already, it is used again.
 # What is tested is the last commit. Mirrors and proxies are those of this
-# machine's apt. Exit status: 0 if all passes, with the same digits in the tables.
+# machine's apt; CMAKE_BUILD_PARALLEL_LEVEL limits the compilers at once. Exit
+# status: 0 if all passes, with the same digits in the tables.
 # SPDX-License-Identifier: LGPL-2.1-or-later
 set -eu
 
@@ -67,10 +68,12 @@ new_chroot() {
 
 # inside RELEASE COMMAND: in its chroot; processes and mounts end with it.
 inside() {
+  jobs=${CMAKE_BUILD_PARALLEL_LEVEL-}
   # shellcheck disable=SC2016
   env -i HOME=/root LANG=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin \
     ${http_proxy:+"http_proxy=$http_proxy"} \
     ${https_proxy:+"https_proxy=$https_proxy"} \
+    ${jobs:+"CMAKE_BUILD_PARALLEL_LEVEL=$jobs"} \
     unshare --mount --pid --fork --kill-child sh -c '
       mount -t proc proc "$0/proc" && mount --rbind /dev "$0/dev" &&
       mount --rbind /sys "$0/sys" &&

@@ -26,7 +26,7 @@ namespace Contact
     /// The group of this name, or an InputError with the names there are.
     template<typename T>
     const T &find(const std::map<std::string, T> &groups,
-                  const std::string              &kind,
+                  const char                     *kind,
                   const std::string              &name,
                   const std::string              &entry)
     {
@@ -36,7 +36,8 @@ namespace Contact
       std::string names;
       for (const auto &group : groups)
         names += (names.empty() ? "'" : ", '") + group.first + "'";
-      throw InputError("the mesh has no " + kind + " '" + name + "'",
+      throw InputError(std::string("the mesh has no ") + kind + " '" + name +
+                         "'",
                        "entry '" + entry + "'",
                        "of this kind it has: " +
                          (names.empty() ? "none" : names));
