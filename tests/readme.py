@@ -81,6 +81,7 @@ ELSEWHERE = {
     "ctest -R invariance": "program/invariance",
     "./run parameters/verification/*.prm --quiet": "modelings/verification",
     "./run hard": "program/hard",
+    "./run hard --required": "program/hard",
     "apt-get install python3-h5py python3-meshio": "./run test",
     "./run fuzz": "program/quick_fuzz",
     "./run fuzz --quick": "program/quick_fuzz",
