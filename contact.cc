@@ -1463,7 +1463,7 @@ namespace Contact
         elasticity->soft_hold.release();
         hold.sadd(-1, 1, elasticity->forces(solution, load_factor));
       }
-    const Invariants found =
+    Invariants found =
       invariants->check(solution,
                         load_factor,
                         newton_tolerance(),
