@@ -77,8 +77,8 @@
 // @sect3{Include files}
 //
 // Of deal.II next to nothing: what it is needed for, from meshes to multigrid,
-// is behind the classes of this program, whose order README has under "A map
-// of the code".
+// is behind the classes of this program, whose order include/README.md has under
+// "A map of the code".
 
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/mpi.h>
@@ -266,8 +266,9 @@ namespace Contact
 
     // The displacements under which the points were paired, and whether these
     // pairs stay, see PairingGuard.
-    Vector<double>      paired_at;
-    bool                pairing_is_frozen = false;
+    Vector<double> paired_at;
+    bool           pairing_is_frozen = false;
+    bool           pairing_jumps = false; // between two states, both accepted
     AitkenExtrapolation extrapolation;
 
     // What nothing holds by itself in this increment.
@@ -960,6 +961,7 @@ namespace Contact
     };
     const bool follows = geometry_follows() && pairs_each_step();
     freeze_pairing(false);
+    pairing_jumps = false;
     for (unsigned int step = 0;; ++step)
       {
         stop_if_interrupted(communicator);
@@ -986,9 +988,11 @@ namespace Contact
           {
             if (!follows ||
                 pairing.accepts(interface->largest_change(solution, paired_at),
-                                way()) ||
-                (pairing.goes_in_circles() &&
-                 pairing.accepts(misfit_of_new_pairing(), way())))
+                                way()))
+              return;
+            pairing_jumps = pairing.goes_in_circles() &&
+                            pairing.accepts(misfit_of_new_pairing(), way());
+            if (pairing_jumps)
               return;
             is_to_be_paired = true;
             screen << "      paired anew: the surfaces have moved by "
@@ -1466,7 +1470,7 @@ namespace Contact
         elasticity->soft_hold.release();
         hold.sadd(-1, 1, elasticity->forces(solution, load_factor));
       }
-    const Invariants found =
+    Invariants found =
       invariants->check(solution,
                         load_factor,
                         newton_tolerance(),
@@ -1476,6 +1480,14 @@ namespace Contact
                           ? interface->largest_change(solution, paired_at)
                           : 0.);
     invariants->advance();
+
+    if (pairing_jumps)
+      found.notes.push_back(
+        "pairing: closest points jump between two places for good; the gaps of "
+        "the one under the other are within the geometry tolerance, " +
+        brief(parameters.solution.geometry_tolerance) +
+        " of the way of the surfaces. A finer master, the rule mortar, or "
+        "'Geometry = fixed point' may come to rest.");
 
     IncrementRecord &record = summary.increments.back();
     record.invariants       = found.measures();

@@ -1,12 +1,19 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every command in README runs, and every test is in its list.
+"""Every command of the pages runs, every relative link leads somewhere, and
+every test is in the list of tests/README.md.
 
-Commands are the lines of its code blocks and the code in its text that begin
-with one of STARTS. Each is run in the directory of README as it stands there,
-or in the short form that SHORT gives it, or by the test that ELSEWHERE names; a
-command that README does not have any longer is an error as well. What needs a
-program that is not installed is named and not run.
+Pages are all README.md of the repository. Commands are the lines of their code
+blocks and the code in their text that begin with one of STARTS; a backslash at
+the end of a line joins it with the next one. Each is run once, however many
+pages have it, in the top folder, as it stands there, or in the short form that
+SHORT gives it, or by the test that ELSEWHERE names; a command that no page has
+any longer is an error as well. Those that need a program that is not installed
+are named and not run.
+
+Links are checked with their anchors: these are the headings of the page, in
+lower case, hyphens for blanks, without punctuation. The front page is kept to
+180 lines of 100 characters, but for tables.
 
 Usage: readme.py CONTACT PARAMETERS MESHES
 """
@@ -19,12 +26,16 @@ import subprocess
 import sys
 import tempfile
 import time
+import urllib.parse
 
 STARTS = ("./run", "gmsh ", "mpirun -", "build/contact", "meshes/convert.py ", "cmake",
           "pvpython", "apt-get", "ctest", "tests/reference_table.py ",
-          "tests/fuzz/scenes.py ", "tests/fuzz/damaged.py ")
+          "tests/fuzz/", "tests/oracle/")
 
-# What it stands for with the case that README uses beside it.
+# In the text, the name of a file and no command.
+FILE = re.compile(r"tests/\w+/\w+\.(py|sh|cc)")
+
+# The command that is run for it: quick, and with a case in place of FILE.
 SHORT = {
     './run parameters/nested.prm --set "Refinement/Levels=5"':
         './run parameters/nested.prm --set "Refinement/Levels=3"',
@@ -48,6 +59,14 @@ SHORT = {
         "tests/fuzz/damaged.py --number 4 --output $SCRATCH build/contact",
     "tests/fuzz/damaged.py --json --number 220 build/contact":
         "tests/fuzz/damaged.py --json --number 4 --output $SCRATCH build/contact",
+    "tests/fuzz/scenes.py --only 137 build/contact":
+        "tests/fuzz/scenes.py --only 137 --output $SCRATCH build/contact",
+    "tests/fuzz/damaged.py --only 12 build/contact":
+        "tests/fuzz/damaged.py --only 12 --output $SCRATCH build/contact",
+    "tests/oracle/oracle.py --kind wedge --seed 7 --count 1 --keep /tmp/x "
+    "build/contact":
+        "tests/oracle/oracle.py --kind wedge --seed 7 --count 1 --keep $SCRATCH "
+        "build/contact",
     "cmake --build build": "cmake --build build --target contact",
     "ctest -R NAME": "cd build && ctest -R formula",
 }
@@ -62,9 +81,23 @@ ELSEWHERE = {
     "ctest -R invariance": "program/invariance",
     "./run parameters/verification/*.prm --quiet": "modelings/verification",
     "./run hard": "program/hard",
+    "./run hard --required": "program/hard",
     "apt-get install python3-h5py python3-meshio": "./run test",
     "./run fuzz": "program/quick_fuzz",
+    "./run fuzz --quick": "program/quick_fuzz",
+    "tests/fuzz/damaged.py --json build/contact": "its run with --number 220",
     "./run oracle": "program/oracle_quick",
+    "./run oracle --count 68 --kind stack,carried": "program/oracle_quick",
+    "tests/oracle/test_fem.py": "program/oracle_quick",
+    "cmake --build build --target mesh": "nothing: it writes into meshes",
+    "cmake -S . -B build/sanitize -G Ninja -DCMAKE_BUILD_TYPE=Release "
+    '"-DCMAKE_CXX_FLAGS_RELEASE=-O1 -g1 -fno-omit-frame-pointer" '
+    '"-DCMAKE_CXX_FLAGS=-fsanitize=address,undefined '
+    '-fno-sanitize-recover=undefined -D_GLIBCXX_ASSERTIONS"':
+        "nothing: a second build",
+    "cmake --build build/sanitize --target contact": "nothing: a second build",
+    "tests/fuzz/fuzz.py --scenes 60 --damaged 200 --limit 300 "
+    "build/sanitize/contact": "nothing: it takes that build",
     "./run study": "program/quick_study",
     "./run study --quick": "program/quick_study",
     "./run study --problem hertz": "program/quick_study",
@@ -81,40 +114,90 @@ NEEDS = {"./run gallery": "xvfb-run", "./run doxygen": "doxygen",
          "pvpython": "pvpython"}
 
 
-def commands(readme: str) -> list[str]:
-    """Those of the blocks without a language, without what is said beside them,
+def find_pages(root: pathlib.Path) -> dict[str, str]:
+    """Path below the repository and text of each, the front page first."""
+    found = [page.relative_to(root) for page in root.rglob("README.md")]
+    return {str(page): (root / page).read_text()
+            for page in sorted(found, key=lambda page: (len(page.parts), page))
+            if page.parts[0] not in ("build", "output")}
+
+
+def commands(page: str) -> list[str]:
+    """Those of the blocks without a language, without the words beside them,
     and of the text."""
     found, fence = [], None
-    for line in readme.splitlines():
+    for line in re.sub(r"\\\n\s*", "", page).splitlines():
         if line.startswith("```"):
             fence = line if fence is None else None
         elif fence == "```":
             found.append(line.split("   ")[0].strip())
         elif fence is None:
-            found += re.findall(r"`([^`]+)`", line)
+            found += [code for code in re.findall(r"`([^`]+)`", line)
+                      if not FILE.fullmatch(code)]
     return list(dict.fromkeys(c for c in found if c.startswith(STARTS)))
 
 
-def unlisted_tests(readme: str, directory: pathlib.Path) -> list[str]:
+def prose(page: str) -> str:
+    """The page without its blocks of code."""
+    return re.sub(r"^```.*?^```", "", page, flags=re.MULTILINE | re.DOTALL)
+
+
+def anchors(page: str) -> set[str]:
+    headings = re.findall(r"^#+ (.*)$", prose(page), re.MULTILINE)
+    return {re.sub(r"[^\w -]", "", h.lower()).replace(" ", "-") for h in headings}
+
+
+def broken_links(pages: dict[str, str], root: pathlib.Path) -> list[str]:
+    """Links of Markdown to files, folders or anchors that do not exist."""
+    broken = []
+    for page, text in pages.items():
+        for link in re.findall(r"\]\(([^)\s]+)\)", prose(text)):
+            path, _, anchor = urllib.parse.unquote(link).partition("#")
+            if re.match(r"\w+:", path):
+                continue
+            target = (root / page).parent / path if path else root / page
+            if not target.exists():
+                broken.append(f"{page}: the link {link} leads to no file")
+            elif anchor and anchor not in anchors(target.read_text()):
+                broken.append(f"{page}: the link {link} leads to no heading")
+    return broken
+
+
+def excess(page: str) -> list[str]:
+    """Of the front page, the lines beyond its size."""
+    lines = page.splitlines()
+    failures = [f"README.md has {len(lines)} lines: 180 at most"
+                ] if len(lines) > 180 else []
+    return failures + [
+        f"README.md, line {i}: {len(line)} characters, 100 at most"
+        for i, line in enumerate(lines, 1)
+        if len(line) > 100 and not line.startswith("|")]
+
+
+def unlisted_tests(page: str, directory: pathlib.Path) -> list[str]:
     listed = subprocess.run(["ctest", "-N"], cwd=directory, text=True,
                             capture_output=True, check=True).stdout
     names = {re.sub(r"^tests/|\.\w+$|_(published|newton_geometry|small_strain)$",
                     "", name) for name in re.findall(r"#\d+: (\S+)", listed)}
-    return sorted(name for name in names if f"`{name}`" not in readme)
+    return sorted(name for name in names if f"`{name}`" not in page)
 
 
 def main() -> int:
     contact = pathlib.Path(sys.argv[1]).resolve()
     root = pathlib.Path(sys.argv[2]).resolve().parent
-    readme = (root / "README.md").read_text()
-    failures = [f"README does not list the test {name}"
-                for name in unlisted_tests(readme, contact.parent)]
-    found = commands(readme)
-    failures += [f"README no longer has the command {command}: remove it here"
+    pages = find_pages(root)
+    failures = broken_links(pages, root) + excess(pages["README.md"])
+    failures += [f"tests/README.md does not list the test {name}"
+                 for name in unlisted_tests(pages["tests/README.md"],
+                                            contact.parent)]
+    found = list(dict.fromkeys(command for page in pages.values()
+                               for command in commands(page)))
+    print(f"{len(pages)} pages, {len(found)} commands")
+    failures += [f"no page has the command {command} any longer: remove it here"
                  for command in (SHORT | ELSEWHERE) if command not in found]
     if contact.parent != root / "build":
         found = []
-        print("NOT RUN: the commands of README take the program in build/")
+        print("NOT RUN: the commands take the program in build/")
 
     environment = os.environ | {"SCRATCH": tempfile.mkdtemp()}
     for command in found:

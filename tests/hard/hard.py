@@ -14,7 +14,7 @@ Usage: hard.py [--quick] [--required] [--output DIRECTORY] [--jobs N]
 
 --quick     few cases, required rows only
 --required  all cases, required rows only
---table     print what README shows, and the progress to stderr
+--table     print the tables of the pages, and the progress to stderr
 CASE        these cases only (and those they are compared with)
 """
 
@@ -313,7 +313,7 @@ def write(rows, output):
 
 
 def print_tables(rows, cases):
-    """What README shows: the required rows of each case, how many of all
+    """The tables of the pages: the required rows of each case, how many of all
     combinations converge, and those that do not."""
     print("Nodal / mortar rule at default settings (large displacement, friction "
           "by fixed point).\n")

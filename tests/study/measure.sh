@@ -1,8 +1,9 @@
 #!/bin/sh
-# Renews what README shows beside the study: runs the commands below one after
-# the other, keeps what they print in results/, and puts it into README. Needs
-# the build that ./run makes, the results of the tests on the reference meshes in
-# it, and a quarter of an hour in which the machine does nothing else.
+# Renews the tables of the pages beside those of the study: runs the commands
+# below one after the other, keeps their output in results/, and puts it between
+# the marks of every README.md. Needs the build that ./run makes, the results of
+# the tests on the reference meshes in it, and a quarter of an hour in which the
+# machine does nothing else.
 #   measure.sh [NAME...]    all, or only these
 # SPDX-License-Identifier: LGPL-2.1-or-later
 set -eu
@@ -41,4 +42,4 @@ record hard table ./run hard --table
 record scaling table ./run scaling
 record effects table ./run effects
 record yardstick table ./run yardstick
-tests/study/report.py "$results" --readme README.md
+tests/study/report.py "$results" --readme .

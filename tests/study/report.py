@@ -6,6 +6,8 @@
     report.py DIR --readme FILE          tables into FILE, between their marks
     report.py DIR --check-readme FILE    exit status 1 if they differ
 
+FILE may be a folder: then all README.md in it and below that have marks.
+
 The marks are <!-- study:NAME:begin --> and <!-- study:NAME:end -->, NAME being
 one of those in TABLES of tables.py. <!-- study:NAME:begin /PATTERN/ --> takes
 only the rows that match the regular expression.
@@ -174,6 +176,19 @@ def replace_tables(text: str, tables: dict[str, str], file: Path) -> str:
     return text
 
 
+def pages(path: Path) -> list[Path]:
+    """The file, or of a folder the pages with marks, but those of a build."""
+    if not path.is_dir():
+        return [path]
+    found = [page for page in sorted(path.rglob("README.md"))
+             if page.relative_to(path).parts[0] not in ("build", "output")
+             and "<!-- study:" in page.read_text()]
+    if not found:
+        sys.exit(f"report.py: {path}: no README.md in this folder has a mark "
+                 "<!-- study:NAME:begin -->")
+    return found
+
+
 def main(argv=None) -> int:
     parser = argparse.ArgumentParser(description="Tables and pictures of a study.")
     parser.add_argument("directory", type=Path, help="has study.csv")
@@ -184,20 +199,22 @@ def main(argv=None) -> int:
     if not file:
         write_all(options.directory)
         return 0
-    old = file.read_text()
     # Beside the study's own, what other commands printed is a table, too.
     tables = all_tables(read(options.directory)) | {
         path.stem: path.read_text().strip()
         for path in options.directory.glob("*.md") if path.stem != "study"}
-    new = replace_tables(old, tables, file)
-    if options.readme:
-        file.write_text(new)
-        return 0
-    if new != old:
-        print(f"{file}: its tables are not those of "
-              f"{options.directory / 'study.csv'}: report.py "
-              f"{options.directory} --readme {file} renews them")
-    return int(new != old)
+    status = 0
+    for page in pages(file):
+        old = page.read_text()
+        new = replace_tables(old, tables, page)
+        if options.readme:
+            page.write_text(new)
+        elif new != old:
+            print(f"{page}: its tables are not those of "
+                  f"{options.directory / 'study.csv'}: report.py "
+                  f"{options.directory} --readme {file} renews them")
+            status = 1
+    return status
 
 
 if __name__ == "__main__":

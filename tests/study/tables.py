@@ -330,6 +330,6 @@ TABLES = {
 
 
 def all_tables(rows) -> dict[str, str]:
-    """Those of study.md, and shorter ones for README."""
+    """Those of study.md, and shorter ones for the pages."""
     return {name: make(rows) for name, (_, make) in TABLES.items()} | {
         "order_summary": order_summary(rows), "knob_summary": knob_summary(rows)}

@@ -81,6 +81,18 @@ class Readme(unittest.TestCase):
         with self.assertRaises(SystemExit):
             report.replace_tables("nothing", {}, Path("x"))
 
+    def test_pages(self):
+        with tempfile.TemporaryDirectory() as directory:
+            top = Path(directory)
+            with self.assertRaises(SystemExit):
+                report.pages(top)
+            for folder, text in (("tests", "<!-- study:orders:begin -->"),
+                                 ("build", "<!-- study:orders:begin -->"),
+                                 ("mesh", "no table")):
+                (top / folder).mkdir()
+                (top / folder / "README.md").write_text(text)
+            self.assertEqual(report.pages(top), [top / "tests/README.md"])
+
     def test_select(self):
         text = "a command\n\n| x | y |\n|---|---|\n| 1 | b |\n| 2 | c |\n\nend"
         self.assertEqual(report.select_rows(text, r"\| c"),
