@@ -338,7 +338,7 @@ namespace
                               *model.elasticity,
                               model.interface.get(),
                               elimination,
-                              "CHOLMOD",
+                              Parameters::SolverKind::cholmod,
                               model.timer);
         fresh.update_pattern();
         Vector<double> update(model.update.size());

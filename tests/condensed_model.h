@@ -38,12 +38,13 @@ namespace Tests
       elimination = std::make_unique<ContactElimination>(discretization,
                                                          interface.get(),
                                                          moving_bound);
-      condensed   = std::make_unique<CondensedSystem>(discretization,
-                                                    *elasticity,
-                                                    interface.get(),
-                                                    *elimination,
-                                                    solver_name,
-                                                    timer);
+      condensed   = std::make_unique<CondensedSystem>(
+        discretization,
+        *elasticity,
+        interface.get(),
+        *elimination,
+        Parameters::Choice<Parameters::SolverKind>(solver_name),
+        timer);
     }
 
     /// After the mesh was refined; the displacement comes from before.

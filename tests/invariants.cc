@@ -87,7 +87,8 @@ namespace
     {
       load_factor = load;
       return ContactModel::solve(load,
-                                 parameters.contact.rule != "mortar",
+                                 parameters.contact.rule !=
+                                   Parameters::Rule::mortar,
                                  /*pairs_anew=*/true,
                                  force) > 0;
     }

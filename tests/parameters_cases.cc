@@ -28,8 +28,9 @@ void print_case(const std::string &name)
   Contact::read_parameters(parameters / (name + ".prm"), {}, prm, p);
 
   std::cout << p.name << ": degree " << p.element.degree << ", "
-            << p.contact.rule << ", friction " << p.contact.friction_coefficient
-            << ", " << p.contact.excluded_points.size() << " excluded, "
+            << p.contact.rule.name() << ", friction "
+            << p.contact.friction_coefficient << ", "
+            << p.contact.excluded_points.size() << " excluded, "
             << p.boundary.tied_y.size() << " tied, mesh "
             << std::filesystem::path(p.mesh.file).filename().string() << '\n';
   for (const auto &[probe, reference] : p.probes.references)

@@ -105,25 +105,29 @@ namespace
     for (const auto &[group, arc] : p.mesh.arcs)
       std::cout << "arc: " << group << ' ' << arc[0] << ' ' << arc[1] << ' '
                 << arc[2] << '\n';
-    std::cout << "element: " << p.element.degree << ' ' << p.element.centre_node
+    std::cout << "element: " << p.element.degree << ' '
+              << p.element.centre_node.name()
               << "\nsolids: " << p.solids.young.at("Block") << ' '
-              << p.solids.poisson.at("Block") << ' ' << p.solids.kinematics
+              << p.solids.poisson.at("Block") << ' '
+              << p.solids.kinematics.name()
               << "\nboundary: " << p.boundary.displacement_x.at("Encast") << ' '
               << p.boundary.tied_y.at("C") << ' ' << p.boundary.force_y.size()
               << "\ncontact: " << p.contact.slave << ' ' << p.contact.master
-              << ' ' << p.contact.rule << ' ' << p.contact.n_gauss_points << ' '
-              << p.contact.excluded_points.at(1) << ' '
+              << ' ' << p.contact.rule.name() << ' ' << p.contact.n_gauss_points
+              << ' ' << p.contact.excluded_points.at(1) << ' '
               << p.contact.friction_coefficient << ' ' << p.contact.tresca_limit
               << "\nsolution: " << p.solution.n_increments << ' '
-              << p.solution.geometry << ' ' << p.solution.geometry_tolerance
-              << ' ' << p.solution.friction << ' '
+              << p.solution.geometry.name() << ' '
+              << p.solution.geometry_tolerance << ' '
+              << p.solution.friction.name() << ' '
               << p.solution.friction_tolerance
               << "\nprobes: " << p.probes.probes.at("S(B)").at(0) << ' '
               << p.probes.probes.at("S(B)").at(1) << ' '
               << p.probes.references.at("DY(B)") << ' '
               << p.probes.tolerances.at("DY(B)") << ' ' << p.probes.hertz.at(1)
-              << "\noutput: " << p.output.directory << ' ' << p.output.screen
-              << ' ' << p.output.vtu << ' ' << p.output.profile << '\n';
+              << "\noutput: " << p.output.directory << ' '
+              << p.output.screen.name() << ' ' << p.output.vtu << ' '
+              << p.output.profile << '\n';
   }
 
 
