@@ -77,8 +77,8 @@
 // @sect3{Include files}
 //
 // Of deal.II next to nothing: what it is needed for, from meshes to multigrid,
-// is behind the classes of this program, whose order include/README.md has under
-// "A map of the code".
+// is behind the classes of this program, whose order is in include/README.md
+// under "A map of the code".
 
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/mpi.h>

@@ -330,8 +330,9 @@ namespace
     mesh.block("upper", 2, 1, rectangle({0.4, 0}, {2.2, 1}));
     Parameters::All parameters =
       make_parameters(mesh, {"upper"}, degree, "small strain");
-    parameters.contact.slave                = "upper bottom";
-    parameters.contact.obstacle[shape]      = numbers;
+    parameters.contact.slave    = "upper bottom";
+    parameters.contact.obstacle = {
+      {Parameters::Choice<Parameters::ObstacleShape>(shape), numbers}};
     parameters.contact.rule                 = rule;
     parameters.contact.n_gauss_points       = 2;
     parameters.contact.friction_coefficient = 0.4;

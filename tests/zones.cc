@@ -61,7 +61,8 @@ namespace
         zone.friction_coefficient = zones[z].friction;
         zone.tied                 = zones[z].tied;
       }
-    parameters.contact.obstacle["half plane"] = {5, 0, 0, 1};
+    parameters.contact.obstacle = {
+      {Parameters::ObstacleShape::half_plane, {5, 0, 0, 1}}};
     return parameters;
   }
 

@@ -55,8 +55,8 @@ namespace Contact
               }
             const Tensor<1, 2> outward =
               Tensor<1, 2>({along[1], -along[0]}) / along.norm();
-            // What is further behind the other surface than its edge is long
-            // has come there around it.
+            // A node further behind the other surface than its edge is long has
+            // come there around it.
             const double behind = -(r * outward);
             if (outward * normals[e][a] >= 0 ||
                 behind >= other.reference_length(foot.edge))

@@ -12,8 +12,8 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// How deep a node of one surface is inside of the other one, over what the
-  /// polygons of round surfaces overlap.
+  /// The depth of a node of one surface inside of the other one, less the
+  /// overlap that polygons of round surfaces may have.
   struct ContactDepth
   {
     double       depth     = 0; // [mm]

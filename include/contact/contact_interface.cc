@@ -344,15 +344,21 @@ namespace Contact
 
 
 
-  namespace
+  // From step to step a point knows its last decision: slip turns round by way
+  // of sticking. Under bounds that are frozen the problem is convex, and slip
+  // turns round at once.
+  Decision ContactInterface::decision_in(const ContactPoint   &point,
+                                         const Vector<double> &solution,
+                                         const Vector<double> &u_start,
+                                         const bool moving_bound) const
   {
-    /// What a point knows of its decision from step to step: under bounds that
-    /// are frozen the problem is convex, and slip turns round at once.
-    Decision decision_before(const ContactPoint &point, const bool moving_bound)
-    {
-      return moving_bound ? point.decision : Decision();
-    }
-  } // namespace
+    const ContactState now = state(point, solution, u_start);
+    return decide(point,
+                  moving_bound ? point.decision : Decision(),
+                  now.p_trial,
+                  now.q_trial,
+                  moving_bound);
+  }
 
 
 
@@ -364,12 +370,8 @@ namespace Contact
     unsigned int n_changes = 0;
     for (ContactPoint &point : points)
       {
-        const ContactState now      = state(point, solution, u_start);
-        const Decision     decision = decide(point,
-                                         decision_before(point, moving_bound),
-                                         now.p_trial,
-                                         now.q_trial,
-                                         moving_bound);
+        const Decision decision =
+          decision_in(point, solution, u_start, moving_bound);
         if (decision == point.decision)
           continue;
         ++n_changes;
@@ -387,12 +389,8 @@ namespace Contact
   {
     for (ContactPoint &point : points)
       {
-        const ContactState now      = state(point, solution, u_start);
-        const Decision     decision = decide(point,
-                                         decision_before(point, moving_bound),
-                                         now.p_trial,
-                                         now.q_trial,
-                                         moving_bound);
+        const Decision decision =
+          decision_in(point, solution, u_start, moving_bound);
         if (decision == point.decision)
           continue;
         point.decision = decision;

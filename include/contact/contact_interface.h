@@ -241,12 +241,18 @@ namespace Contact
               const Linearization  &linearization,
               Rows                 &rows) const;
 
-    /// What a point that has decided before decides to do under trial values.
+    /// The decision of a point under trial values, after the one @p before.
     Decision decide(const ContactPoint &point,
                     const Decision     &before,
                     const double        p_trial,
                     const double        q_trial,
                     const bool          moving_bound) const;
+
+    /// The decision of a point in a state, after its present one.
+    Decision decision_in(const ContactPoint   &point,
+                         const Vector<double> &solution,
+                         const Vector<double> &u_start,
+                         const bool            moving_bound) const;
 
     /// The tractions that follow from a decision and trial values.
     Traction traction(const ContactPoint &point,

@@ -13,8 +13,8 @@
 
 namespace Contact
 {
-  /// How the pairing of a contact point moves with the bodies: derivatives with
-  /// respect to its unknowns, by their place in Rows::unknowns.
+  /// The motion of the pairing of a contact point with the bodies: derivatives
+  /// with respect to its unknowns, by their place in Rows::unknowns.
   struct ContactInterface::Motion
   {
     std::vector<unsigned int> columns;

@@ -59,9 +59,9 @@ namespace Contact
 
 
   /**
-   * How the pairing of a point changes with the displacements of the nodes
-   * around it, where the rule finds that by itself: derivatives with respect
-   * to the unknowns @p dofs.
+   * The change of a point's pairing with the displacements of the nodes around
+   * it, where the rule finds that by itself: derivatives with respect to the
+   * unknowns @p dofs.
    */
   struct PairingChange
   {
@@ -206,9 +206,9 @@ namespace Contact
                               const Discretization &discretization);
 
   /**
-   * Where supports hold both sides there is no unknown for a pressure: the
-   * point does not face the master. The pressure is missed only where they
-   * press the bodies into each other.
+   * A point whose nodes are held on both sides has no unknown for its pressure
+   * to act on: it does not face the master. The pressure is missed only if the
+   * supports press the bodies into each other.
    */
   void skip_where_held(ContactPoint         &point,
                        const Discretization &discretization,

@@ -128,7 +128,8 @@ namespace Contact
   {
     const std::string section = parameters.section();
     if (!master)
-      obstacle = Obstacle::create(parameters.obstacle);
+      obstacle = Obstacle::create(parameters.obstacle.begin()->first,
+                                  parameters.obstacle.begin()->second);
     else
       {
         for (const Surface::Node &a : slave.nodes)

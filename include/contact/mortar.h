@@ -94,8 +94,8 @@ namespace Contact
     void add_nodes(const MortarPairing<double> &pairing,
                    ContactPoint                &point) const;
 
-    /// What the pairing of a point changes with, by the segments of the edges
-    /// around it.
+    /// Fill in the derivatives of a point's pairing, by the segments of the
+    /// edges around it.
     void differentiate(MortarGeometry<WithDerivatives>  &now,
                        const std::vector<MortarOverlap> &overlaps,
                        ContactPoint                     &point) const;

@@ -121,8 +121,8 @@ namespace Contact
       return sum;
     }
 
-    /// Where the line through @p x along @p n meets a master edge, which may
-    /// be beyond its ends.
+    /// The coordinate at which the line through @p x along @p n meets a master
+    /// edge, perhaps beyond its ends.
     Number foot_on_edge(const Tensor<1, 2, Number> &x,
                         const Tensor<1, 2, Number> &n,
                         const unsigned int          master_edge) const;
@@ -151,7 +151,7 @@ namespace Contact
 
     const Discretization &discretization;
 
-    // What carries derivatives.
+    // The nodes and edges that carry derivatives.
     std::set<unsigned int> followed_slave_nodes, followed_master_nodes;
     std::set<unsigned int> followed_slave_edges, followed_master_edges;
   };

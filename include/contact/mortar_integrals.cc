@@ -68,11 +68,11 @@ namespace Contact
 
 
 
-  // Where an edge faces the master in part, the nodes beyond the parts have no
-  // dual function; if that would be all, the nearest one has, or both if they
-  // are as near. On an edge of degree 2 with a hole, the integrals of its shape
-  // functions may be negative, those of linear ones are not: there the middle
-  // has one only if no end has.
+  // On an edge that faces the master in part, the nodes beyond the parts have
+  // no dual function; if that would be all, the nearest one has, or both if
+  // they are as near. On an edge of degree 2 with a hole, the integrals of its
+  // shape functions may be negative, those of linear ones are not: there the
+  // middle has one only if no end has.
   template<typename Number>
   std::vector<unsigned int>
   MortarIntegrals<Number>::carrying_nodes(const unsigned int   slave_edge,

@@ -80,7 +80,8 @@ namespace Contact
     carrying_nodes(const unsigned int   slave_edge,
                    const MortarOverlap &overlap) const;
 
-    /// What the dual functions of these nodes are biorthogonal to.
+    /// The functions that the dual functions of these nodes are biorthogonal
+    /// to.
     std::array<Number, 3> test_functions(const std::vector<unsigned int> &nodes,
                                          const EdgeShapes<Number> &shape) const;
 

@@ -52,8 +52,8 @@ namespace Contact
 
 
 
-  // What is near is looked at first; further and further away, until all of
-  // the edge has a partner that nothing can hide.
+  // The search begins near the edge and goes further and further away, until
+  // all of the edge has a partner that nothing can hide.
   MortarOverlap MortarSegments::overlap(const unsigned int slave_edge) const
   {
     const auto &ends = now.slave.edges[slave_edge].nodes;

@@ -16,7 +16,7 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// What of a slave edge faces the master.
+  /// The part of a slave edge that faces the master.
   struct MortarOverlap
   {
     /// A part of the edge, in its coordinate.
@@ -44,7 +44,7 @@ namespace Contact
     std::vector<Segment> segments;
     std::vector<Part>    parts; // from low to high, with holes between
 
-    /// How far the place @p xi is from the nearest part; zero within one.
+    /// The distance of the place @p xi from the nearest part; zero within one.
     double distance(const double xi) const;
   };
 
@@ -86,7 +86,7 @@ namespace Contact
     MortarSegments(const MortarGeometry<double> &geometry,
                    const Vector<double>         &u);
 
-    /// What of a slave edge faces the master.
+    /// The part of a slave edge that faces the master.
     MortarOverlap overlap(const unsigned int slave_edge) const;
 
   private:

@@ -60,16 +60,22 @@ namespace Contact
 
 
 
-  std::unique_ptr<const Obstacle> Obstacle::create(
-    const std::map<std::string, std::vector<double>> &description)
+  std::unique_ptr<const Obstacle>
+  Obstacle::create(const Parameters::ObstacleShape shape,
+                   const std::vector<double>      &numbers)
   {
-    const auto &[shape, numbers] = *description.begin();
+    using Parameters::ObstacleShape;
     const Point<2> x(numbers[0], numbers[1]);
-    if (shape == "half plane")
-      return std::make_unique<HalfPlane>(x,
-                                         Tensor<1, 2>(
-                                           {numbers[2], numbers[3]}));
-    Assert(shape == "circle", ExcInternalError());
-    return std::make_unique<Circle>(x, numbers[2]);
+    switch (shape)
+      {
+        case ObstacleShape::half_plane:
+          return std::make_unique<HalfPlane>(x,
+                                             Tensor<1, 2>(
+                                               {numbers[2], numbers[3]}));
+        case ObstacleShape::circle:
+          return std::make_unique<Circle>(x, numbers[2]);
+      }
+    AssertThrow(false, ExcInternalError());
+    return nullptr;
   }
 } // namespace Contact

@@ -8,10 +8,10 @@
 
 #include <deal.II/base/point.h>
 
-#include <map>
 #include <memory>
-#include <string>
 #include <vector>
+
+#include "parameters/choices.h"
 
 namespace Contact
 {
@@ -26,11 +26,12 @@ namespace Contact
   public:
     virtual ~Obstacle() = default;
 
-    /// The obstacle of an entry {"half plane": {x, y, n_x, n_y}}, a point of
-    /// it and its outward normal, or {"circle": {x, y, radius}}, solid, with a
+    /// A half plane by the numbers x, y, n_x, n_y, a point of it and its
+    /// outward normal, or a circle by x, y and its radius, solid, with a
     /// negative radius the inside of a hole [mm].
     static std::unique_ptr<const Obstacle>
-    create(const std::map<std::string, std::vector<double>> &description);
+    create(const Parameters::ObstacleShape shape,
+           const std::vector<double>      &numbers);
 
     /// The closest point and what is known of the obstacle there.
     struct Foot

@@ -31,7 +31,7 @@ namespace Contact
     /// what is beside it counts if nothing is opposite.
     bool at_end = false;
 
-    /// How far beyond the end of a face it still looks [mm].
+    /// The distance beyond the end of a face up to which it looks [mm].
     double reach = std::numeric_limits<double>::max();
 
     /**

@@ -24,7 +24,7 @@ namespace Contact
     template<typename Enum>
     using NamedValues = std::vector<std::pair<std::string, Enum>>;
 
-    /// What the plane of the mesh is a section of.
+    /// The body that the plane of the mesh is a section of.
     enum class Symmetry
     {
       plane_strain,
@@ -39,7 +39,7 @@ namespace Contact
 
 
 
-    /// Of the theory of the bodies.
+    /// The strain measure of the bodies.
     enum class Strains
     {
       small,
@@ -81,6 +81,21 @@ namespace Contact
       return {{"automatic", Dilatation::automatic},
               {"full", Dilatation::full},
               {"projected", Dilatation::projected}};
+    }
+
+
+
+    /// The rigid masters without a mesh.
+    enum class ObstacleShape
+    {
+      half_plane,
+      circle
+    };
+
+    inline NamedValues<ObstacleShape> named_values(const ObstacleShape)
+    {
+      return {{"half plane", ObstacleShape::half_plane},
+              {"circle", ObstacleShape::circle}};
     }
 
 
@@ -178,7 +193,7 @@ namespace Contact
 
 
 
-    /// Of the refinement between two levels.
+    /// The refinement between two levels.
     enum class Strategy
     {
       uniform,

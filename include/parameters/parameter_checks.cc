@@ -303,12 +303,20 @@ namespace Contact
                          {entry},
                          "give each its own section 'Contact NAME'");
       const auto &[shape, numbers] = *obstacle.begin();
-      const bool is_half_plane = shape == "half plane" && numbers.size() == 4 &&
-                                 (numbers[2] != 0 || numbers[3] != 0);
-      const bool is_circle =
-        shape == "circle" && numbers.size() == 3 && numbers[2] != 0;
-      if (!is_half_plane && !is_circle)
-        throw EntryError("'" + shape + "' is no obstacle with these numbers.",
+      bool is_complete             = false;
+      switch (shape)
+        {
+          case ObstacleShape::half_plane:
+            is_complete =
+              numbers.size() == 4 && (numbers[2] != 0 || numbers[3] != 0);
+            break;
+          case ObstacleShape::circle:
+            is_complete = numbers.size() == 3 && numbers[2] != 0;
+            break;
+        }
+      if (!is_complete)
+        throw EntryError("'" + shape.name() +
+                           "' is no obstacle with these numbers.",
                          {entry},
                          "write 'half plane: x, y, normal x, normal y' or "
                          "'circle: x, y, radius', in a hole a negative "
@@ -328,8 +336,8 @@ namespace Contact
                           section() + "/Master"},
                          "set slave and master, or no friction");
       if (tied && !has_point_per_multiplier())
-        throw EntryError("Surfaces are glued in nodes, and the rule " + rule.name() +
-                           " has none.",
+        throw EntryError("Surfaces are glued in nodes, and the rule " +
+                           rule.name() + " has none.",
                          {section() + "/Tied", section() + "/Rule"},
                          "set 'Rule = mortar' or 'Rule = nodal'");
       if (friction_coefficient > 0 && tresca_limit > 0)

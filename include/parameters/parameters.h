@@ -164,7 +164,7 @@ namespace Contact
       std::string master;
 
       /// Instead of a master: see Obstacle.
-      std::map<std::string, std::vector<double>> obstacle;
+      std::map<Choice<ObstacleShape>, std::vector<double>> obstacle;
 
       Choice<Rule> rule           = Rule::mortar;
       unsigned int n_gauss_points = 3;
