@@ -80,50 +80,28 @@
 // is behind the classes of this program, whose order is in include/README.md
 // under "A map of the code".
 
-#include <deal.II/base/conditional_ostream.h>
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/timer.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <iomanip>
-#include <iostream>
 #include <limits>
 #include <memory>
-#include <optional>
-#include <set>
 #include <sstream>
 
 #include "adaptivity/error_estimator.h"
 #include "adaptivity/refinement.h"
-#include "base/command_line.h"
 #include "base/counters.h"
 #include "base/errors.h"
 #include "base/files.h"
 #include "base/interruption.h"
 #include "base/restart_file.h"
-#include "contact/contact_interface.h"
-#include "contact/contact_results.h"
-#include "output/ledger.h"
-#include "output/probes.h"
-#include "output/result_files.h"
-#include "output/result_tables.h"
-#include "output/summary.h"
-#include "parameters/parameters.h"
-#include "solid/discretization.h"
-#include "solid/elasticity.h"
-#include "solid/stress_recovery.h"
-#include "solvers/aitken.h"
-#include "solvers/condensed_system.h"
-#include "solvers/force_scale.h"
-#include "solvers/free_motions.h"
+#include "base/words.h"
+#include "output/application.h"
+#include "output/postprocessor.h"
+#include "output/report.h"
+#include "solvers/convergence_test.h"
+#include "solvers/fixed_point.h"
+#include "solvers/linear_system.h"
 #include "solvers/load_steps.h"
 #include "solvers/newton_guard.h"
-#include "solvers/pairing_guard.h"
-#include "solvers/relaxation.h"
-#include "solvers/rigid_rotation.h"
-#include "solvers/saddle_point_system.h"
-#include "verification/exact_solution.h"
+#include "solvers/pairing.h"
+#include "solvers/rigid_body_stabilization.h"
 #include "verification/invariants.h"
 
 namespace Contact
@@ -133,9 +111,10 @@ namespace Contact
   // @sect3{The ContactProblem class}
   //
   // One case, from its parameters to its summary. The functions are declared,
-  // and defined below, in the order in which one wants to read them: what a
-  // case is made of; the loops; Newton's method, in which a contact problem is
-  // like any other but for its decisions; and what comes before and after.
+  // and defined below, in the order in which one wants to read them: the scene;
+  // the loops, from the outside to the inside; Newton's method, in which a
+  // contact problem is like any other but for the status of its points; and the
+  // next mesh.
   class ContactProblem
   {
   public:
@@ -148,188 +127,103 @@ namespace Contact
   private:
     // Setting up.
     void setup_system();
-    void make_interface();
-    void make_linear_system();
-    void print_scene();
-    void print_note_on_arcs(const Parameters::Contact &zone);
+    void setup_level();
 
-    // The loops, from the outside to the inside.
+    // The loops.
     void solve_level();
     void solve_increment(const LoadSteps::Step &step);
+    void start_from_coarser_level(const unsigned int increment);
     void give_up_increment(const std::string &reason);
-    void approach(LoadSteps &steps);
-    bool hold_what_is_free(const ContactInterface *contact);
-    void solve_with_soft_hold();
+    bool try_again(LoadSteps &steps, const LoadSteps::Step &step);
+    void make_first_contact(LoadSteps &steps);
+    void solve_with_stabilization();
     void solve_with_geometry_loop();
     void solve_with_friction_loop();
 
     // Newton's method.
-    void solve_newton();
+    void         solve_newton();
+    void         evaluate(const bool after_a_step, const bool one_at_a_time);
+    unsigned int update_status(const bool after_a_step,
+                               const bool one_at_a_time);
+    bool         points_follow_the_law() const;
+    void         search_along_line(const NewtonGuard           &guard,
+                                   const Vector<double>        &last,
+                                   const std::vector<Decision> &decisions);
+    std::string  changes_since(const std::vector<Decision> &decisions) const;
 
-    /// Where a Newton step has led to.
-    struct Outcome
-    {
-      double       force     = 0; // norm of the residual [N per mm]
-      double       residual  = 0; // the same by the force scale [-]
-      unsigned int n_changes = 0; // points that changed their status
-      VolumeRatio  volume;        // the smallest
-    };
-
-    Outcome evaluate(const bool after_a_step, const bool one_at_a_time);
-    bool    points_follow_the_law() const;
-    void    freeze_pairing(const bool frozen);
-    Outcome shorten_step(const Outcome               &outcome,
-                         const NewtonGuard           &guard,
-                         const Vector<double>        &last,
-                         const std::vector<Decision> &decisions);
-
-    void        pair_bodies();
-    void        pair_bodies(const Vector<double> &configuration);
-    void        pair_bodies_ahead(const bool after_a_step);
-    void        renew_pairing(Relaxation &relaxation);
-    double      misfit_of_new_pairing();
-    VolumeRatio assemble_forces_of_bodies();
-    void        recover_multipliers();
-    double      assemble_forces_of_contact();
-    double      residual_norm() const;
-    double      newton_tolerance() const;
-    bool        update_solution(const double residual,
-                                const double last_residual,
-                                const bool   search);
-    void        update_solution_condensed(const unsigned int step,
-                                          const double       residual);
-    void        print_step(const unsigned int step,
-                           const double       residual,
-                           const unsigned int n_changes);
-
-    // From one mesh to the next.
+    // The next mesh.
     void refine();
+    bool is_last_level() const;
 
-    // What has to hold, and what comes out.
-    void check_invariants();
-    void record_level();
-    void output_increment(const unsigned int k, const bool is_complete);
-    const std::vector<SymmetricTensor<2, 3>> &recovered_stresses();
-    void                                      compare_with_theory();
-    ContactResults results(const ContactZone &zone) const;
-    double         probe(const std::vector<std::string> &definition);
-    void           report_probes();
-    void           finish();
-
-    // Going on where a run has ended.
-    void        write_restart_file(LoadSteps &steps);
-    void        read_restart_file(LoadSteps &steps);
-    std::string restart_key() const;
-
-    /// All that an increment leaves to the next one.
+    // What has to hold, and where a run that has ended goes on.
+    void check_invariants(const Vector<double> &springs);
+    void write_restart_file(LoadSteps &steps);
+    void read_restart_file(LoadSteps &steps);
     template<class Archive>
-    void serialize(Archive &archive, LoadSteps &steps);
-
-    // What is asked in several places.
-    bool        is_last_level() const;
-    bool        has_friction() const;
-    bool        pairs_each_step() const;
-    bool        geometry_follows() const;
-    double      largest_change(const Vector<double> &from) const;
-    std::string changes_since(const std::vector<Decision> &decisions) const;
+    void        serialize(Archive &archive, LoadSteps &steps);
+    std::string restart_key() const;
 
     const MPI_Comm          communicator = MPI_COMM_WORLD;
     const Parameters::All   parameters;
     const ParameterHandler &prm;
-    ConditionalOStream      screen;
-    TimerOutput             timer;
-    RunSummary              summary;
+    Report                  report;
 
-    // The scene.
-    std::unique_ptr<Mesh>             mesh;
-    std::unique_ptr<Discretization>   discretization;
-    std::unique_ptr<Elasticity>       elasticity;
-    std::unique_ptr<ContactInterface> interface; // none without contact
-    std::unique_ptr<InvariantCheck>   invariants;
-    std::unique_ptr<StressRecovery>   stress_recovery; // as it is asked for
-    std::unique_ptr<ResultFiles>      files;
+    // The scene on the present mesh, its linear system, and its state.
+    ContactModel                    model;
+    IncrementState                  state;
+    Pairing                         pairing;
+    std::unique_ptr<LinearSystem>   system;
+    RigidBodyStabilization          stabilization;
+    std::unique_ptr<InvariantCheck> invariants;
+    Postprocessor                   postprocessor;
 
-    // The linear system, with the multipliers or without: one of the two. The
-    // unknowns are the displacements, then the multipliers; every rank has all
-    // of them.
-    std::unique_ptr<SaddlePointSystem>  saddle_point;
-    std::unique_ptr<ContactElimination> elimination;
-    std::unique_ptr<CondensedSystem>    condensed;
-    Vector<double>                      system_rhs;
-    Vector<double>                      update; // of the displacements
-    std::string                         system_name;
-
-    // The state now, and at the start of the increment.
-    Vector<double>            solution;
-    Vector<double>            start;
-    std::vector<ContactPoint> points_at_start;
-
-    // The displacements under which the points were paired, and whether these
-    // pairs stay, see PairingGuard.
-    Vector<double> paired_at;
-    bool           pairing_is_frozen = false;
-    bool           pairing_jumps = false; // between two states, both accepted
-    AitkenExtrapolation extrapolation;
-
-    // What nothing holds by itself in this increment.
-    std::vector<FreeMotion> softly_held;
-    std::size_t             n_held_at_start = 0;
-
-    // What turns in itself, on this mesh.
-    std::vector<TurningPiece> turning;
+    // Newton's method: minus the residual, and what is known of it.
+    Vector<double>  system_rhs;
+    ConvergenceTest convergence;
+    VolumeRatio     smallest_volume;
+    unsigned int    n_changes = 0; // points that changed their status
 
     // Nested iteration: the level, and on the level before the solutions and
-    // the states of the surface after each increment.
-    unsigned int                                             level = 0;
-    std::vector<Vector<double>>                              level_solutions;
-    std::vector<std::vector<ContactInterface::SurfaceState>> level_states;
+    // the states of the surfaces after each increment.
+    struct CoarserLevel
+    {
+      std::vector<Vector<double>>                              solutions;
+      std::vector<std::vector<ContactInterface::SurfaceState>> surfaces;
+    };
 
-    double load_factor = 0;
-
-    // What residuals are compared with, in the present state.
-    std::unique_ptr<ForceScale> force_scale;
-    double                      reference_force = 0;
-
-    // At the vertices, if somebody has asked for them since the last increment.
-    std::vector<SymmetricTensor<2, 3>> stresses;
-    std::optional<ExactSolution>       exact;
-
-    ContactInterface::Linearization linearization{};
+    unsigned int level = 0;
+    CoarserLevel coarser;
   };
 
 
-
-  // @sect3{Setting up}
-  //
-  // What a case is made of.
 
   ContactProblem::ContactProblem(const Parameters::All  &parameters,
                                  const ParameterHandler &prm,
                                  const bool              verbose)
     : parameters(parameters)
     , prm(prm)
-    , screen(std::cout,
-             verbose && parameters.output.screen == Parameters::Screen::full &&
-               Utilities::MPI::this_mpi_process(communicator) == 0)
-    , timer(std::cout, TimerOutput::never, TimerOutput::cpu_and_wall_times)
+    , report(this->parameters, prm, verbose, communicator)
+    , pairing(model, this->parameters, report.timer)
+    , stabilization(model, report.screen)
+    , postprocessor(this->parameters, model, state, report)
+    , convergence(model)
   {
-    counters()        = Counters();
-    summary.case_name = parameters.name;
-    summary.mesh_file =
-      std::filesystem::path(parameters.mesh.file).filename().string();
   }
 
 
 
+  // @sect3{Setting up}
+
   // @sect4{ContactProblem::run}
   //
-  // What goes wrong with the input leaves here as an exception; what does not
-  // converge is a result as well: the summary says so, and nothing that was
+  // An error in the input leaves here as an exception; a case that does not
+  // converge has a result as well: the summary says so, and nothing that was
   // written looks as if it had converged.
   RunSummary ContactProblem::run()
   {
+    RunSummary &summary = report.summary;
     setup_system();
-    print_scene();
+    report.print_scene(model, system->name());
 
     try
       {
@@ -352,8 +246,8 @@ namespace Contact
         summary.message     = interruption.what();
       }
     if (!summary.converged)
-      screen << summary.message << std::endl;
-    finish();
+      report.screen << summary.message << std::endl;
+    report.finish();
     return summary;
   }
 
@@ -362,160 +256,64 @@ namespace Contact
   // @sect4{ContactProblem::setup_system}
   //
   // Everything that can be wrong with the input shows here, before anything is
-  // computed or written.
+  // computed or written: a body that nothing holds would show as a singular
+  // matrix much later.
   void ContactProblem::setup_system()
   {
-    timer.enter_subsection("setup");
-    mesh = std::make_unique<Mesh>(parameters.mesh, communicator);
-    if (parameters.refinement.strategy == Parameters::Strategy::adaptive)
-      check_adaptive(*mesh);
-    discretization =
-      std::make_unique<Discretization>(*mesh, parameters, communicator);
-
-    linearization.moving_bound =
-      parameters.solution.friction == Parameters::FrictionLoop::newton;
-    make_interface();
-    timer.leave_subsection();
-
-    // A body that nothing holds would show as a singular matrix much later.
-    make_linear_system();
-    pair_bodies();
-    force_scale = std::make_unique<ForceScale>(*discretization,
-                                               *elasticity,
-                                               interface.get());
-    if (interface)
-      interface->initialize_status(solution);
-    check_supports(*discretization, interface.get());
-    for (const auto &[name, probe] : parameters.probes.probes)
-      for (unsigned int i = 1; i < probe.size(); ++i)
-        {
-          mesh->point(probe[i], "Probes/Probes");
-          if (is_contact_traction(probe[0]))
-            check_contact_traction(name,
-                                   probe[0],
-                                   probe[i],
-                                   interface.get(),
-                                   *discretization);
-        }
-
-    // From here on the results of an earlier run are replaced; until this one
-    // ends, its summary says that it has not converged.
-    files =
-      std::make_unique<ResultFiles>(parameters.directory(), *discretization);
-    if (!parameters.restart)
-      files->remove_increments();
-    summary.message = "the run has not ended";
-    files->write_first("summary.json", [this](std::ostream &out) {
-      write_summary(summary, out);
-    });
+    {
+      TimerOutput::Scope scope(report.timer, "setup");
+      model.mesh = std::make_unique<Mesh>(parameters.mesh, communicator);
+      if (parameters.refinement.strategy == Parameters::Strategy::adaptive)
+        check_adaptive(*model.mesh);
+      model.discretization =
+        std::make_unique<Discretization>(*model.mesh, parameters, communicator);
+    }
+    setup_level();
+    if (model.interface)
+      model.interface->initialize_status(state.solution);
+    check_supports(*model.discretization, model.interface.get());
+    postprocessor.check_probes();
+    report.open_files(*model.discretization);
   }
 
 
 
-  // @sect4{ContactProblem::make_interface}
+  // @sect4{ContactProblem::setup_level}
   //
-  // What is made anew on every mesh.
-  void ContactProblem::make_interface()
+  // All that is made anew on every mesh.
+  void ContactProblem::setup_level()
   {
-    elasticity = Elasticity::create(*discretization, parameters.solids);
-    if (const auto zones = parameters.zones(); !zones.empty())
-      interface =
-        std::make_unique<ContactInterface>(*discretization, *elasticity, zones);
+    {
+      TimerOutput::Scope scope(report.timer, "setup");
+      model.elasticity =
+        Elasticity::create(*model.discretization, parameters.solids);
+      if (const auto zones = parameters.zones(); !zones.empty())
+        model.interface =
+          std::make_unique<ContactInterface>(*model.discretization,
+                                             *model.elasticity,
+                                             zones);
+      state.reinit(model.n_unknowns());
+      system_rhs.reinit(model.n_unknowns());
+      invariants = std::make_unique<InvariantCheck>(*model.discretization,
+                                                    *model.elasticity,
+                                                    model.interface.get(),
+                                                    parameters.solution);
+      report.record_size(model);
+      system = LinearSystem::create(model,
+                                    parameters,
+                                    pairing.linearization(),
+                                    report.screen,
+                                    report.timer);
+      pairing.begin_level(*system);
+    }
+    pairing.pair(state.solution);
 
-    summary.n_displacements = discretization->dof_handler.n_dofs();
-    summary.n_multipliers   = interface ? interface->n_multipliers() : 0;
-    const auto n_unknowns   = summary.n_displacements + summary.n_multipliers;
-    solution.reinit(n_unknowns);
-    start.reinit(n_unknowns);
-    system_rhs.reinit(n_unknowns);
-    update.reinit(summary.n_displacements);
-    invariants = std::make_unique<InvariantCheck>(*discretization,
-                                                  *elasticity,
-                                                  interface.get(),
-                                                  parameters.solution);
-  }
-
-
-
-  void ContactProblem::make_linear_system()
-  {
-    TimerOutput::Scope scope(timer, "setup");
-    freeze_pairing(false);
-    if (!parameters.is_condensed(summary.n_displacements))
-      {
-        saddle_point = std::make_unique<SaddlePointSystem>(*discretization,
-                                                           *elasticity,
-                                                           interface.get(),
-                                                           linearization,
-                                                           geometry_follows(),
-                                                           timer);
-        system_name  = "saddle point, UMFPACK";
-        return;
-      }
-    Parameters::Choice<Parameters::SolverKind> solver =
-      parameters.solution.linear_solver;
-    if (solver == Parameters::SolverKind::automatic)
-      solver =
-        DefiniteSolver::choose(summary.n_displacements,
-                               Utilities::MPI::n_mpi_processes(communicator));
-    elimination =
-      std::make_unique<ContactElimination>(*discretization,
-                                           interface.get(),
-                                           linearization.moving_bound);
-    condensed   = std::make_unique<CondensedSystem>(*discretization,
-                                                  *elasticity,
-                                                  interface.get(),
-                                                  *elimination,
-                                                  solver,
-                                                  timer);
-    system_name = "condensed, " + solver.name();
-  }
-
-
-
-  void ContactProblem::print_scene()
-  {
-    const std::vector<Effect> effects =
-      find_effects(parameters, *discretization, interface.get(), system_name);
-    for (const Effect &effect : effects)
-      summary.effects[effect.name] = effect.choice;
-
-    screen << "Case " << parameters.name << ": "
-           << mesh->triangulation.n_global_active_cells() << " cells of "
-           << summary.mesh_file << ", " << summary.n_displacements
-           << " displacements, " << summary.n_multipliers << " multipliers"
-           << std::endl;
-    if (screen.is_active())
-      print_effects(screen.get_stream(), effects);
-    if (interface)
-      for (const auto &zone : parameters.zones())
-        print_note_on_arcs(zone);
-  }
-
-
-
-  // @sect4{ContactProblem::print_note_on_arcs}
-  //
-  // Who draws a circle may not know that a mesh has but a polygon of it.
-  void ContactProblem::print_note_on_arcs(const Parameters::Contact &zone)
-  {
-    if (parameters.element.degree == 1 && parameters.mesh.refinements == 0 &&
-        parameters.refinement.n_levels == 0)
-      return;
-    for (const std::string &name : {zone.slave, zone.master})
-      {
-        if (name.empty() || parameters.mesh.arcs.count(name) > 0)
-          continue;
-        const double bend =
-          Surface(*discretization, mesh->boundary(name, zone.section()), name)
-            .largest_bend();
-        if (bend > 0.1)
-          screen
-            << "Note: '" << name << "' bends by up to " << bend
-            << " degrees at a node and is no arc: at degree 2 and on finer "
-               "meshes it keeps its corners. For a circle: Mesh/Arcs = "
-            << name << ": x, y, radius" << std::endl;
-      }
+    // The levels below the last one need no more than the accuracy of their
+    // mesh.
+    const double tolerance = parameters.solution.newton_tolerance;
+    convergence.begin_level(
+      is_last_level() ? tolerance
+                      : std::max(tolerance, parameters.refinement.tolerance));
   }
 
 
@@ -523,32 +321,28 @@ namespace Contact
   // @sect3{The loops}
   //
   // From the outside to the inside: levels of refinement, load increments, the
-  // soft hold, the geometry, friction.
+  // stabilization of rigid body modes, the geometry, friction.
 
   // @sect4{ContactProblem::solve_level}
   //
   // All load increments on one mesh. The results of all but the last mesh are
-  // but the start of the next level. An increment that does not converge leaves
-  // no trace but its record: the state is that of its start again.
+  // but the start of the next level.
   void ContactProblem::solve_level()
   {
-    std::vector<Vector<double>>                              solutions;
-    std::vector<std::vector<ContactInterface::SurfaceState>> states;
-    LoadSteps steps(parameters.solution.n_increments,
+    CoarserLevel here;
+    LoadSteps    steps(parameters.solution.n_increments,
                     parameters.solution.max_cuts);
-    softly_held.clear();
-    if (interface)
-      turning = turning_pieces(*discretization, *elasticity, *interface);
-    if (level > 0 && has_friction())
+    stabilization.begin_level();
+    if (level > 0 && model.has_friction())
       {
-        pair_bodies();
-        interface->initialize_status(solution);
+        pairing.pair(state.solution);
+        model.interface->initialize_status(state.solution);
       }
     if (parameters.restart && is_last_level())
       read_restart_file(steps);
     while (!steps.finished())
       {
-        approach(steps);
+        make_first_contact(steps);
         const LoadSteps::Step step = steps.next();
         try
           {
@@ -557,44 +351,35 @@ namespace Contact
         catch (const NotConverged &failure)
           {
             give_up_increment(failure.what());
-            // What only contact held may have come loose on the way.
-            hold_what_is_free(nullptr);
-            if (softly_held.size() > n_held_at_start)
+            if (try_again(steps, step))
               continue;
-            if (steps.cut())
-              {
-                screen << "  cut in half" << std::endl;
-                continue;
-              }
             std::ostringstream message;
             message << "no solution at the load factor " << step.to
                     << ", the last one is at " << step.from << ": "
                     << failure.what();
-            load_factor = step.from;
-            if (is_last_level() && !step.starts_increment)
-              output_increment(step.increment, /*is_complete=*/false);
             throw NotConverged(message.str());
           }
-        check_rotations(*discretization, *elasticity, solution);
-        check_invariants();
-        steps.accept(summary.increments.back().newton_iterations);
-        softly_held.clear();
+        check_rotations(*model.discretization,
+                        *model.elasticity,
+                        state.solution);
+        check_invariants(stabilization.release(state));
+        steps.accept(report.increment().newton_iterations);
+        stabilization.end_increment();
 
         if (is_last_level() && step.ends_increment)
           {
-            output_increment(step.increment, /*is_complete=*/true);
+            postprocessor.write_increment(step.increment, /*is_complete=*/true);
             write_restart_file(steps);
           }
         else if (step.ends_increment)
           {
-            solutions.push_back(solution);
-            if (interface)
-              states.push_back(interface->save(solution));
+            here.solutions.push_back(state.solution);
+            if (model.interface)
+              here.surfaces.push_back(model.interface->save(state.solution));
           }
       }
-    level_solutions = std::move(solutions);
-    level_states    = std::move(states);
-    record_level();
+    coarser = std::move(here);
+    postprocessor.record_level(level, is_last_level());
   }
 
 
@@ -602,222 +387,146 @@ namespace Contact
   // @sect4{ContactProblem::solve_increment}
   void ContactProblem::solve_increment(const LoadSteps::Step &step)
   {
-    load_factor = step.to;
-    start       = solution;
-    if (interface)
-      points_at_start = interface->points;
-    stresses.clear();
-    summary.increments.emplace_back();
-    IncrementRecord &record = summary.increments.back();
-    record.level            = level;
-    record.load_factor      = load_factor;
-    screen << "Increment " << step.increment << " of "
-           << parameters.solution.n_increments << ", load factor "
-           << load_factor << std::endl;
-
+    state.begin(model, step.to);
+    postprocessor.forget_stresses();
+    report.begin_increment(level, step.increment, step.to);
     if (level > 0 && step.is_whole)
-      {
-        // From the same increment of the level before.
-        std::copy(level_solutions[step.increment - 1].begin(),
-                  level_solutions[step.increment - 1].end(),
-                  solution.begin());
-        pair_bodies();
-        if (interface)
-          interface->restore(level_states[step.increment - 1], solution);
-      }
+      start_from_coarser_level(step.increment);
+
     // Linear bodies take what is prescribed at once: nothing of it has to go
     // through the matrix, and one factorization serves all increments.
-    if (elasticity->is_linear())
-      discretization->prescribe(solution, load_factor);
+    if (model.elasticity->is_linear())
+      model.discretization->prescribe(state.solution, state.load_factor);
     else
-      discretization->constrain_update(solution, load_factor);
-    if (interface) // supports alone do not change
-      hold_what_is_free(interface.get());
-    n_held_at_start = softly_held.size();
+      model.discretization->constrain_update(state.solution, state.load_factor);
+    if (model.interface) // supports alone do not change
+      stabilization.hold_free_pieces(model.interface.get());
+    stabilization.begin_increment();
 
-    solve_with_soft_hold();
+    solve_with_stabilization();
 
-    // Where a body is that has lost its contact, no equation says: it could
-    // have gone anywhere on the way.
-    if (interface && hold_what_is_free(interface.get()))
+    // No equation determines the place of a body that has lost its contact: it
+    // could have gone anywhere on the way.
+    if (model.interface &&
+        stabilization.hold_free_pieces(model.interface.get()))
       throw NotConverged("a body has lost the contact that held it");
+    postprocessor.record_increment();
+    convergence.accept();
+    report.end_increment();
+  }
 
-    if (interface)
-      {
-        const StatusCount count = interface->count();
-        record.active           = count.active;
-        record.stick            = count.stick;
-        record.slip             = count.active - count.stick;
-        for (const auto &zone : interface->zones)
-          record.contact[zone->name] = results(*zone).by_name();
-      }
-    for (const auto &[name, definition] : parameters.probes.probes)
-      if (!is_stress(definition[0]))
-        record.probes[name] = probe(definition);
-    record.converged = true;
-    force_scale->accept(reference_force);
-    screen << "  converged: " << record.newton_iterations << " Newton steps, "
-           << record.friction_iterations << " friction turns, "
-           << record.geometry_iterations << " geometry turns" << std::endl;
+
+
+  void ContactProblem::start_from_coarser_level(const unsigned int increment)
+  {
+    const Vector<double> &u = coarser.solutions[increment - 1];
+    std::copy(u.begin(), u.end(), state.solution.begin());
+    pairing.pair(state.solution);
+    if (model.interface)
+      model.interface->restore(coarser.surfaces[increment - 1], state.solution);
   }
 
 
 
   // @sect4{ContactProblem::give_up_increment}
   //
-  // The state is that of the increment's start, also what the points know and
-  // which edges they face. The pattern of the matrix is not: it is made anew.
+  // An increment that does not converge leaves no trace but its record. The
+  // state is that of the increment's start; the pattern of the matrix is made
+  // anew.
   void ContactProblem::give_up_increment(const std::string &reason)
   {
-    summary.increments.back().message = reason;
-    screen << "  " << reason << std::endl;
-    solution = start;
-    if (interface)
-      interface->points = points_at_start;
-    stresses.clear();
-    if (saddle_point)
-      saddle_point->forget_pattern();
-    pair_bodies();
+    report.increment().message = reason;
+    report.screen << "  " << reason << std::endl;
+    state.roll_back(model);
+    postprocessor.forget_stresses();
+    system->forget_pattern();
+    pairing.pair(state.solution);
   }
 
 
 
-  // @sect4{ContactProblem::approach}
+  // @sect4{ContactProblem::try_again}
   //
-  // Slip counts from the start of an increment. Where bodies come to touch,
-  // what they move before they do would count as well, and friction would
-  // remember it: they first touch in a step as small as may be.
-  void ContactProblem::approach(LoadSteps &steps)
+  // A body that contact alone held may have come loose on the way: then it is
+  // held, too. Else the load is applied in smaller steps.
+  bool ContactProblem::try_again(LoadSteps &steps, const LoadSteps::Step &step)
   {
-    if (!steps.next().starts_increment || !has_friction() ||
-        interface->count().active > 0 ||
-        free_motions(*discretization, nullptr).empty())
+    stabilization.hold_free_pieces(nullptr);
+    if (stabilization.has_grown())
+      return true;
+    if (steps.cut())
+      {
+        report.screen << "  cut in half" << std::endl;
+        return true;
+      }
+    state.load_factor = step.from;
+    if (is_last_level() && !step.starts_increment)
+      postprocessor.write_increment(step.increment, /*is_complete=*/false);
+    return false;
+  }
+
+
+
+  // @sect4{ContactProblem::make_first_contact}
+  //
+  // Slip counts from the start of an increment. Where bodies come to touch, the
+  // way that they move before they do would count as well, and friction would
+  // remember it: they first touch in a step as small as may be.
+  void ContactProblem::make_first_contact(LoadSteps &steps)
+  {
+    if (!steps.next().starts_increment || !model.has_friction() ||
+        model.interface->count().active > 0 ||
+        free_motions(*model.discretization, nullptr).empty())
       return;
     bool is_cut = false;
     while (steps.cut())
       is_cut = true;
     if (is_cut)
-      screen
+      report.screen
         << "The bodies do not touch yet: they do first in a step of its own"
         << std::endl;
   }
 
 
 
-  // @sect4{ContactProblem::hold_what_is_free}
+  // @sect4{ContactProblem::solve_with_stabilization}
   //
-  // A piece of a body that neither supports nor its points in @p contact hold
-  // could move without resistance: it is held softly. Returns whether that is
-  // news.
-  bool ContactProblem::hold_what_is_free(const ContactInterface *contact)
+  // A body that nothing holds is held by soft springs until contact holds it;
+  // see RigidBodyStabilization.
+  void ContactProblem::solve_with_stabilization()
   {
-    auto free = free_motions(*discretization, contact);
-    for (const TurningPiece &piece : turning)
-      free.push_back({piece.piece, "rotation", 1});
-    bool news = false;
-    for (const FreeMotion &motion : free)
-      if (std::none_of(softly_held.begin(),
-                       softly_held.end(),
-                       [&](const FreeMotion &held) {
-                         return held.piece == motion.piece;
-                       }))
-        {
-          softly_held.push_back(motion);
-          news = true;
-          screen << "  nothing holds " << mesh->piece_name(motion.piece)
-                 << " against: " << motion.name << "; it is held softly"
-                 << std::endl;
-        }
-    return news;
-  }
-
-
-
-  // @sect4{ContactProblem::solve_with_soft_hold}
-  //
-  // A body that nothing holds is held by springs so soft that the load carries
-  // it to where contact holds it. From there the springs are hung up anew where
-  // the body is now, and so on: the proximal point method (Rockafellar, SIAM J.
-  // Control Optim. 14, 1976), at whose end the springs do nothing. Where the
-  // body goes on moving, nothing holds it.
-  void ContactProblem::solve_with_soft_hold()
-  {
-    if (softly_held.empty())
+    if (!stabilization.is_needed())
       {
-        elasticity->soft_hold.release();
+        stabilization.release(state);
         solve_with_geometry_loop();
         return;
       }
 
-    // Far softer than any body, yet far above the round-off of the stiffest.
-    double softest = std::numeric_limits<double>::max();
-    for (const auto &body : mesh->bodies)
-      softest = std::min(softest, elasticity->young(body.second));
-    std::map<unsigned int, double> stiffness; // by piece
-    for (const FreeMotion &motion : softly_held)
-      stiffness[motion.piece] =
-        1e-6 * softest * elasticity->soft_hold.mean_circumference(motion.piece);
-
-    // What turns in itself may not be carried away by what pushes it: stiff
-    // against the forces, for they have nothing to carry.
-    for (const TurningPiece &piece : turning)
-      {
-        const auto corners =
-          mesh->pieces[piece.piece].box.get_boundary_points();
-        stiffness[piece.piece] =
-          std::max(stiffness[piece.piece],
-                   10 * reference_force /
-                     corners.first.distance(corners.second));
-      }
-
+    stabilization.choose_stiffness(convergence.force_scale());
     const unsigned int max_turns = 20;
     for (unsigned int turn = 1;; ++turn)
       {
-        Vector<double> rest = solution;
-        remove_rotations(*discretization, turning, rest);
-        elasticity->soft_hold.hold(stiffness, rest);
-        if (interface)
+        stabilization.attach(state.solution);
+        if (model.interface)
           {
-            pair_bodies();
-            interface->close_nearest(solution);
+            pairing.pair(state.solution);
+            model.interface->close_nearest(state.solution);
           }
         solve_with_geometry_loop();
 
-        // Against rotation, what turns in itself is held for good.
-        rest = solution;
-        remove_rotations(*discretization, turning, rest);
-        const auto   works  = elasticity->soft_hold.energy(rest);
-        const auto   most   = std::max_element(works.begin(),
-                                           works.end(),
-                                           [](const auto &a, const auto &b) {
-                                             return a.second < b.second;
-                                           });
-        const double work   = most->second;
-        const double force  = std::sqrt(2 * stiffness.at(most->first) * work);
-        const double energy = elasticity->strain_energy(solution);
-        summary.increments.back().hold_work = work;
-        screen << "  soft hold, turn " << turn << ": its work " << work
-               << " N mm" << discretization->per_thickness()
-               << ", strain energy " << energy << " N mm"
-               << discretization->per_thickness() << std::endl;
-        if (work <= 1e-8 * energy ||
-            force <= newton_tolerance() * reference_force)
+        const auto   hold   = stabilization.work(state.solution);
+        const double energy = model.elasticity->strain_energy(state.solution);
+        report.increment().hold_work = hold.work;
+        report.screen << "  soft hold, turn " << turn << ": its work "
+                      << hold.work << " N mm"
+                      << model.discretization->per_thickness()
+                      << ", strain energy " << energy << " N mm"
+                      << model.discretization->per_thickness() << std::endl;
+        if (hold.work <= 1e-8 * energy ||
+            hold.force <= convergence.tolerance() * convergence.force_scale())
           return;
         if (turn == max_turns)
-          {
-            const auto         motion = std::find_if(softly_held.begin(),
-                                             softly_held.end(),
-                                             [&](const FreeMotion &held) {
-                                               return held.piece == most->first;
-                                             });
-            std::ostringstream message;
-            message << "nothing stops " << mesh->piece_name(motion->piece)
-                    << " in its " << motion->name
-                    << ": a soft hold still carries " << force << " N"
-                    << discretization->per_thickness() << " after " << turn
-                    << " turns";
-            throw NotConverged(message.str());
-          }
+          stabilization.give_up(hold, turn);
       }
   }
 
@@ -833,50 +542,49 @@ namespace Contact
   // displacement against the largest displacement of the increment before.
   void ContactProblem::solve_with_geometry_loop()
   {
-    if (!geometry_follows() || pairs_each_step())
+    if (!pairing.follows() || pairing.follows_each_step())
       {
         solve_with_friction_loop();
         return;
       }
 
-    double     change = 0;
-    Relaxation relaxation;
-    for (unsigned int turn = 1;
-         turn <= parameters.solution.max_geometry_iterations;
-         ++turn)
-      {
-        double last_increment = largest_change(start);
-        // Rigid motions to the first touch are no measure.
-        if (turn > 1 && !softly_held.empty())
-          last_increment =
-            std::min(last_increment,
-                     2 * elasticity->strain_energy(solution) / reference_force);
+    const auto turn = [&](const unsigned int n) {
+      double last_increment = state.largest_change(model, state.start);
+      // Rigid motions to the first touch are no measure.
+      if (n > 1 && stabilization.is_needed())
+        last_increment =
+          std::min(last_increment,
+                   2 * model.elasticity->strain_energy(state.solution) /
+                     convergence.force_scale());
 
-        screen << "  geometry, turn " << turn << std::endl;
-        ++summary.increments.back().geometry_iterations;
-        if (turn == 1)
-          pair_bodies();
-        else if (condensed)
-          interface->open_parted(solution);
-        solve_with_friction_loop();
+      report.screen << "  geometry, turn " << n << std::endl;
+      ++report.increment().geometry_iterations;
+      if (n == 1)
+        pairing.pair(state.solution);
+      else if (!system->has_multipliers())
+        model.interface->open_parted(state.solution);
+      solve_with_friction_loop();
 
-        // How far the bodies are from where they were paired.
-        const double moved = level > 0
-                               ? interface->largest_change(solution, paired_at)
-                               : largest_change(paired_at);
-        change             = moved == 0 ? 0. : moved / last_increment;
-        if (turn > 1 || level > 0)
-          {
-            screen << "    change of the displacement " << change << std::endl;
-            if (change < parameters.solution.geometry_tolerance)
-              return;
-          }
-
-        renew_pairing(relaxation);
-      }
-    throw NotConverged(
-      "the geometry loop ends with a change of " + brief(change) + " after " +
-      std::to_string(parameters.solution.max_geometry_iterations) + " turns");
+      // How far the bodies are from where they were paired.
+      const double moved =
+        level > 0 ? model.interface->largest_change(state.solution,
+                                                    pairing.configuration())
+                  : state.largest_change(model, pairing.configuration());
+      const double change      = moved == 0 ? 0. : moved / last_increment;
+      const bool   is_compared = n > 1 || level > 0;
+      if (is_compared)
+        report.screen << "    change of the displacement " << change
+                      << std::endl;
+      return std::make_pair(change,
+                            is_compared &&
+                              change < parameters.solution.geometry_tolerance);
+    };
+    fixed_point("geometry loop ends with a change",
+                parameters.solution.max_geometry_iterations,
+                turn,
+                [&](Relaxation &relaxation) {
+                  pairing.renew(state.solution, relaxation);
+                });
   }
 
 
@@ -889,45 +597,46 @@ namespace Contact
   // no pressure is known: there it sticks in the first turn.
   void ContactProblem::solve_with_friction_loop()
   {
-    if (!has_friction() ||
+    const bool has_friction = model.has_friction();
+    if (!has_friction ||
         parameters.solution.friction != Parameters::FrictionLoop::fixed_point ||
-        !interface->has_coulomb_friction())
+        !model.interface->has_coulomb_friction())
       {
-        if (has_friction() && level == 0)
-          interface->update_bounds(solution, start);
+        if (has_friction && level == 0)
+          model.interface->update_bounds(state.solution, state.start);
         solve_newton();
         return;
       }
 
-    if (!free_motions(*discretization, interface.get(), Tangents::free).empty())
-      interface->raise_unknown_bounds();
+    ContactInterface &interface = *model.interface;
+    if (!free_motions(*model.discretization, &interface, Tangents::free)
+           .empty())
+      interface.raise_unknown_bounds();
 
-    double     change = 0;
-    Relaxation relaxation;
-    for (unsigned int turn = 1;
-         turn <= parameters.solution.max_friction_iterations;
-         ++turn)
-      {
-        ++summary.increments.back().friction_iterations;
-        solve_newton();
-        Vector<double> bounds = interface->bounds();
-        change                = interface->update_bounds(solution, start);
-        screen << "    friction, turn " << turn << ": change of the bound "
-               << change << std::endl;
-        if (change <= parameters.solution.friction_tolerance)
-          return;
-
-        const double part = relaxation.length(interface->bounds());
-        if (part < 1)
-          {
-            bounds.sadd(1 - part, part, interface->bounds());
-            interface->set_bounds(bounds);
-          }
-      }
-    throw NotConverged(
-      "the friction loop ends with a change of the bound of " + brief(change) +
-      " after " + std::to_string(parameters.solution.max_friction_iterations) +
-      " turns");
+    Vector<double> last_bounds;
+    const auto     turn = [&](const unsigned int n) {
+      ++report.increment().friction_iterations;
+      solve_newton();
+      last_bounds = interface.bounds();
+      const double change =
+        interface.update_bounds(state.solution, state.start);
+      report.screen << "    friction, turn " << n << ": change of the bound "
+                    << change << std::endl;
+      return std::make_pair(change,
+                            change <= parameters.solution.friction_tolerance);
+    };
+    const auto renew = [&](Relaxation &relaxation) {
+      const double part = relaxation.length(interface.bounds());
+      if (part < 1)
+        {
+          last_bounds.sadd(1 - part, part, interface.bounds());
+          interface.set_bounds(last_bounds);
+        }
+    };
+    fixed_point("friction loop ends with a change of the bound",
+                parameters.solution.max_friction_iterations,
+                turn,
+                renew);
   }
 
 
@@ -936,115 +645,153 @@ namespace Contact
 
   // @sect4{ContactProblem::solve_newton}
   //
-  // Newton's method on displacements, multipliers and decisions together. It
-  // has converged when the residual, forces and constraints, is small against
-  // the forces, under the status that each point has in the present state.
-  //
-  // In the loops around it, from turn to turn little changes, and a
-  // factorization may serve for several steps. It is kept while it reduces the
-  // residual well, and as long as the decisions are those it was made under.
+  // Newton's method on displacements, multipliers and the status of the points
+  // together. It has converged when the residual, forces and constraints, is
+  // small against the forces, under the status that each point has in the
+  // present state, and under a pairing of the present state.
   void ContactProblem::solve_newton()
   {
-    const unsigned int max_steps = parameters.solution.max_newton_iterations;
-
     NewtonGuard           guard;
     Vector<double>        last; // where the last step began
     std::vector<Decision> last_decisions;
     double                last_residual = std::numeric_limits<double>::max();
-    unsigned int          n_single      = 0;
+    unsigned int          max_steps = parameters.solution.max_newton_iterations;
     bool                  one_at_a_time = false;
-    bool                  search        = true;
-    PairingGuard          pairing(parameters.solution.geometry_tolerance);
-    Relaxation            relaxation;
-    const auto            way = [&]() {
-      return interface->largest_change(solution, start);
-    };
-    const bool follows = geometry_follows() && pairs_each_step();
-    freeze_pairing(false);
-    pairing_jumps = false;
+    pairing.begin_newton();
+    system->begin_newton();
     for (unsigned int step = 0;; ++step)
       {
         stop_if_interrupted(communicator);
-        if (interface)
-          last_decisions = interface->decisions();
-        Outcome now = evaluate(step > 0, one_at_a_time);
-        print_step(step, now.residual, now.n_changes);
+        if (model.interface)
+          last_decisions = model.interface->decisions();
+        evaluate(step > 0, one_at_a_time);
+        report.print_step(model, step, convergence.residual(), n_changes);
         if (step > 0)
-          now = shorten_step(now, guard, last, last_decisions);
-        const bool progress = guard.advance(now.force);
-        if (step > 0 && follows)
-          pairing.advance(interface->largest_change(solution, last),
-                          way(),
-                          progress);
+          search_along_line(guard, last, last_decisions);
+        const bool progress = guard.advance(convergence.residual_norm());
+        if (step > 0)
+          pairing.advance(state, last, progress);
+
         // After a step the residual is that under the new status of all points:
         // a point may change it for ever where pressure and gap both vanish.
-        const bool is_decided =
-          now.n_changes == 0 ||
-          (step > 0 && !one_at_a_time && points_follow_the_law());
-        freeze_pairing(follows && pairing.is_frozen());
-        bool is_to_be_paired = false;
-        if (is_decided && !discretization->update_is_prescribed() &&
-            now.residual <= newton_tolerance())
+        const bool is_decided = n_changes == 0 || (step > 0 && !one_at_a_time &&
+                                                   points_follow_the_law());
+        const bool has_converged =
+          is_decided && !model.discretization->update_is_prescribed() &&
+          convergence.has_converged();
+        if (has_converged && pairing.accepts(state))
+          return;
+        if (step >= max_steps)
+          throw NotConverged(
+            "Newton's method ends with the residual " +
+            brief(convergence.residual()) + " after " + std::to_string(step) +
+            " steps" + changes_since(last_decisions) + system->contradiction());
+        if (has_converged)
           {
-            if (!follows ||
-                pairing.accepts(interface->largest_change(solution, paired_at),
-                                way()))
-              return;
-            pairing_jumps = pairing.goes_in_circles() &&
-                            pairing.accepts(misfit_of_new_pairing(), way());
-            if (pairing_jumps)
-              return;
-            is_to_be_paired = true;
-            screen << "      paired anew: the surfaces have moved by "
-                   << interface->largest_change(solution, paired_at)
-                   << " mm of " << way() << " mm since they were paired"
-                   << std::endl;
-          }
-        if (step >= max_steps + n_single)
-          throw NotConverged("Newton's method ends with the residual " +
-                             brief(now.residual) + " after " +
-                             std::to_string(step) + " steps" +
-                             changes_since(last_decisions) +
-                             (elimination ? elimination->contradiction() : ""));
-        if (is_to_be_paired)
-          {
-            renew_pairing(relaxation);
-            pairing.count_renewal();
+            report.screen << "      paired anew: the surfaces have moved by "
+                          << pairing.misplacement(state) << " mm of "
+                          << pairing.way(state) << " mm since they were paired"
+                          << std::endl;
+            pairing.renew(state.solution);
             guard.forget();
             continue;
           }
 
-        const bool was_one_at_a_time = one_at_a_time;
-        one_at_a_time                = guard.one_at_a_time(now.n_changes);
-        if (one_at_a_time && !was_one_at_a_time)
+        if (guard.one_at_a_time(n_changes) != one_at_a_time)
           {
-            ++summary.increments.back().cycles;
-            screen << "      the active set cycles, now one point at a time "
-                      "changes:"
-                   << changes_since(last_decisions) << std::endl;
-            if (condensed)
-              n_single = interface->points.size();
-          }
-
-        last = solution;
-        if (discretization->update_is_prescribed())
-          guard.forget();
-        if (condensed)
-          update_solution_condensed(step, now.residual);
-        else
-          {
-            if (!update_solution(now.residual, last_residual, search))
+            one_at_a_time = !one_at_a_time;
+            if (one_at_a_time)
               {
-                search = false;
-                screen << "      the search of the active set does not "
-                          "settle: the points decide from step to step"
-                       << std::endl;
+                ++report.increment().cycles;
+                report.screen << "      the active set cycles, now one point "
+                                 "at a time changes:"
+                              << changes_since(last_decisions) << std::endl;
               }
+            if (one_at_a_time && !system->has_multipliers())
+              max_steps = parameters.solution.max_newton_iterations +
+                          model.interface->points.size();
           }
 
-        last_residual = now.residual;
-        ++summary.increments.back().newton_iterations;
+        last = state.solution;
+        if (model.discretization->update_is_prescribed())
+          guard.forget();
+        const double residual = convergence.residual();
+        report.increment().linear_iterations +=
+          system->make_step({step,
+                             residual,
+                             last_residual,
+                             convergence.tolerance(),
+                             convergence.force_scale()},
+                            system_rhs,
+                            state);
+        last_residual = residual;
+        ++report.increment().newton_iterations;
       }
+  }
+
+
+
+  // @sect4{ContactProblem::evaluate}
+  //
+  // The residual and the status of the points in the present state. Every rank
+  // adds the forces that its cells exert.
+  void ContactProblem::evaluate(const bool after_a_step,
+                                const bool one_at_a_time)
+  {
+    pairing.follow(state.solution, after_a_step);
+    {
+      TimerOutput::Scope scope(report.timer, "residual");
+      system_rhs                 = 0;
+      const VolumeRatio smallest = model.elasticity->assemble(state.solution,
+                                                              state.load_factor,
+                                                              system_rhs,
+                                                              nullptr);
+      Utilities::MPI::sum(system_rhs, communicator, system_rhs);
+      smallest_volume = smallest_of_all_ranks(smallest, communicator);
+    }
+    n_changes =
+      model.interface ? update_status(after_a_step, one_at_a_time) : 0;
+
+    TimerOutput::Scope scope(report.timer, "residual");
+    if (model.interface)
+      model.interface->assemble(state.solution,
+                                state.start,
+                                pairing.linearization(),
+                                system_rhs,
+                                nullptr);
+    convergence.evaluate(system_rhs,
+                         state,
+                         pairing.linearization().moving_bound);
+  }
+
+
+
+  // @sect4{ContactProblem::update_status}
+  //
+  // After a step the points decide anew. Before the first one they only would:
+  // a change of load, pairing or bounds is not in their tractions yet, and the
+  // search of the active set comes first. Returns how many want to change.
+  unsigned int ContactProblem::update_status(const bool after_a_step,
+                                             const bool one_at_a_time)
+  {
+    ContactInterface &interface    = *model.interface;
+    const bool        moving_bound = pairing.linearization().moving_bound;
+    if (after_a_step)
+      system->recover_multipliers(system_rhs, state);
+    const unsigned int n =
+      interface.decide_all(state.solution,
+                           state.start,
+                           moving_bound,
+                           /*keep=*/after_a_step && !one_at_a_time);
+    if (after_a_step && n > 0)
+      ++counters().active_set_changes;
+    // As the search does. Without it the points go on from step to step, and
+    // that would begin each turn of the friction loop anew.
+    if (system->has_multipliers() && after_a_step && !moving_bound)
+      interface.drop_bounds_of_open_points();
+    if (after_a_step && one_at_a_time)
+      interface.decide_one(state.solution, state.start, moving_bound);
+    return n;
   }
 
 
@@ -1054,677 +801,150 @@ namespace Contact
   // One whose slip turns round sticks first, though its shear be too large.
   bool ContactProblem::points_follow_the_law() const
   {
-    return std::all_of(interface->points.begin(),
-                       interface->points.end(),
-                       [this](const ContactPoint &point) {
+    const ContactInterface &interface = *model.interface;
+    return std::all_of(interface.points.begin(),
+                       interface.points.end(),
+                       [&](const ContactPoint &point) {
                          const ContactState now =
-                           interface->state(point, solution, start);
-                         return interface->decide(point,
-                                                  Decision(),
-                                                  now.p_trial,
-                                                  now.q_trial,
-                                                  linearization.moving_bound) ==
+                           interface.state(point, state.solution, state.start);
+                         return interface.decide(
+                                  point,
+                                  Decision(),
+                                  now.p_trial,
+                                  now.q_trial,
+                                  pairing.linearization().moving_bound) ==
                                 point.decision;
                        });
   }
 
 
 
-  // @sect4{ContactProblem::freeze_pairing}
-  //
-  // The tangent knows how projections and normals move as long as they do.
-  void ContactProblem::freeze_pairing(const bool frozen)
-  {
-    pairing_is_frozen = frozen;
-    linearization.moving_geometry =
-      parameters.geometry(summary.n_displacements) ==
-        Parameters::GeometryLoop::newton &&
-      !frozen;
-  }
-
-
-
-  // @sect4{ContactProblem::evaluate}
-  //
-  // After a step the points decide anew. Before the first one they only would:
-  // what has changed outside, load, pairing or bounds, is not in their
-  // tractions yet, and the search of the active set comes first.
-  ContactProblem::Outcome ContactProblem::evaluate(const bool after_a_step,
-                                                   const bool one_at_a_time)
-  {
-    if (geometry_follows() && pairs_each_step() && !pairing_is_frozen)
-      pair_bodies_ahead(after_a_step);
-
-    Outcome outcome;
-    outcome.volume = assemble_forces_of_bodies();
-    if (interface)
-      {
-        if (condensed && after_a_step)
-          recover_multipliers();
-        outcome.n_changes =
-          interface->decide_all(solution,
-                                start,
-                                linearization.moving_bound,
-                                /*keep=*/after_a_step && !one_at_a_time);
-        if (after_a_step && outcome.n_changes > 0)
-          ++counters().active_set_changes;
-        // As the search does. Without it the points go on from step to step,
-        // and that would begin each turn of the friction loop anew.
-        if (!condensed && after_a_step && !linearization.moving_bound)
-          interface->drop_bounds_of_open_points();
-        if (after_a_step && one_at_a_time)
-          interface->decide_one(solution, start, linearization.moving_bound);
-      }
-    outcome.force    = assemble_forces_of_contact();
-    reference_force  = force_scale->in(solution,
-                                      start,
-                                      load_factor,
-                                      newton_tolerance(),
-                                      linearization.moving_bound);
-    outcome.residual = outcome.force / reference_force;
-    return outcome;
-  }
-
-
-
-  // @sect4{ContactProblem::shorten_step}
+  // @sect4{ContactProblem::search_along_line}
   //
   // A step that turns a cell inside out, or leads to a residual larger than all
-  // the last ones though no point has changed its mind, was too long: half of
+  // the last ones though no point has changed its status, was too long: half of
   // it, and half of that. See NewtonGuard.
-  ContactProblem::Outcome
-  ContactProblem::shorten_step(const Outcome               &outcome,
-                               const NewtonGuard           &guard,
-                               const Vector<double>        &last,
-                               const std::vector<Decision> &decisions)
+  void ContactProblem::search_along_line(const NewtonGuard           &guard,
+                                         const Vector<double>        &last,
+                                         const std::vector<Decision> &decisions)
   {
-    const auto is_a_state = [](const Outcome &now) {
-      return std::isfinite(now.residual) && now.volume.value > 0;
+    const auto is_a_state = [&]() {
+      return std::isfinite(convergence.residual()) && smallest_volume.value > 0;
     };
 
     const unsigned int max_halvings = 6;
-    Outcome            now          = outcome;
     for (unsigned int n = 0;
-         n < max_halvings && (!is_a_state(now) || (now.n_changes == 0 &&
-                                                   !guard.accepts(now.force)));
+         n < max_halvings &&
+         (!is_a_state() ||
+          (n_changes == 0 && !guard.accepts(convergence.residual_norm())));
          ++n)
       {
-        solution.sadd(0.5, 0.5, last);
+        state.solution.sadd(0.5, 0.5, last);
         // Supports that were moved are half-way, too: the rest is left to do.
-        discretization->constrain_update(solution, load_factor);
-        if (interface)
-          interface->set_decisions(decisions);
-        ++summary.increments.back().halved_steps;
-        now = evaluate(/*after_a_step=*/true, /*one_at_a_time=*/false);
-        screen << "      half of this step: residual " << now.residual
-               << std::endl;
+        model.discretization->constrain_update(state.solution,
+                                               state.load_factor);
+        if (model.interface)
+          model.interface->set_decisions(decisions);
+        ++report.increment().halved_steps;
+        evaluate(/*after_a_step=*/true, /*one_at_a_time=*/false);
+        report.screen << "      half of this step: residual "
+                      << convergence.residual() << std::endl;
       }
-    if (!std::isfinite(now.residual))
+    if (!std::isfinite(convergence.residual()))
       throw NotConverged("the residual is not a number");
-    if (now.volume.value <= 0)
+    if (smallest_volume.value <= 0)
       {
         std::ostringstream message;
-        message << "the body '" << mesh->body_name(now.volume.body)
-                << "' turns inside out at X = (" << now.volume.X
-                << ") mm: det F = " << now.volume.value;
+        message << "the body '" << model.mesh->body_name(smallest_volume.body)
+                << "' turns inside out at X = (" << smallest_volume.X
+                << ") mm: det F = " << smallest_volume.value;
         throw NotConverged(message.str());
       }
-    return now;
   }
 
 
 
-  // @sect4{ContactProblem::pair_bodies}
-  //
-  // The theory of small displacements knows the undeformed bodies only.
-  void ContactProblem::pair_bodies()
+  std::string
+  ContactProblem::changes_since(const std::vector<Decision> &decisions) const
   {
-    pair_bodies(solution);
+    return model.interface ? describe_changes(*model.interface,
+                                              decisions,
+                                              state.solution,
+                                              state.start)
+                           : "";
   }
 
 
 
-  void ContactProblem::pair_bodies(const Vector<double> &configuration)
-  {
-    timer.enter_subsection("search");
-    paired_at = configuration;
-    if (interface)
-      ++counters().pairings;
-    if (geometry_follows() && !configuration.all_zero())
-      ++counters().geometry_updates;
-    const bool changed =
-      interface && interface->pair(parameters.solution.geometry ==
-                                       Parameters::GeometryLoop::undeformed
-                                     ? Vector<double>(solution.size())
-                                     : configuration,
-                                   linearization.moving_geometry);
-    timer.leave_subsection();
-    if (condensed)
-      condensed->update_pattern();
-    else
-      saddle_point->update_pattern(changed);
-  }
-
-
-
-  // @sect4{ContactProblem::pair_bodies_ahead}
-  //
-  // Before each Newton step the bodies are paired where they are; if the
-  // tangent does not know how the pairing moves with them, and steps in one and
-  // the same direction become but slowly shorter, where these lead to.
-  void ContactProblem::pair_bodies_ahead(const bool after_a_step)
-  {
-    if (!after_a_step || linearization.moving_geometry)
-      {
-        extrapolation.forget();
-        pair_bodies();
-        return;
-      }
-    Vector<double> step(summary.n_displacements);
-    for (unsigned int i = 0; i < step.size(); ++i)
-      step[i] = solution[i] - paired_at[i];
-    const double   length        = extrapolation.length(step);
-    Vector<double> configuration = paired_at;
-    configuration.sadd(1 - length, length, solution);
-    pair_bodies(length == 1 ? solution : configuration);
-  }
-
-
-
-  // @sect4{ContactProblem::renew_pairing}
-  //
-  // A turn of the fixed point of the geometry. Where the bodies jump to and
-  // fro, they are paired on the way.
-  void ContactProblem::renew_pairing(Relaxation &relaxation)
-  {
-    const double part = relaxation.length(
-      Vector<double>(solution.begin(),
-                     solution.begin() + summary.n_displacements));
-    Vector<double> configuration = paired_at;
-    configuration.sadd(1 - part, part, solution);
-    pair_bodies(configuration);
-  }
-
-
-
-  // @sect4{ContactProblem::misfit_of_new_pairing}
-  //
-  // How far the surfaces, paired where they are now, would be from touching
-  // each other where they are in contact, and from being apart elsewhere.
-  double ContactProblem::misfit_of_new_pairing()
-  {
-    const Vector<double> configuration = paired_at;
-    pair_bodies();
-    const double misfit = interface->largest_misfit(solution);
-    pair_bodies(configuration);
-    return misfit;
-  }
-
-
-
-  // @sect4{ContactProblem::assemble_forces_of_bodies}
-  //
-  // Every rank adds what its cells exert.
-  VolumeRatio ContactProblem::assemble_forces_of_bodies()
-  {
-    TimerOutput::Scope scope(timer, "residual");
-    system_rhs = 0;
-    const VolumeRatio smallest =
-      elasticity->assemble(solution, load_factor, system_rhs, nullptr);
-    Utilities::MPI::sum(system_rhs, communicator, system_rhs);
-    return smallest_of_all_ranks(smallest, communicator);
-  }
-
-
-
-  // @sect4{ContactProblem::recover_multipliers}
-  //
-  // Without multipliers in the linear system, they are what the bodies exert on
-  // the nodes in contact. A bound that follows the pressure does so in between.
-  void ContactProblem::recover_multipliers()
-  {
-    elimination->recover_pressures(system_rhs, solution);
-    if (has_friction() &&
-        parameters.solution.friction == Parameters::FrictionLoop::each_step)
-      interface->update_bounds(solution, start);
-    elimination->recover_shears(system_rhs, solution);
-  }
-
-
-
-  // @sect4{ContactProblem::assemble_forces_of_contact}
-  //
-  // Returns the norm of the whole residual, the same on all ranks: it decides
-  // for all of them what comes next.
-  double ContactProblem::assemble_forces_of_contact()
-  {
-    TimerOutput::Scope scope(timer, "residual");
-    if (interface)
-      interface->assemble(solution, start, linearization, system_rhs, nullptr);
-    return Utilities::MPI::max(residual_norm(), communicator);
-  }
-
-
-
-  double ContactProblem::residual_norm() const
-  {
-    double square =
-      interface ? std::pow(interface->constraint_norm(system_rhs), 2) : 0.;
-    for (unsigned int i = 0; i < discretization->dof_handler.n_dofs(); ++i)
-      square += system_rhs[i] * system_rhs[i];
-    return std::sqrt(square);
-  }
-
-
-
-  // @sect4{ContactProblem::newton_tolerance}
-  //
-  // The levels below the last one need no more than the accuracy of their mesh.
-  double ContactProblem::newton_tolerance() const
-  {
-    return is_last_level() ? parameters.solution.newton_tolerance
-                           : std::max(parameters.solution.newton_tolerance,
-                                      parameters.refinement.tolerance);
-  }
-
-
-
-  // @sect4{ContactProblem::update_solution}
-  //
-  // The step under the present decisions, then the search for those that the
-  // linearised problem has. Returns whether that has come to an end.
-  bool ContactProblem::update_solution(const double residual,
-                                       const double last_residual,
-                                       const bool   search)
-  {
-    const bool settled = saddle_point->solve(solution,
-                                             start,
-                                             load_factor,
-                                             residual,
-                                             last_residual,
-                                             search,
-                                             system_rhs);
-    solution += system_rhs;
-    discretization->constrain_update(solution, load_factor);
-    return settled;
-  }
-
-
-
-  // @sect4{ContactProblem::update_solution_condensed}
-  //
-  // Inexact Newton: a step that others follow is not solved further than it is
-  // good for, a thousandth of the residual, and well enough for the points to
-  // decide on. Linear bodies under decisions that stay are solved in one.
-  void ContactProblem::update_solution_condensed(const unsigned int step,
-                                                 const double       residual)
-  {
-    const bool decided = step > 0 || !interface || interface->is_tied();
-    const bool one_solve_is_all =
-      elasticity->is_linear() && decided && !pairs_each_step() &&
-      parameters.solution.friction == Parameters::FrictionLoop::fixed_point;
-    const double forcing =
-      std::min(1e-5, parameters.solution.linear_tolerance * residual);
-    const double relative =
-      std::max(0.1 * newton_tolerance(), one_solve_is_all ? 0. : forcing);
-    const unsigned int n = condensed->solve(solution,
-                                            start,
-                                            system_rhs,
-                                            relative * reference_force,
-                                            update);
-    summary.increments.back().linear_iterations += n;
-    screen << "      solved to " << std::scientific << std::setprecision(1)
-           << relative << std::defaultfloat << std::setprecision(6) << " in "
-           << n << " iterations" << std::endl;
-    for (unsigned int i = 0; i < update.size(); ++i)
-      solution[i] += update[i];
-    discretization->constrain_update(solution, load_factor);
-  }
-
-
-
-  void ContactProblem::print_step(const unsigned int step,
-                                  const double       residual,
-                                  const unsigned int n_changes)
-  {
-    screen << "    Newton " << std::setw(2) << step << "  residual "
-           << std::scientific << std::setprecision(3) << residual
-           << std::defaultfloat << std::setprecision(6);
-    if (interface)
-      {
-        const StatusCount count = interface->count();
-        screen << "  active " << count.active << "  stick " << count.stick
-               << "  changes " << n_changes;
-      }
-    screen << std::endl;
-  }
-
-
-
-  // @sect3{From one mesh to the next}
+  // @sect3{The next mesh}
 
   // @sect4{ContactProblem::refine}
+  //
+  // The old matrices go first: two meshes at a time would take their memory.
   void ContactProblem::refine()
   {
     if (parameters.refinement.strategy == Parameters::Strategy::adaptive)
       {
-        TimerOutput::Scope scope(timer, "estimate");
-        const auto        &at_vertices = recovered_stresses();
-        ++counters().error_estimates;
-        flag_cells(*mesh,
-                   ErrorEstimator(*discretization,
-                                  *elasticity,
-                                  *stress_recovery)
-                     .indicators(at_vertices, interface.get(), solution),
-                   parameters.refinement.fraction);
-        for (const auto &zone : parameters.zones())
-          if (zone.rule == Parameters::Rule::nodal && !zone.master.empty())
-            flag_slave_like_master(
-              *mesh,
-              mesh->boundary(zone.slave, zone.section() + "/Slave"),
-              mesh->boundary(zone.master, zone.section() + "/Master"));
+        TimerOutput::Scope scope(report.timer, "estimate");
+        const auto        &stresses = postprocessor.recovered_stresses();
+        flag_by_estimate(model,
+                         parameters,
+                         postprocessor.stress_recovery(),
+                         stresses,
+                         state.solution);
       }
     else
-      flag_all_cells(*mesh);
+      flag_all_cells(*model.mesh);
 
-    // The old ones go first: two meshes at a time would take their memory.
-    timer.enter_subsection("setup");
-    condensed.reset();
-    elimination.reset();
-    invariants.reset();
-    force_scale.reset();
-    interface.reset();
-    elasticity.reset();
-    refine_and_carry_over(*mesh, *discretization, level_solutions);
-    make_interface();
-    timer.leave_subsection();
-
+    {
+      TimerOutput::Scope scope(report.timer, "setup");
+      system.reset();
+      invariants.reset();
+      model.interface.reset();
+      model.elasticity.reset();
+      refine_and_carry_over(*model.mesh,
+                            *model.discretization,
+                            coarser.solutions);
+    }
     ++level;
-    make_linear_system();
-    pair_bodies();
-    force_scale = std::make_unique<ForceScale>(*discretization,
-                                               *elasticity,
-                                               interface.get());
-    screen << "Level " << level << ": "
-           << mesh->triangulation.n_global_active_cells() << " cells, "
-           << summary.n_displacements << " displacements, "
-           << summary.n_multipliers << " multipliers, " << system_name
-           << std::endl;
+    setup_level();
+    report.print_level(model, level, system->name());
   }
 
 
 
-  // @sect3{What has to hold, and what comes out}
+  bool ContactProblem::is_last_level() const
+  {
+    return level == parameters.refinement.n_levels;
+  }
+
+
+
+  // @sect3{What has to hold}
 
   // @sect4{ContactProblem::check_invariants}
   //
-  // What has to hold for every solution, by a computation of its own. A result
-  // that violates it is wrong, whatever Newton's method says.
-  void ContactProblem::check_invariants()
+  // Conditions on every solution, by a computation of their own. A result that
+  // violates one is wrong, whatever Newton's method says.
+  void ContactProblem::check_invariants(const Vector<double> &springs)
   {
-    TimerOutput::Scope scope(timer, "invariants");
-    Vector<double>     hold;
-    if (!elasticity->soft_hold.held().empty())
-      {
-        hold = elasticity->forces(solution, load_factor);
-        elasticity->soft_hold.release();
-        hold.sadd(-1, 1, elasticity->forces(solution, load_factor));
-      }
-    Invariants found =
-      invariants->check(solution,
-                        load_factor,
-                        newton_tolerance(),
-                        reference_force,
-                        hold.size() > 0 ? &hold : nullptr,
-                        geometry_follows()
-                          ? interface->largest_change(solution, paired_at)
-                          : 0.);
+    TimerOutput::Scope scope(report.timer, "invariants");
+    Invariants         found =
+      invariants->check(state.solution,
+                        state.load_factor,
+                        convergence.tolerance(),
+                        convergence.force_scale(),
+                        springs.size() > 0 ? &springs : nullptr,
+                        pairing.follows() ? pairing.misplacement(state) : 0.);
     invariants->advance();
-
-    if (pairing_jumps)
+    if (pairing.jumps())
       found.notes.push_back(
         "pairing: closest points jump between two places for good; the gaps of "
         "the one under the other are within the geometry tolerance, " +
         brief(parameters.solution.geometry_tolerance) +
         " of the way of the surfaces. A finer master, the rule mortar, or "
         "'Geometry = fixed point' may come to rest.");
-
-    IncrementRecord &record = summary.increments.back();
-    record.invariants       = found.measures();
-    record.works            = found.works();
-    record.violations       = found.violations;
-    record.reactions        = found.reactions;
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      for (const std::string &note : found.notes)
-        std::cerr << parameters.name << ", load factor " << load_factor
-                  << ": note: " << note << std::endl;
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      for (const std::string &violation : found.violations)
-        std::cerr << parameters.name << ", load factor " << load_factor
-                  << ": violated: " << violation << std::endl;
-  }
-
-
-
-  // @sect4{ContactProblem::record_level}
-  //
-  // What this level took: the time since the level before.
-  void ContactProblem::record_level()
-  {
-    LevelRecord record;
-    {
-      TimerOutput::Scope scope(timer, "output");
-      for (const auto &[name, definition] : parameters.probes.probes)
-        record.probes[name] = probe(definition);
-    }
-    record.n_cells         = mesh->triangulation.n_global_active_cells();
-    record.n_displacements = summary.n_displacements;
-    record.n_multipliers   = summary.n_multipliers;
-    for (const IncrementRecord &increment : summary.increments)
-      if (increment.level == level)
-        {
-          record.newton_iterations += increment.newton_iterations;
-          record.linear_iterations += increment.linear_iterations;
-        }
-    record.time = phase_times(timer);
-    for (const LevelRecord &before : summary.levels)
-      for (const auto &[phase, time] : before.time)
-        {
-          record.time[phase].cpu -= time.cpu;
-          record.time[phase].wall -= time.wall;
-          record.time[phase].calls -= time.calls;
-        }
-    record.peak_memory_mb = Utilities::MPI::sum(peak_memory_mb(), communicator);
-    summary.levels.push_back(record);
-    if (is_last_level())
-      report_probes();
-  }
-
-
-
-  // @sect4{ContactProblem::output_increment}
-  //
-  // The end of an increment, or, where that is not reached, the last state.
-  void ContactProblem::output_increment(const unsigned int k,
-                                        const bool         is_complete)
-  {
-    const bool is_last = is_complete && k == parameters.solution.n_increments;
-    if (is_last && interface)
-      compare_with_theory();
-    const bool with_profile = is_last && parameters.output.profile;
-    const bool with_nodes   = is_last && parameters.output.nodes;
-    if (!parameters.output.vtu && !with_profile && !with_nodes)
-      return;
-    TimerOutput::Scope scope(timer, "output");
-
-    Vector<double> forces;
-    if (interface)
-      forces =
-        contact_forces(*interface, solution, start, linearization.moving_bound);
-    if (with_nodes)
-      files->write_nodes(solution, forces);
-    if (!parameters.output.vtu && !with_profile)
-      return;
-
-    std::vector<ZoneProfile> profiles;
-    if (interface)
-      profiles = zone_profiles(*interface,
-                               *discretization,
-                               recovered_stresses(),
-                               solution,
-                               start,
-                               exact,
-                               /*with_masters=*/with_profile);
-
-    if (parameters.output.vtu)
-      {
-        files->write_bodies(k,
-                            load_factor,
-                            recovered_stresses(),
-                            solution,
-                            forces);
-        if (interface)
-          files->write_contact(k, load_factor, profiles);
-      }
-    if (interface && with_profile)
-      files->write_profile(profiles);
-  }
-
-
-
-  const std::vector<SymmetricTensor<2, 3>> &ContactProblem::recovered_stresses()
-  {
-    if (!stress_recovery)
-      stress_recovery = std::make_unique<StressRecovery>(*discretization);
-    if (stresses.empty())
-      {
-        ++counters().stress_recoveries;
-        stresses = stress_recovery->vertex_stresses(*elasticity, solution);
-      }
-    return stresses;
-  }
-
-
-
-  ContactResults ContactProblem::results(const ContactZone &zone) const
-  {
-    return contact_results(*interface,
-                           zone,
-                           solution,
-                           start,
-                           linearization.moving_bound);
-  }
-
-
-
-  // @sect4{ContactProblem::compare_with_theory}
-  //
-  // What the contact is like in a few numbers, and what it should be like where
-  // theory has an answer.
-  void ContactProblem::compare_with_theory()
-  {
-    summary.contact = summary.increments.back().contact;
-
-    TimerOutput::Scope scope(timer, "verification");
-    try
-      {
-        exact = make_exact_solution(parameters,
-                                    *discretization,
-                                    *interface->zones[0],
-                                    results(*interface->zones[0]));
-      }
-    catch (const ExceptionBase &failure)
-      {
-        // That is about the theory: the solution is what it is.
-        std::ostringstream reason;
-        failure.print_info(reason);
-        if (Utilities::MPI::this_mpi_process(communicator) == 0)
-          std::cerr << parameters.name << ": not compared with theory: "
-                    << Utilities::trim(reason.str()) << std::endl;
-      }
-    if (!exact)
-      return;
-    summary.exact  = exact->values;
-    summary.errors = solution_errors(*exact,
-                                     *discretization,
-                                     *elasticity,
-                                     *interface,
-                                     *interface->zones[0],
-                                     solution);
-  }
-
-
-
-  // @sect4{ContactProblem::probe}
-  double ContactProblem::probe(const std::vector<std::string> &definition)
-  {
-    const std::string &quantity = definition[0];
-    const auto         value    = [&](const std::string &point) {
-      const unsigned int vertex = mesh->point(point, "Probes/Probes");
-      if (is_contact_traction(quantity))
-        return contact_traction(quantity,
-                                vertex,
-                                interface.get(),
-                                *discretization,
-                                solution);
-      return probe_value(quantity,
-                         vertex,
-                         *discretization,
-                         is_stress(quantity) ? recovered_stresses() : stresses,
-                         solution);
-    };
-    return definition.size() == 2 ? value(definition[1])
-                                  : value(definition[1]) - value(definition[2]);
-  }
-
-
-
-  // @sect4{ContactProblem::report_probes}
-  void ContactProblem::report_probes()
-  {
-    for (const auto &[name, definition] : parameters.probes.probes)
-      {
-        ProbeResult result;
-        result.name  = name;
-        result.unit  = is_displacement(definition[0]) ? "mm" : "MPa";
-        result.value = summary.levels.back().probes.at(name);
-        if (parameters.probes.references.count(name) > 0)
-          {
-            result.reference = parameters.probes.references.at(name);
-            result.tolerance = parameters.probes.tolerances.at(name);
-          }
-        summary.probes.push_back(result);
-      }
-    estimate_errors(summary);
-  }
-
-
-
-  // @sect4{ContactProblem::finish}
-  void ContactProblem::finish()
-  {
-    files->write_first("parameters.prm", [this](std::ostream &out) {
-      prm.print_parameters(out, ParameterHandler::ShortPRM);
-    });
-    summary.time     = phase_times(timer);
-    summary.counters = counters().by_name();
-    summary.peak_memory_mb =
-      Utilities::MPI::sum(peak_memory_mb(), communicator);
-    // This file counts, too.
-    ++summary.counters["files"];
-    files->write_first("summary.json", [this](std::ostream &out) {
-      write_summary(summary, out);
-    });
-    if (summary.converged &&
-        Utilities::MPI::this_mpi_process(communicator) == 0)
-      std::filesystem::remove(files->directory / "restart.bin");
-
-    if (screen.is_active())
-      {
-        print_levels(screen.get_stream(), summary);
-        print_counters(screen.get_stream(), summary);
-        screen << "Results: " << files->directory.string() << std::endl;
-      }
+    report.record(found);
   }
 
 
@@ -1733,16 +953,14 @@ namespace Contact
 
   // @sect4{ContactProblem::write_restart_file}
   //
-  // Also what can be told by now, should the run not come to its end.
+  // Also the summary so far, should the run not come to its end.
   void ContactProblem::write_restart_file(LoadSteps &steps)
   {
     if (steps.finished())
       return;
-    TimerOutput::Scope scope(timer, "output");
-    files->write_first("summary.json", [this](std::ostream &out) {
-      write_summary(summary, out);
-    });
-    files->write_first("restart.bin", [&](std::ostream &out) {
+    TimerOutput::Scope scope(report.timer, "output");
+    report.write_summary();
+    report.files().write_first("restart.bin", [&](std::ostream &out) {
       write_restart(out, restart_key(), [&](auto &archive) {
         serialize(archive, steps);
       });
@@ -1753,18 +971,36 @@ namespace Contact
 
   void ContactProblem::read_restart_file(LoadSteps &steps)
   {
-    const auto file = files->directory / "restart.bin";
+    const auto file = report.files().directory / "restart.bin";
     if (!std::filesystem::exists(file))
       {
-        screen << "Nothing to go on from: no " << file << std::endl;
+        report.screen << "Nothing to go on from: no " << file << std::endl;
         return;
       }
     read_restart(file, restart_key(), [&](auto &archive) {
       serialize(archive, steps);
     });
-    files->write_series();
-    screen << "Restart behind the load factor "
-           << summary.increments.back().load_factor << std::endl;
+    report.files().write_series();
+    report.screen << "Restart behind the load factor "
+                  << report.increment().load_factor << std::endl;
+  }
+
+
+
+  // @sect4{ContactProblem::serialize}
+  //
+  // All that an increment leaves to the next one. Levels below the last one are
+  // computed again, which costs less than to keep their meshes.
+  template<class Archive>
+  void ContactProblem::serialize(Archive &archive, LoadSteps &steps)
+  {
+    archive &steps &convergence &*invariants &report.summary.increments &report
+        .files() &
+      state.solution;
+    if (Archive::is_loading::value)
+      pairing.pair(state.solution);
+    if (model.interface)
+      archive &*model.interface;
   }
 
 
@@ -1775,282 +1011,22 @@ namespace Contact
   std::string ContactProblem::restart_key() const
   {
     std::ostringstream key;
-    key << "contact restart 1, ranks "
+    key << "contact restart 2, ranks "
         << Utilities::MPI::n_mpi_processes(communicator) << ", unknowns "
-        << solution.size() << ", mesh " << checksum(parameters.mesh.file)
+        << state.solution.size() << ", mesh " << checksum(parameters.mesh.file)
         << '\n';
     prm.print_parameters(key, ParameterHandler::ShortPRM);
     return key.str();
-  }
-
-
-
-  // @sect4{ContactProblem::serialize}
-  //
-  // Levels below the last one are computed again, which costs less than to keep
-  // their meshes.
-  template<class Archive>
-  void ContactProblem::serialize(Archive &archive, LoadSteps &steps)
-  {
-    std::vector<double>      values(solution.begin(), solution.end()), bounds;
-    std::vector<signed char> decisions;
-    if (interface)
-      {
-        decisions              = interface->signature();
-        const Vector<double> b = interface->bounds();
-        bounds.assign(b.begin(), b.end());
-      }
-    archive &steps &values &decisions &bounds &*force_scale &*invariants
-      &summary.increments &*files;
-    if (!Archive::is_loading::value)
-      return;
-
-    solution = Vector<double>(values.begin(), values.end());
-    pair_bodies();
-    if (interface)
-      {
-        std::vector<Decision> all;
-        all.reserve(decisions.size());
-        for (const auto code : decisions)
-          all.push_back(Decision::from_code(code));
-        interface->set_decisions(all);
-        interface->set_bounds(Vector<double>(bounds.begin(), bounds.end()));
-      }
-  }
-
-
-
-  // @sect3{What is asked in several places}
-
-  bool ContactProblem::is_last_level() const
-  {
-    return level == parameters.refinement.n_levels;
-  }
-
-
-
-  bool ContactProblem::has_friction() const
-  {
-    return interface && interface->has_friction();
-  }
-
-
-
-  bool ContactProblem::pairs_each_step() const
-  {
-    return parameters.solution.geometry !=
-             Parameters::GeometryLoop::undeformed &&
-           parameters.solution.geometry !=
-             Parameters::GeometryLoop::fixed_point;
-  }
-
-
-
-  /// Whether the points are paired with bodies that have moved.
-  bool ContactProblem::geometry_follows() const
-  {
-    return interface && !interface->is_tied() &&
-           parameters.solution.geometry != Parameters::GeometryLoop::undeformed;
-  }
-
-
-
-  /// The largest change of a displacement [mm].
-  double ContactProblem::largest_change(const Vector<double> &from) const
-  {
-    double change = 0;
-    for (unsigned int i = 0; i < discretization->dof_handler.n_dofs(); ++i)
-      change = std::max(change, std::abs(solution[i] - from[i]));
-    return Utilities::MPI::max(change, communicator);
-  }
-
-
-
-  std::string
-  ContactProblem::changes_since(const std::vector<Decision> &decisions) const
-  {
-    return interface ? describe_changes(*interface, decisions, solution, start)
-                     : "";
   }
 } // namespace Contact
 
 
 
 // @sect3{The main function}
-//
-// What the exit status says is in print_help().
-namespace
-{
-  // The same case on the mesh refined once, by which errors are estimated.
-  Contact::Parameters::All refined_case(const Contact::Parameters::All &coarse)
-  {
-    Contact::Parameters::All finer = coarse;
-    finer.name += "_refined";
-    finer.mesh.refinements += 1;
-    finer.output.vtu = finer.output.profile = false;
-    return finer;
-  }
-
-
-
-  // The discretization error of a run on one mesh is asked for by another one
-  // on the mesh refined once, which leaves no files but its summary: the
-  // parameters are those of the first.
-  Contact::RunSummary run_case(const Contact::Parameters::All &parameters,
-                               const dealii::ParameterHandler &prm,
-                               const bool                      verbose)
-  {
-    using namespace Contact;
-
-    RunSummary summary = ContactProblem(parameters, prm, verbose).run();
-    if (!parameters.probes.estimate_errors || !summary.converged ||
-        parameters.refinement.n_levels > 0)
-      return summary;
-
-    const Parameters::All finer   = refined_case(parameters);
-    const RunSummary      refined = ContactProblem(finer, prm, verbose).run();
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      {
-        std::error_code error;
-        std::filesystem::remove(finer.directory() / "parameters.prm", error);
-      }
-    summary.interrupted = refined.interrupted;
-    if (refined.converged)
-      {
-        estimate_errors(summary, refined.probes);
-        write_on_first_rank(MPI_COMM_WORLD,
-                            parameters.directory() / "summary.json",
-                            [&](std::ostream &out) {
-                              write_summary(summary, out);
-                            });
-      }
-    else if (!refined.interrupted)
-      std::cerr << parameters.name
-                << ": no error estimate, because the case does not converge on "
-                   "the mesh refined once: "
-                << refined.message << std::endl;
-    return summary;
-  }
-
-
-
-  // A process that no launcher has started as one of several talks to nobody:
-  // without Open MPI's daemon and network it starts in half the time. What the
-  // environment says comes first. It needs no directory for its session,
-  // either: all such processes would share one, and remove it from under each
-  // other.
-  void spare_network_of_single_process()
-  {
-    for (const char *launched :
-         {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
-      if (std::getenv(launched) != nullptr)
-        return;
-    setenv("OMPI_MCA_ess_singleton_isolated", "1", /*overwrite=*/0);
-    setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
-    setenv("OMPI_MCA_pml", "ob1", 0);
-    setenv("OMPI_MCA_btl", "self", 0);
-    setenv("OMPI_MCA_osc", "^ucx", 0);
-  }
-
-
-
-  // All files are read before the first one is computed: a wrong entry in the
-  // last one should not cost the time of the others.
-  int run(const Contact::CommandLine &line)
-  {
-    using namespace Contact;
-
-    const bool is_first_rank =
-      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-    std::vector<Parameters::All>          cases(line.files.size());
-    std::vector<dealii::ParameterHandler> handlers(line.files.size());
-    for (unsigned int i = 0; i < cases.size(); ++i)
-      {
-        read_parameters(line.files[i], line.overrides, handlers[i], cases[i]);
-        cases[i].n_ranks =
-          dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-        cases[i].restart = line.restart;
-        cases[i].check();
-      }
-    note_signals();
-
-    std::set<std::filesystem::path> directories;
-    for (const Parameters::All &a_case : cases)
-      if (!directories.insert(a_case.directory()).second ||
-          (a_case.probes.estimate_errors &&
-           !directories.insert(refined_case(a_case).directory()).second))
-        throw InputError("two cases have the name '" + a_case.name +
-                           "', and the same directory for their results",
-                         "command line",
-                         "rename one of the files, or run them one by one with "
-                         "another Output/Directory");
-
-    std::vector<RunSummary> summaries;
-    for (unsigned int i = 0; i < cases.size(); ++i)
-      {
-        summaries.push_back(run_case(cases[i], handlers[i], !line.quiet));
-        if (summaries.back().interrupted)
-          break;
-      }
-
-    if (cases.front().output.screen != Parameters::Screen::none &&
-        is_first_rank)
-      print_table(std::cout, summaries);
-
-    int status = 0;
-    for (const RunSummary &summary : summaries)
-      if (summary.interrupted)
-        return 5;
-      else if (!summary.converged)
-        status = 3;
-      else if (!summary.passed() && status == 0)
-        status = 1;
-    return status;
-  }
-} // namespace
-
-
-
 int main(int argc, char **argv)
 {
-  // What computes nothing needs no MPI.
-  const std::string first = argc > 1 ? argv[1] : "";
-  if (first == "--help")
-    {
-      Contact::print_help(std::cout);
-      return 0;
-    }
-  if (first == "--version")
-    {
-      Contact::print_version(std::cout);
-      return 0;
-    }
-  if (first == "--parameters")
-    {
-      Contact::print_parameters(std::cout);
-      return 0;
-    }
-
-  spare_network_of_single_process();
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  try
-    {
-      return run(Contact::parse_command_line(argc, argv));
-    }
-  catch (const Contact::InputError &error)
-    {
-      // All processes read the same.
-      if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-        std::cerr << error.what() << std::endl;
-      return 2;
-    }
-  catch (const std::exception &error)
-    {
-      std::cerr << "The program failed; this is an error of its own:\n"
-                << error.what() << std::endl;
-      // The others would wait for this one.
-      if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-        MPI_Abort(MPI_COMM_WORLD, 4);
-      return 4;
-    }
+  using namespace Contact;
+  return run_application(argc, argv, [](const auto &...arguments) {
+    return ContactProblem(arguments...).run();
+  });
 }

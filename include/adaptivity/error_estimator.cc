@@ -10,6 +10,9 @@
 
 #include <algorithm>
 
+#include "adaptivity/refinement.h"
+#include "base/counters.h"
+
 namespace Contact
 {
   namespace
@@ -418,5 +421,29 @@ namespace Contact
             if (carries_force(ancestor->vertex_index(v)))
               eta_square[cell->active_cell_index()] = 0;
         }
+  }
+
+
+
+  void flag_by_estimate(const ContactModel                       &model,
+                        const Parameters::All                    &parameters,
+                        const StressRecovery                     &recovery,
+                        const std::vector<SymmetricTensor<2, 3>> &stresses,
+                        const Vector<double>                     &solution)
+  {
+    ++counters().error_estimates;
+    Mesh &mesh = *model.mesh;
+    flag_cells(mesh,
+               ErrorEstimator(*model.discretization,
+                              *model.elasticity,
+                              recovery)
+                 .indicators(stresses, model.interface.get(), solution),
+               parameters.refinement.fraction);
+    for (const auto &zone : parameters.zones())
+      if (zone.rule == Parameters::Rule::nodal && !zone.master.empty())
+        flag_slave_like_master(
+          mesh,
+          mesh.boundary(zone.slave, zone.section() + "/Slave"),
+          mesh.boundary(zone.master, zone.section() + "/Master"));
   }
 } // namespace Contact

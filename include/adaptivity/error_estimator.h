@@ -9,7 +9,7 @@
 #include <list>
 #include <optional>
 
-#include "contact/contact_interface.h"
+#include "contact/contact_model.h"
 #include "solid/stress_recovery.h"
 
 namespace Contact
@@ -120,6 +120,19 @@ namespace Contact
     const Surface             boundary;
     std::vector<Neighborhood> neighborhoods; // of its edges
   };
+
+
+
+  /**
+   * Flag the cells with the largest indicators, see ErrorEstimator and
+   * flag_cells(), from the stresses at the vertices; and the slaves of nodal
+   * zones that would become coarser than their masters.
+   */
+  void flag_by_estimate(const ContactModel                       &model,
+                        const Parameters::All                    &parameters,
+                        const StressRecovery                     &recovery,
+                        const std::vector<SymmetricTensor<2, 3>> &stresses,
+                        const Vector<double>                     &solution);
 } // namespace Contact
 
 #endif

@@ -198,6 +198,10 @@ namespace Contact
     void                     set_decisions(const std::vector<Decision> &all);
     std::vector<signed char> signature() const;
 
+    /// The decisions and the bounds.
+    template<class Archive>
+    void serialize(Archive &archive, const unsigned int);
+
     /// Add the couplings of the points.
     void add_couplings(DynamicSparsityPattern &pattern) const;
 
@@ -308,6 +312,23 @@ namespace Contact
     std::vector<unsigned int> tangential_number;
     unsigned int              n_tangential = 0;
   };
+
+
+
+  template<class Archive>
+  void ContactInterface::serialize(Archive &archive, const unsigned int)
+  {
+    std::vector<signed char> codes     = signature();
+    Vector<double>           of_points = bounds();
+    archive &codes          &of_points;
+    if (!Archive::is_loading::value)
+      return;
+    std::vector<Decision> all;
+    for (const auto code : codes)
+      all.push_back(Decision::from_code(code));
+    set_decisions(all);
+    set_bounds(of_points);
+  }
 } // namespace Contact
 
 #endif

@@ -245,6 +245,19 @@ namespace Contact
 
       Choice<SolverKind> linear_solver = SolverKind::automatic;
 
+      /// Whether the points are paired before each Newton step.
+      bool pairs_each_step() const
+      {
+        return geometry != GeometryLoop::undeformed &&
+               geometry != GeometryLoop::fixed_point;
+      }
+
+      /// Whether the bound of the shear is in the tangent.
+      bool has_moving_bound() const
+      {
+        return friction == FrictionLoop::newton;
+      }
+
       void add_parameters(ParameterHandler &prm);
       void check() const;
     };

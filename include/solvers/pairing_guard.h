@@ -66,7 +66,7 @@ namespace Contact
   private:
     static constexpr unsigned int patience = 4;
 
-    const double tolerance;
+    double       tolerance;
     unsigned int n_short    = 0; // steps that hardly moved a surface
     unsigned int n_stalled  = 0; // steps in a row without progress
     unsigned int n_renewals = 0; // where Newton's method had converged

@@ -1,0 +1,59 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_contact_model_h
+#define contact_contact_model_h
+
+#include <memory>
+
+#include "contact/contact_interface.h"
+#include "solid/elasticity.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The bodies of a scene and their contact, on the present mesh. Refinement
+   * replaces the last two: who keeps a reference to the model always sees the
+   * present ones.
+   */
+  struct ContactModel
+  {
+    std::unique_ptr<Mesh>             mesh;
+    std::unique_ptr<Discretization>   discretization;
+    std::unique_ptr<Elasticity>       elasticity;
+    std::unique_ptr<ContactInterface> interface; // none without contact
+
+    std::size_t n_displacements() const
+    {
+      return discretization->dof_handler.n_dofs();
+    }
+
+    std::size_t n_multipliers() const
+    {
+      return interface ? interface->n_multipliers() : 0;
+    }
+
+    std::size_t n_unknowns() const
+    {
+      return n_displacements() + n_multipliers();
+    }
+
+    bool has_friction() const
+    {
+      return interface && interface->has_friction();
+    }
+
+    /// Whether points are paired with bodies that have moved.
+    bool geometry_follows(const Parameters::Solution &parameters) const
+    {
+      return interface && !interface->is_tied() &&
+             parameters.geometry != Parameters::GeometryLoop::undeformed;
+    }
+  };
+} // namespace Contact
+
+#endif

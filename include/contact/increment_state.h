@@ -1,0 +1,67 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_increment_state_h
+#define contact_increment_state_h
+
+#include "contact/contact_model.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The unknowns, the displacements and then the multipliers, and where they
+   * were at the start of the load increment: slip counts from there, and an
+   * increment that does not converge ends there again. Every rank has all of
+   * them.
+   */
+  struct IncrementState
+  {
+    Vector<double> solution;
+    Vector<double> start;
+    double         load_factor = 0;
+
+    /// Undeformed, without forces.
+    void reinit(const std::size_t n_unknowns)
+    {
+      solution.reinit(n_unknowns);
+      start.reinit(n_unknowns);
+    }
+
+    /// An increment starts here, up to the load factor @p to.
+    void begin(const ContactModel &model, const double to)
+    {
+      load_factor = to;
+      start       = solution;
+      if (model.interface)
+        points_at_start = model.interface->points;
+    }
+
+    /// Back to its start, also of what the points know and which edges they
+    /// face.
+    void roll_back(ContactModel &model)
+    {
+      solution = start;
+      if (model.interface)
+        model.interface->points = points_at_start;
+    }
+
+    /// The largest change of a displacement [mm]. Collective.
+    double largest_change(const ContactModel   &model,
+                          const Vector<double> &from) const
+    {
+      double change = 0;
+      for (unsigned int i = 0; i < model.n_displacements(); ++i)
+        change = std::max(change, std::abs(solution[i] - from[i]));
+      return Utilities::MPI::max(change, model.discretization->communicator);
+    }
+
+  private:
+    std::vector<ContactPoint> points_at_start;
+  };
+} // namespace Contact
+
+#endif

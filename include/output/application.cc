@@ -1,0 +1,197 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "output/application.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <set>
+
+#include "base/command_line.h"
+#include "base/errors.h"
+#include "base/files.h"
+#include "base/interruption.h"
+#include "output/result_tables.h"
+
+namespace Contact
+{
+  namespace
+  {
+    // The same case on the mesh refined once, by which errors are estimated.
+    Parameters::All refined_case(const Parameters::All &coarse)
+    {
+      Parameters::All finer = coarse;
+      finer.name += "_refined";
+      finer.mesh.refinements += 1;
+      finer.output.vtu = finer.output.profile = false;
+      return finer;
+    }
+
+
+
+    // The discretization error of a run on one mesh is asked for by another one
+    // on the mesh refined once, which leaves no files but its summary: the
+    // parameters are those of the first.
+    RunSummary run_case(const Parameters::All  &parameters,
+                        const ParameterHandler &prm,
+                        const bool              verbose,
+                        const SolveCase        &solve)
+    {
+      RunSummary summary = solve(parameters, prm, verbose);
+      if (!parameters.probes.estimate_errors || !summary.converged ||
+          parameters.refinement.n_levels > 0)
+        return summary;
+
+      const Parameters::All finer   = refined_case(parameters);
+      const RunSummary      refined = solve(finer, prm, verbose);
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        {
+          std::error_code error;
+          std::filesystem::remove(finer.directory() / "parameters.prm", error);
+        }
+      summary.interrupted = refined.interrupted;
+      if (refined.converged)
+        {
+          estimate_errors(summary, refined.probes);
+          write_on_first_rank(MPI_COMM_WORLD,
+                              parameters.directory() / "summary.json",
+                              [&](std::ostream &out) {
+                                write_summary(summary, out);
+                              });
+        }
+      else if (!refined.interrupted)
+        std::cerr
+          << parameters.name
+          << ": no error estimate, because the case does not converge on "
+             "the mesh refined once: "
+          << refined.message << std::endl;
+      return summary;
+    }
+
+
+
+    // A process that no launcher has started as one of several talks to nobody:
+    // without Open MPI's daemon and network it starts in half the time. What
+    // the environment says comes first. It needs no directory for its session,
+    // either: all such processes would share one, and remove it from under each
+    // other.
+    void spare_network_of_single_process()
+    {
+      for (const char *launched :
+           {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
+        if (std::getenv(launched) != nullptr)
+          return;
+      setenv("OMPI_MCA_ess_singleton_isolated", "1", /*overwrite=*/0);
+      setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
+      setenv("OMPI_MCA_pml", "ob1", 0);
+      setenv("OMPI_MCA_btl", "self", 0);
+      setenv("OMPI_MCA_osc", "^ucx", 0);
+    }
+
+
+
+    // All files are read before the first one is computed: a wrong entry in the
+    // last one should not cost the time of the others.
+    int run(const CommandLine &line, const SolveCase &solve)
+    {
+      const bool is_first_rank =
+        Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+      std::vector<Parameters::All>  cases(line.files.size());
+      std::vector<ParameterHandler> handlers(line.files.size());
+      for (unsigned int i = 0; i < cases.size(); ++i)
+        {
+          read_parameters(line.files[i], line.overrides, handlers[i], cases[i]);
+          cases[i].n_ranks = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+          cases[i].restart = line.restart;
+          cases[i].check();
+        }
+      note_signals();
+
+      std::set<std::filesystem::path> directories;
+      for (const Parameters::All &a_case : cases)
+        if (!directories.insert(a_case.directory()).second ||
+            (a_case.probes.estimate_errors &&
+             !directories.insert(refined_case(a_case).directory()).second))
+          throw InputError(
+            "two cases have the name '" + a_case.name +
+              "', and the same directory for their results",
+            "command line",
+            "rename one of the files, or run them one by one with "
+            "another Output/Directory");
+
+      std::vector<RunSummary> summaries;
+      for (unsigned int i = 0; i < cases.size(); ++i)
+        {
+          summaries.push_back(
+            run_case(cases[i], handlers[i], !line.quiet, solve));
+          if (summaries.back().interrupted)
+            break;
+        }
+
+      if (cases.front().output.screen != Parameters::Screen::none &&
+          is_first_rank)
+        print_table(std::cout, summaries);
+
+      int status = 0;
+      for (const RunSummary &summary : summaries)
+        if (summary.interrupted)
+          return 5;
+        else if (!summary.converged)
+          status = 3;
+        else if (!summary.passed() && status == 0)
+          status = 1;
+      return status;
+    }
+  } // namespace
+
+
+
+  int run_application(int argc, char **argv, const SolveCase &solve)
+  {
+    // What computes nothing needs no MPI.
+    const std::string first = argc > 1 ? argv[1] : "";
+    if (first == "--help")
+      {
+        print_help(std::cout);
+        return 0;
+      }
+    if (first == "--version")
+      {
+        print_version(std::cout);
+        return 0;
+      }
+    if (first == "--parameters")
+      {
+        print_parameters(std::cout);
+        return 0;
+      }
+
+    spare_network_of_single_process();
+    const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    try
+      {
+        return run(parse_command_line(argc, argv), solve);
+      }
+    catch (const InputError &error)
+      {
+        // All processes read the same.
+        if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+          std::cerr << error.what() << std::endl;
+        return 2;
+      }
+    catch (const std::exception &error)
+      {
+        std::cerr << "The program failed; this is an error of its own:\n"
+                  << error.what() << std::endl;
+        // The others would wait for this one.
+        if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+          MPI_Abort(MPI_COMM_WORLD, 4);
+        return 4;
+      }
+  }
+} // namespace Contact

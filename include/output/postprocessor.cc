@@ -1,0 +1,252 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "output/postprocessor.h"
+
+#include "base/counters.h"
+#include "output/probes.h"
+
+namespace Contact
+{
+  Postprocessor::Postprocessor(const Parameters::All &parameters,
+                               const ContactModel    &model,
+                               const IncrementState  &state,
+                               Report                &report)
+    : parameters(parameters)
+    , model(model)
+    , state(state)
+    , report(report)
+  {
+  }
+
+
+
+  void Postprocessor::check_probes() const
+  {
+    for (const auto &[name, probe] : parameters.probes.probes)
+      for (unsigned int i = 1; i < probe.size(); ++i)
+        {
+          model.mesh->point(probe[i], "Probes/Probes");
+          if (is_contact_traction(probe[0]))
+            check_contact_traction(name,
+                                   probe[0],
+                                   probe[i],
+                                   model.interface.get(),
+                                   *model.discretization);
+        }
+  }
+
+
+
+  const std::vector<SymmetricTensor<2, 3>> &Postprocessor::recovered_stresses()
+  {
+    if (!recovery)
+      recovery = std::make_unique<StressRecovery>(*model.discretization);
+    if (stresses.empty())
+      {
+        ++counters().stress_recoveries;
+        stresses = recovery->vertex_stresses(*model.elasticity, state.solution);
+      }
+    return stresses;
+  }
+
+
+
+  ContactResults Postprocessor::results(const ContactZone &zone) const
+  {
+    return contact_results(*model.interface,
+                           zone,
+                           state.solution,
+                           state.start,
+                           parameters.solution.has_moving_bound());
+  }
+
+
+
+  void Postprocessor::record_increment()
+  {
+    IncrementRecord &record = report.increment();
+    if (model.interface)
+      {
+        const StatusCount count = model.interface->count();
+        record.active           = count.active;
+        record.stick            = count.stick;
+        record.slip             = count.active - count.stick;
+        for (const auto &zone : model.interface->zones)
+          record.contact[zone->name] = results(*zone).by_name();
+      }
+    for (const auto &[name, definition] : parameters.probes.probes)
+      if (!is_stress(definition[0]))
+        record.probes[name] = probe(definition);
+  }
+
+
+
+  void Postprocessor::write_increment(const unsigned int k,
+                                      const bool         is_complete)
+  {
+    const auto &output  = parameters.output;
+    const bool  is_last = is_complete && k == parameters.solution.n_increments;
+    if (is_last && model.interface)
+      compare_with_theory();
+    const bool with_profile = is_last && output.profile;
+    const bool with_nodes   = is_last && output.nodes;
+    if (!output.vtu && !with_profile && !with_nodes)
+      return;
+    TimerOutput::Scope scope(report.timer, "output");
+
+    Vector<double> forces;
+    if (model.interface)
+      forces = contact_forces(*model.interface,
+                              state.solution,
+                              state.start,
+                              parameters.solution.has_moving_bound());
+    if (with_nodes)
+      report.files().write_nodes(state.solution, forces);
+    if (!output.vtu && !with_profile)
+      return;
+
+    std::vector<ZoneProfile> profiles;
+    if (model.interface)
+      profiles = zone_profiles(*model.interface,
+                               *model.discretization,
+                               recovered_stresses(),
+                               state.solution,
+                               state.start,
+                               exact,
+                               /*with_masters=*/with_profile);
+    if (output.vtu)
+      report.files().write_bodies(k,
+                                  state.load_factor,
+                                  recovered_stresses(),
+                                  state.solution,
+                                  forces);
+    if (output.vtu && model.interface)
+      report.files().write_contact(k, state.load_factor, profiles);
+    if (with_profile && model.interface)
+      report.files().write_profile(profiles);
+  }
+
+
+
+  // What the contact is like in a few numbers, and what it should be like where
+  // theory has an answer.
+  void Postprocessor::compare_with_theory()
+  {
+    RunSummary &summary = report.summary;
+    summary.contact     = report.increment().contact;
+
+    TimerOutput::Scope scope(report.timer, "verification");
+    const ContactZone &zone = *model.interface->zones[0];
+    try
+      {
+        exact = make_exact_solution(parameters,
+                                    *model.discretization,
+                                    zone,
+                                    results(zone));
+      }
+    catch (const ExceptionBase &failure)
+      {
+        // That is about the theory: the solution is what it is.
+        std::ostringstream reason;
+        failure.print_info(reason);
+        report.print_error(": not compared with theory: " +
+                           Utilities::trim(reason.str()));
+      }
+    if (!exact)
+      return;
+    summary.exact  = exact->values;
+    summary.errors = solution_errors(*exact,
+                                     *model.discretization,
+                                     *model.elasticity,
+                                     *model.interface,
+                                     zone,
+                                     state.solution);
+  }
+
+
+
+  void Postprocessor::record_level(const unsigned int level, const bool is_last)
+  {
+    const RunSummary &summary = report.summary;
+    LevelRecord       record;
+    {
+      TimerOutput::Scope scope(report.timer, "output");
+      for (const auto &[name, definition] : parameters.probes.probes)
+        record.probes[name] = probe(definition);
+    }
+    record.n_cells         = model.mesh->triangulation.n_global_active_cells();
+    record.n_displacements = model.n_displacements();
+    record.n_multipliers   = model.n_multipliers();
+    for (const IncrementRecord &increment : summary.increments)
+      if (increment.level == level)
+        {
+          record.newton_iterations += increment.newton_iterations;
+          record.linear_iterations += increment.linear_iterations;
+        }
+    record.time = phase_times(report.timer);
+    for (const LevelRecord &before : summary.levels)
+      for (const auto &[phase, time] : before.time)
+        {
+          record.time[phase].cpu -= time.cpu;
+          record.time[phase].wall -= time.wall;
+          record.time[phase].calls -= time.calls;
+        }
+    record.peak_memory_mb =
+      Utilities::MPI::sum(peak_memory_mb(), model.discretization->communicator);
+    report.summary.levels.push_back(record);
+    if (is_last)
+      report_probes();
+  }
+
+
+
+  // The difference between two points, if there are two.
+  double Postprocessor::probe(const std::vector<std::string> &definition)
+  {
+    const double first = value(definition[0], definition[1]);
+    return definition.size() == 2 ? first
+                                  : first - value(definition[0], definition[2]);
+  }
+
+
+
+  double Postprocessor::value(const std::string &quantity,
+                              const std::string &point)
+  {
+    const unsigned int vertex = model.mesh->point(point, "Probes/Probes");
+    if (is_contact_traction(quantity))
+      return contact_traction(quantity,
+                              vertex,
+                              model.interface.get(),
+                              *model.discretization,
+                              state.solution);
+    return probe_value(quantity,
+                       vertex,
+                       *model.discretization,
+                       is_stress(quantity) ? recovered_stresses() : stresses,
+                       state.solution);
+  }
+
+
+
+  void Postprocessor::report_probes()
+  {
+    for (const auto &[name, definition] : parameters.probes.probes)
+      {
+        ProbeResult result;
+        result.name  = name;
+        result.unit  = is_displacement(definition[0]) ? "mm" : "MPa";
+        result.value = report.summary.levels.back().probes.at(name);
+        if (parameters.probes.references.count(name) > 0)
+          {
+            result.reference = parameters.probes.references.at(name);
+            result.tolerance = parameters.probes.tolerances.at(name);
+          }
+        report.summary.probes.push_back(result);
+      }
+    estimate_errors(report.summary);
+  }
+} // namespace Contact

@@ -1,0 +1,79 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_postprocessor_h
+#define contact_postprocessor_h
+
+#include "contact/contact_results.h"
+#include "contact/increment_state.h"
+#include "output/report.h"
+#include "solid/stress_recovery.h"
+#include "verification/exact_solution.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The results of a state: probes, the contact zone in numbers, files for
+   * ParaView and for curves, and the comparison with theory. Stresses are
+   * recovered when one of them asks for it.
+   */
+  class Postprocessor
+  {
+  public:
+    Postprocessor(const Parameters::All &parameters,
+                  const ContactModel    &model,
+                  const IncrementState  &state,
+                  Report                &report);
+
+    /// Check that the points of all probes exist, and carry what is asked for.
+    /// Throws InputError. Collective.
+    void check_probes() const;
+
+    /// The state is another one.
+    void forget_stresses()
+    {
+      stresses.clear();
+    }
+
+    /// Cauchy stresses at the vertices [MPa]. Collective.
+    const std::vector<SymmetricTensor<2, 3>> &recovered_stresses();
+
+    const StressRecovery &stress_recovery() const
+    {
+      return *recovery;
+    }
+
+    /// Into the record of the present increment.
+    void record_increment();
+
+    /// Results at the end of the increment @p k, or, where that is not reached,
+    /// of the last state.
+    void write_increment(const unsigned int k, const bool is_complete);
+
+    /// What this level took, since the level before, and its probes; at the
+    /// last one these are those of the run.
+    void record_level(const unsigned int level, const bool is_last);
+
+  private:
+    ContactResults results(const ContactZone &zone) const;
+    double         probe(const std::vector<std::string> &definition);
+    double         value(const std::string &quantity, const std::string &point);
+    void           compare_with_theory();
+    void           report_probes();
+
+    const Parameters::All &parameters;
+    const ContactModel    &model;
+    const IncrementState  &state;
+    Report                &report;
+
+    std::unique_ptr<StressRecovery>    recovery; // as it is asked for
+    std::vector<SymmetricTensor<2, 3>> stresses; // likewise
+    std::optional<ExactSolution>       exact;
+  };
+} // namespace Contact
+
+#endif

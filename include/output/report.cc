@@ -1,0 +1,221 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "output/report.h"
+
+#include <iomanip>
+#include <iostream>
+
+#include "base/counters.h"
+#include "output/ledger.h"
+#include "output/result_tables.h"
+
+namespace Contact
+{
+  Report::Report(const Parameters::All  &parameters,
+                 const ParameterHandler &prm,
+                 const bool              verbose,
+                 const MPI_Comm          communicator)
+    : screen(std::cout,
+             verbose && parameters.output.screen == Parameters::Screen::full &&
+               Utilities::MPI::this_mpi_process(communicator) == 0)
+    , timer(std::cout, TimerOutput::never, TimerOutput::cpu_and_wall_times)
+    , parameters(parameters)
+    , prm(prm)
+    , communicator(communicator)
+  {
+    counters()        = Counters();
+    summary.case_name = parameters.name;
+    summary.mesh_file =
+      std::filesystem::path(parameters.mesh.file).filename().string();
+  }
+
+
+
+  void Report::open_files(const Discretization &discretization)
+  {
+    result_files =
+      std::make_unique<ResultFiles>(parameters.directory(), discretization);
+    if (!parameters.restart)
+      result_files->remove_increments();
+    summary.message = "the run has not ended";
+    write_summary();
+  }
+
+
+
+  void Report::record_size(const ContactModel &model)
+  {
+    summary.n_displacements = model.n_displacements();
+    summary.n_multipliers   = model.n_multipliers();
+  }
+
+
+
+  void Report::begin_increment(const unsigned int level,
+                               const unsigned int increment,
+                               const double       load_factor)
+  {
+    summary.increments.emplace_back();
+    IncrementRecord &record = summary.increments.back();
+    record.level            = level;
+    record.load_factor      = load_factor;
+    screen << "Increment " << increment << " of "
+           << parameters.solution.n_increments << ", load factor "
+           << load_factor << std::endl;
+  }
+
+
+
+  void Report::end_increment()
+  {
+    IncrementRecord &record = increment();
+    record.converged        = true;
+    screen << "  converged: " << record.newton_iterations << " Newton steps, "
+           << record.friction_iterations << " friction turns, "
+           << record.geometry_iterations << " geometry turns" << std::endl;
+  }
+
+
+
+  void Report::print_scene(const ContactModel &model, const std::string &system)
+  {
+    const std::vector<Effect> effects = find_effects(parameters,
+                                                     *model.discretization,
+                                                     model.interface.get(),
+                                                     system);
+    for (const Effect &effect : effects)
+      summary.effects[effect.name] = effect.choice;
+
+    screen << "Case " << parameters.name << ": "
+           << model.mesh->triangulation.n_global_active_cells() << " cells of "
+           << summary.mesh_file << ", " << summary.n_displacements
+           << " displacements, " << summary.n_multipliers << " multipliers"
+           << std::endl;
+    if (screen.is_active())
+      print_effects(screen.get_stream(), effects);
+    if (model.interface)
+      for (const auto &zone : parameters.zones())
+        print_note_on_arcs(model, zone);
+  }
+
+
+
+  // A mesh has but a polygon of a circle, which who draws one may not know.
+  void Report::print_note_on_arcs(const ContactModel        &model,
+                                  const Parameters::Contact &zone)
+  {
+    if (parameters.element.degree == 1 && parameters.mesh.refinements == 0 &&
+        parameters.refinement.n_levels == 0)
+      return;
+    for (const std::string &name : {zone.slave, zone.master})
+      {
+        if (name.empty() || parameters.mesh.arcs.count(name) > 0)
+          continue;
+        const double bend = Surface(*model.discretization,
+                                    model.mesh->boundary(name, zone.section()),
+                                    name)
+                              .largest_bend();
+        if (bend > 0.1)
+          screen
+            << "Note: '" << name << "' bends by up to " << bend
+            << " degrees at a node and is no arc: at degree 2 and on finer "
+               "meshes it keeps its corners. For a circle: Mesh/Arcs = "
+            << name << ": x, y, radius" << std::endl;
+      }
+  }
+
+
+
+  void Report::print_level(const ContactModel &model,
+                           const unsigned int  level,
+                           const std::string  &system)
+  {
+    screen << "Level " << level << ": "
+           << model.mesh->triangulation.n_global_active_cells() << " cells, "
+           << summary.n_displacements << " displacements, "
+           << summary.n_multipliers << " multipliers, " << system << std::endl;
+  }
+
+
+
+  void Report::print_step(const ContactModel &model,
+                          const unsigned int  step,
+                          const double        residual,
+                          const unsigned int  n_changes)
+  {
+    screen << "    Newton " << std::setw(2) << step << "  residual "
+           << std::scientific << std::setprecision(3) << residual
+           << std::defaultfloat << std::setprecision(6);
+    if (model.interface)
+      {
+        const StatusCount count = model.interface->count();
+        screen << "  active " << count.active << "  stick " << count.stick
+               << "  changes " << n_changes;
+      }
+    screen << std::endl;
+  }
+
+
+
+  void Report::record(const Invariants &found)
+  {
+    IncrementRecord &record = increment();
+    record.invariants       = found.measures();
+    record.works            = found.works();
+    record.violations       = found.violations;
+    record.reactions        = found.reactions;
+
+    std::ostringstream where;
+    where << ", load factor " << record.load_factor;
+    for (const std::string &note : found.notes)
+      print_error(where.str() + ": note: " + note);
+    for (const std::string &violation : found.violations)
+      print_error(where.str() + ": violated: " + violation);
+  }
+
+
+
+  void Report::print_error(const std::string &message) const
+  {
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      std::cerr << parameters.name << message << std::endl;
+  }
+
+
+
+  void Report::write_summary() const
+  {
+    result_files->write_first("summary.json", [this](std::ostream &out) {
+      Contact::write_summary(summary, out);
+    });
+  }
+
+
+
+  void Report::finish()
+  {
+    result_files->write_first("parameters.prm", [this](std::ostream &out) {
+      prm.print_parameters(out, ParameterHandler::ShortPRM);
+    });
+    summary.time     = phase_times(timer);
+    summary.counters = counters().by_name();
+    summary.peak_memory_mb =
+      Utilities::MPI::sum(peak_memory_mb(), communicator);
+    // This file counts, too.
+    ++summary.counters["files"];
+    write_summary();
+    if (summary.converged &&
+        Utilities::MPI::this_mpi_process(communicator) == 0)
+      std::filesystem::remove(result_files->directory / "restart.bin");
+
+    if (screen.is_active())
+      {
+        print_levels(screen.get_stream(), summary);
+        print_counters(screen.get_stream(), summary);
+        screen << "Results: " << result_files->directory.string() << std::endl;
+      }
+  }
+} // namespace Contact

@@ -1,0 +1,101 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_report_h
+#define contact_report_h
+
+#include <deal.II/base/conditional_ostream.h>
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/timer.h>
+
+#include <memory>
+#include <string>
+
+#include "contact/contact_model.h"
+#include "output/result_files.h"
+#include "output/summary.h"
+#include "verification/invariants.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The report of a run: lines on the screen, the time of its phases, and its
+   * summary, which is written after each increment.
+   */
+  class Report
+  {
+  public:
+    Report(const Parameters::All  &parameters,
+           const ParameterHandler &prm,
+           const bool              verbose,
+           const MPI_Comm          communicator);
+
+    ConditionalOStream screen;
+    TimerOutput        timer;
+    RunSummary         summary;
+
+    /// That of the present increment.
+    IncrementRecord &increment()
+    {
+      return summary.increments.back();
+    }
+
+    /// From here on the results of an earlier run are replaced; until this one
+    /// ends, its summary says that it has not converged.
+    void open_files(const Discretization &discretization);
+
+    ResultFiles &files()
+    {
+      return *result_files;
+    }
+
+    /// The size of the model, new on each mesh.
+    void record_size(const ContactModel &model);
+
+    /// An increment, or the attempt at one, begins; it has converged.
+    void begin_increment(const unsigned int level,
+                         const unsigned int increment,
+                         const double       load_factor);
+    void end_increment();
+
+    /// What the scene is made of.
+    void print_scene(const ContactModel &model, const std::string &system);
+
+    void print_level(const ContactModel &model,
+                     const unsigned int  level,
+                     const std::string  &system);
+
+    /// One line for a step of Newton's method.
+    void print_step(const ContactModel &model,
+                    const unsigned int  step,
+                    const double        residual,
+                    const unsigned int  n_changes);
+
+    /// The invariants of the present increment; notes and violations go to
+    /// the standard error.
+    void record(const Invariants &found);
+
+    /// A message on the standard error, once.
+    void print_error(const std::string &message) const;
+
+    void write_summary() const;
+
+    /// The end of the run.
+    void finish();
+
+  private:
+    void print_note_on_arcs(const ContactModel        &model,
+                            const Parameters::Contact &zone);
+
+    const Parameters::All       &parameters;
+    const ParameterHandler      &prm;
+    const MPI_Comm               communicator;
+    std::unique_ptr<ResultFiles> result_files;
+  };
+} // namespace Contact
+
+#endif

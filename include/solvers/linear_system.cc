@@ -1,0 +1,246 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/linear_system.h"
+
+#include <iomanip>
+
+#include "solvers/condensed_system.h"
+#include "solvers/saddle_point_system.h"
+
+namespace Contact
+{
+  namespace
+  {
+    class SaddlePointForm : public LinearSystem
+    {
+    public:
+      SaddlePointForm(const ContactModel                    &model,
+                      const Parameters::All                 &parameters,
+                      const ContactInterface::Linearization &linearization,
+                      ConditionalOStream                    &screen,
+                      TimerOutput                           &timer)
+        : model(model)
+        , screen(screen)
+        , system(*model.discretization,
+                 *model.elasticity,
+                 model.interface.get(),
+                 linearization,
+                 model.geometry_follows(parameters.solution),
+                 timer)
+      {
+      }
+
+      std::string name() const override
+      {
+        return "saddle point, UMFPACK";
+      }
+
+      bool has_multipliers() const override
+      {
+        return true;
+      }
+
+      void update_pattern(const bool edges_have_changed) override
+      {
+        system.update_pattern(edges_have_changed);
+      }
+
+      void forget_pattern() override
+      {
+        system.forget_pattern();
+      }
+
+      void recover_multipliers(const Vector<double> &,
+                               IncrementState &) override
+      {
+      }
+
+      void begin_newton() override
+      {
+        searches = true;
+      }
+
+      // The step under the present status, then the search for the status that
+      // the linearised problem has.
+      unsigned int make_step(const Step     &step,
+                             Vector<double> &rhs,
+                             IncrementState &state) override
+      {
+        const bool settled = system.solve(state.solution,
+                                          state.start,
+                                          state.load_factor,
+                                          step.residual,
+                                          step.last_residual,
+                                          searches,
+                                          rhs);
+        state.solution += rhs;
+        model.discretization->constrain_update(state.solution,
+                                               state.load_factor);
+        if (!settled)
+          screen << "      the search of the active set does not settle: the "
+                    "points decide from step to step"
+                 << std::endl;
+        searches = searches && settled;
+        return 0;
+      }
+
+      std::string contradiction() const override
+      {
+        return "";
+      }
+
+    private:
+      const ContactModel &model;
+      ConditionalOStream &screen;
+      SaddlePointSystem   system;
+      bool                searches = true;
+    };
+
+
+
+    class CondensedForm : public LinearSystem
+    {
+    public:
+      CondensedForm(const ContactModel    &model,
+                    const Parameters::All &parameters,
+                    const bool             moving_bound,
+                    ConditionalOStream    &screen,
+                    TimerOutput           &timer)
+        : model(model)
+        , parameters(parameters.solution)
+        , screen(screen)
+        , solver(choose_solver(model, parameters.solution))
+        , elimination(*model.discretization,
+                      model.interface.get(),
+                      moving_bound)
+        , system(*model.discretization,
+                 *model.elasticity,
+                 model.interface.get(),
+                 elimination,
+                 solver,
+                 timer)
+        , update(model.n_displacements())
+      {
+      }
+
+      std::string name() const override
+      {
+        return "condensed, " + solver.name();
+      }
+
+      bool has_multipliers() const override
+      {
+        return false;
+      }
+
+      void update_pattern(const bool) override
+      {
+        system.update_pattern();
+      }
+
+      // That of the next pairing is compared with this one.
+      void forget_pattern() override
+      {
+      }
+
+      // A bound that follows the pressure does so in between.
+      void recover_multipliers(const Vector<double> &rhs,
+                               IncrementState       &state) override
+      {
+        elimination.recover_pressures(rhs, state.solution);
+        if (model.has_friction() &&
+            parameters.friction == Parameters::FrictionLoop::each_step)
+          model.interface->update_bounds(state.solution, state.start);
+        elimination.recover_shears(rhs, state.solution);
+      }
+
+      void begin_newton() override
+      {
+      }
+
+      // Inexact Newton: a step that others follow is not solved further than it
+      // is good for, a thousandth of the residual, and well enough for the
+      // points to decide on. Linear bodies under a status that stays are solved
+      // in one.
+      unsigned int make_step(const Step     &step,
+                             Vector<double> &rhs,
+                             IncrementState &state) override
+      {
+        const bool decided =
+          step.number > 0 || !model.interface || model.interface->is_tied();
+        const bool one_solve_is_all =
+          model.elasticity->is_linear() && decided &&
+          !parameters.pairs_each_step() &&
+          parameters.friction == Parameters::FrictionLoop::fixed_point;
+        const double forcing =
+          std::min(1e-5, parameters.linear_tolerance * step.residual);
+        const double relative =
+          std::max(0.1 * step.tolerance, one_solve_is_all ? 0. : forcing);
+        const unsigned int n = system.solve(state.solution,
+                                            state.start,
+                                            rhs,
+                                            relative * step.force,
+                                            update);
+        screen << "      solved to " << std::scientific << std::setprecision(1)
+               << relative << std::defaultfloat << std::setprecision(6)
+               << " in " << n << " iterations" << std::endl;
+        for (unsigned int i = 0; i < update.size(); ++i)
+          state.solution[i] += update[i];
+        model.discretization->constrain_update(state.solution,
+                                               state.load_factor);
+        return n;
+      }
+
+      std::string contradiction() const override
+      {
+        return elimination.contradiction();
+      }
+
+    private:
+      using SolverChoice = Parameters::Choice<Parameters::SolverKind>;
+
+      static SolverChoice choose_solver(const ContactModel         &model,
+                                        const Parameters::Solution &parameters)
+      {
+        if (parameters.linear_solver != Parameters::SolverKind::automatic)
+          return parameters.linear_solver;
+        return DefiniteSolver::choose(model.n_displacements(),
+                                      Utilities::MPI::n_mpi_processes(
+                                        model.discretization->communicator));
+      }
+
+      const ContactModel        &model;
+      const Parameters::Solution parameters;
+      ConditionalOStream        &screen;
+      const SolverChoice         solver;
+      ContactElimination         elimination;
+      CondensedSystem            system;
+      Vector<double>             update; // of the displacements
+    };
+  } // namespace
+
+
+
+  std::unique_ptr<LinearSystem>
+  LinearSystem::create(const ContactModel                    &model,
+                       const Parameters::All                 &parameters,
+                       const ContactInterface::Linearization &linearization,
+                       ConditionalOStream                    &screen,
+                       TimerOutput                           &timer)
+  {
+    if (parameters.is_condensed(model.n_displacements()))
+      return std::make_unique<CondensedForm>(model,
+                                             parameters,
+                                             linearization.moving_bound,
+                                             screen,
+                                             timer);
+    return std::make_unique<SaddlePointForm>(model,
+                                             parameters,
+                                             linearization,
+                                             screen,
+                                             timer);
+  }
+} // namespace Contact

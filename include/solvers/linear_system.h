@@ -1,0 +1,80 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_linear_system_h
+#define contact_linear_system_h
+
+#include <deal.II/base/conditional_ostream.h>
+#include <deal.II/base/timer.h>
+
+#include "contact/increment_state.h"
+#include "parameters/parameters.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The linear system of Newton's method, in one of two forms: with the
+   * multipliers as unknowns (SaddlePointSystem) or with the active points
+   * eliminated (CondensedSystem).
+   */
+  class LinearSystem
+  {
+  public:
+    /// That of the parameters. @p linearization may change from step to step.
+    static std::unique_ptr<LinearSystem>
+    create(const ContactModel                    &model,
+           const Parameters::All                 &parameters,
+           const ContactInterface::Linearization &linearization,
+           ConditionalOStream                    &screen,
+           TimerOutput                           &timer);
+
+    virtual ~LinearSystem() = default;
+
+    /// The form and the solver.
+    virtual std::string name() const = 0;
+
+    /// Whether the multipliers are unknowns. If not they follow from the
+    /// forces of the bodies, by recover_multipliers().
+    virtual bool has_multipliers() const = 0;
+
+    /// The points have been paired, and some perhaps with other edges.
+    virtual void update_pattern(const bool edges_have_changed) = 0;
+
+    /// The points are no longer those that the pattern was made for.
+    virtual void forget_pattern() = 0;
+
+    /// Set the multipliers of the state from @p rhs, minus the residual of the
+    /// bodies alone. Does nothing if they are unknowns.
+    virtual void recover_multipliers(const Vector<double> &rhs,
+                                     IncrementState       &state) = 0;
+
+    /// Newton's method begins.
+    virtual void begin_newton() = 0;
+
+    /// The Newton step to make.
+    struct Step
+    {
+      unsigned int number;        // from zero
+      double       residual;      // [-], see ConvergenceTest
+      double       last_residual; // before the last step
+      double       tolerance;     // of Newton's method [-]
+      double       force;         // that they are relative to [N per mm]
+    };
+
+    /// Make it, under the present status of the points and from minus the
+    /// residual @p rhs, which is overwritten. Returns the number of linear
+    /// iterations.
+    virtual unsigned int
+    make_step(const Step &step, Vector<double> &rhs, IncrementState &state) = 0;
+
+    /// Of what may be why Newton's method does not converge: a sentence, or
+    /// nothing.
+    virtual std::string contradiction() const = 0;
+  };
+} // namespace Contact
+
+#endif

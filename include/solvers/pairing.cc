@@ -1,0 +1,182 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/pairing.h"
+
+#include "base/counters.h"
+
+namespace Contact
+{
+  using Parameters::GeometryLoop;
+
+  Pairing::Pairing(const ContactModel    &model,
+                   const Parameters::All &parameters,
+                   TimerOutput           &timer)
+    : model(model)
+    , parameters(parameters)
+    , timer(timer)
+    , guard(parameters.solution.geometry_tolerance)
+  {
+    present.moving_bound = parameters.solution.has_moving_bound();
+  }
+
+
+
+  void Pairing::begin_level(LinearSystem &system)
+  {
+    this->system = &system;
+    freeze(false);
+  }
+
+
+
+  bool Pairing::follows() const
+  {
+    return model.geometry_follows(parameters.solution);
+  }
+
+
+
+  bool Pairing::follows_each_step() const
+  {
+    return follows() && parameters.solution.pairs_each_step();
+  }
+
+
+
+  // The tangent knows how projections and normals move as long as they do.
+  void Pairing::freeze(const bool frozen)
+  {
+    is_frozen = frozen;
+    present.moving_geometry =
+      parameters.geometry(model.n_displacements()) == GeometryLoop::newton &&
+      !frozen;
+  }
+
+
+
+  void Pairing::pair(const Vector<double> &configuration)
+  {
+    timer.enter_subsection("search");
+    paired_at = configuration;
+    if (model.interface)
+      ++counters().pairings;
+    if (follows() && !configuration.all_zero())
+      ++counters().geometry_updates;
+    const bool is_undeformed =
+      parameters.solution.geometry == GeometryLoop::undeformed;
+    const bool changed =
+      model.interface &&
+      model.interface->pair(is_undeformed ? Vector<double>(configuration.size())
+                                          : configuration,
+                            present.moving_geometry);
+    timer.leave_subsection();
+    system->update_pattern(changed);
+  }
+
+
+
+  void Pairing::renew(const Vector<double> &solution, Relaxation &relaxation)
+  {
+    const double part = relaxation.length(
+      Vector<double>(solution.begin(),
+                     solution.begin() + model.n_displacements()));
+    Vector<double> configuration = paired_at;
+    configuration.sadd(1 - part, part, solution);
+    pair(configuration);
+  }
+
+
+
+  void Pairing::begin_newton()
+  {
+    guard      = PairingGuard(parameters.solution.geometry_tolerance);
+    relaxation = Relaxation();
+    is_jumping = false;
+    freeze(false);
+  }
+
+
+
+  void Pairing::follow(const Vector<double> &solution, const bool after_a_step)
+  {
+    if (!follows_each_step() || is_frozen)
+      return;
+    if (!after_a_step || present.moving_geometry)
+      {
+        extrapolation.forget();
+        pair(solution);
+        return;
+      }
+    Vector<double> step(model.n_displacements());
+    for (unsigned int i = 0; i < step.size(); ++i)
+      step[i] = solution[i] - paired_at[i];
+    const double   length        = extrapolation.length(step);
+    Vector<double> configuration = paired_at;
+    configuration.sadd(1 - length, length, solution);
+    pair(length == 1 ? solution : configuration);
+  }
+
+
+
+  double Pairing::misplacement(const IncrementState &state) const
+  {
+    return model.interface->largest_change(state.solution, paired_at);
+  }
+
+
+
+  double Pairing::way(const IncrementState &state) const
+  {
+    return model.interface->largest_change(state.solution, state.start);
+  }
+
+
+
+  void Pairing::advance(const IncrementState &state,
+                        const Vector<double> &last,
+                        const bool            progress)
+  {
+    if (!follows_each_step())
+      return;
+    guard.advance(model.interface->largest_change(state.solution, last),
+                  way(state),
+                  progress);
+    freeze(guard.is_frozen());
+  }
+
+
+
+  bool Pairing::accepts(const IncrementState &state)
+  {
+    if (!follows_each_step() || guard.accepts(misplacement(state), way(state)))
+      return true;
+    is_jumping =
+      guard.goes_in_circles() &&
+      guard.accepts(misfit_of_new_pairing(state.solution), way(state));
+    return is_jumping;
+  }
+
+
+
+  // How far the surfaces, paired where they are now, would be from touching
+  // each other where they are in contact, and from being apart elsewhere.
+  double Pairing::misfit_of_new_pairing(const Vector<double> &solution)
+  {
+    const Vector<double> last = paired_at;
+    pair(solution);
+    const double misfit = model.interface->largest_misfit(solution);
+    pair(last);
+    return misfit;
+  }
+
+
+
+  void Pairing::renew(const Vector<double> &solution)
+  {
+    renew(solution, relaxation);
+    guard.count_renewal();
+  }
+} // namespace Contact

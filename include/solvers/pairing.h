@@ -1,0 +1,116 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_pairing_h
+#define contact_pairing_h
+
+#include <deal.II/base/timer.h>
+
+#include "contact/increment_state.h"
+#include "parameters/parameters.h"
+#include "solvers/aitken.h"
+#include "solvers/linear_system.h"
+#include "solvers/pairing_guard.h"
+#include "solvers/relaxation.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The pairing of the contact points with the master in the course of Newton's
+   * method: under which displacements it is made, whether the tangent knows how
+   * it moves with the bodies, and whether a state may be accepted that is not
+   * the one it was made under.
+   */
+  class Pairing
+  {
+  public:
+    Pairing(const ContactModel    &model,
+            const Parameters::All &parameters,
+            TimerOutput           &timer);
+
+    /// A new mesh, whose linear system is @p system.
+    void begin_level(LinearSystem &system);
+
+    /// How the kernel linearises at present.
+    const ContactInterface::Linearization &linearization() const
+    {
+      return present;
+    }
+
+    /// Whether the points are paired with bodies that have moved, and whether
+    /// before each Newton step.
+    bool follows() const;
+    bool follows_each_step() const;
+
+    /// Pair all points under the displacements @p configuration; in the theory
+    /// of small displacements under none.
+    void pair(const Vector<double> &configuration);
+
+    /// The displacements of the last pairing.
+    const Vector<double> &configuration() const
+    {
+      return paired_at;
+    }
+
+    /// The way of the surfaces since the last pairing, and since the start of
+    /// the increment [mm].
+    double misplacement(const IncrementState &state) const;
+    double way(const IncrementState &state) const;
+
+    /// Pair again in a fixed-point iteration that has led to @p solution: where
+    /// it jumps to and fro, on the way.
+    void renew(const Vector<double> &solution, Relaxation &relaxation);
+
+    /// Newton's method begins.
+    void begin_newton();
+
+    /// Before a Newton step: pair the bodies where they are. If the tangent
+    /// does not know how the pairing moves with them, and steps in one and the
+    /// same direction become but slowly shorter, where these lead to.
+    void follow(const Vector<double> &solution, const bool after_a_step);
+
+    /// A Newton step has led from @p last to the state; progress is the
+    /// smallest residual so far. See PairingGuard.
+    void advance(const IncrementState &state,
+                 const Vector<double> &last,
+                 const bool            progress);
+
+    /// Whether the solution under this pairing is one.
+    bool accepts(const IncrementState &state);
+
+    /// If it is not, pair anew.
+    void renew(const Vector<double> &solution);
+
+    /// The solution was accepted although closest points jump between two
+    /// places for good.
+    bool jumps() const
+    {
+      return is_jumping;
+    }
+
+  private:
+    void   freeze(const bool frozen);
+    double misfit_of_new_pairing(const Vector<double> &solution);
+
+    const ContactModel    &model;
+    const Parameters::All &parameters;
+    TimerOutput           &timer;
+    LinearSystem          *system = nullptr;
+
+    ContactInterface::Linearization present{};
+    Vector<double>                  paired_at;
+    AitkenExtrapolation             extrapolation;
+
+    // Of the present Newton's method.
+    PairingGuard guard;
+    Relaxation   relaxation;
+    bool         is_frozen  = false;
+    bool         is_jumping = false;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,169 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/rigid_body_stabilization.h"
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+#include "base/errors.h"
+
+namespace Contact
+{
+  RigidBodyStabilization::RigidBodyStabilization(const ContactModel &model,
+                                                 ConditionalOStream &screen)
+    : model(model)
+    , screen(screen)
+  {
+  }
+
+
+
+  void RigidBodyStabilization::begin_level()
+  {
+    held.clear();
+    if (model.interface)
+      turning = turning_pieces(*model.discretization,
+                               *model.elasticity,
+                               *model.interface);
+  }
+
+
+
+  bool RigidBodyStabilization::hold_free_pieces(const ContactInterface *contact)
+  {
+    auto free = free_motions(*model.discretization, contact);
+    for (const TurningPiece &piece : turning)
+      free.push_back({piece.piece, "rotation", 1});
+    bool news = false;
+    for (const FreeMotion &motion : free)
+      if (std::none_of(held.begin(), held.end(), [&](const FreeMotion &known) {
+            return known.piece == motion.piece;
+          }))
+        {
+          held.push_back(motion);
+          news = true;
+          screen << "  nothing holds " << model.mesh->piece_name(motion.piece)
+                 << " against: " << motion.name << "; it is held softly"
+                 << std::endl;
+        }
+    return news;
+  }
+
+
+
+  void RigidBodyStabilization::begin_increment()
+  {
+    n_at_start = held.size();
+  }
+
+
+
+  void RigidBodyStabilization::end_increment()
+  {
+    held.clear();
+  }
+
+
+
+  bool RigidBodyStabilization::is_needed() const
+  {
+    return !held.empty();
+  }
+
+
+
+  bool RigidBodyStabilization::has_grown() const
+  {
+    return held.size() > n_at_start;
+  }
+
+
+
+  Vector<double> RigidBodyStabilization::release(const IncrementState &state)
+  {
+    Elasticity &elasticity = *model.elasticity;
+    const bool  is_held    = !elasticity.soft_hold.held().empty();
+    if (!is_held)
+      {
+        elasticity.soft_hold.release();
+        return {};
+      }
+    Vector<double> springs =
+      elasticity.forces(state.solution, state.load_factor);
+    elasticity.soft_hold.release();
+    springs.sadd(-1, 1, elasticity.forces(state.solution, state.load_factor));
+    return springs;
+  }
+
+
+
+  // Far softer than any body, yet far above the round-off of the stiffest.
+  void RigidBodyStabilization::choose_stiffness(const double force)
+  {
+    const auto &springs = model.elasticity->soft_hold;
+    double      softest = std::numeric_limits<double>::max();
+    for (const auto &body : model.mesh->bodies)
+      softest = std::min(softest, model.elasticity->young(body.second));
+    stiffness.clear();
+    for (const FreeMotion &motion : held)
+      stiffness[motion.piece] =
+        1e-6 * softest * springs.mean_circumference(motion.piece);
+
+    for (const TurningPiece &piece : turning)
+      {
+        const auto corners =
+          model.mesh->pieces[piece.piece].box.get_boundary_points();
+        stiffness[piece.piece] =
+          std::max(stiffness[piece.piece],
+                   10 * force / corners.first.distance(corners.second));
+      }
+  }
+
+
+
+  // Against rotation, what turns in itself is held for good.
+  void RigidBodyStabilization::attach(const Vector<double> &solution)
+  {
+    Vector<double> rest = solution;
+    remove_rotations(*model.discretization, turning, rest);
+    model.elasticity->soft_hold.hold(stiffness, rest);
+  }
+
+
+
+  RigidBodyStabilization::Work
+  RigidBodyStabilization::work(const Vector<double> &solution) const
+  {
+    Vector<double> u = solution;
+    remove_rotations(*model.discretization, turning, u);
+    const auto   works = model.elasticity->soft_hold.energy(u);
+    const auto   most  = std::max_element(works.begin(),
+                                       works.end(),
+                                       [](const auto &a, const auto &b) {
+                                         return a.second < b.second;
+                                       });
+    const double work  = most->second;
+    return {most->first, work, std::sqrt(2 * stiffness.at(most->first) * work)};
+  }
+
+
+
+  void RigidBodyStabilization::give_up(const Work        &work,
+                                       const unsigned int n_turns) const
+  {
+    const auto motion =
+      std::find_if(held.begin(), held.end(), [&](const FreeMotion &motion) {
+        return motion.piece == work.piece;
+      });
+    std::ostringstream message;
+    message << "nothing stops " << model.mesh->piece_name(motion->piece)
+            << " in its " << motion->name << ": a soft hold still carries "
+            << work.force << " N" << model.discretization->per_thickness()
+            << " after " << n_turns << " turns";
+    throw NotConverged(message.str());
+  }
+} // namespace Contact
