@@ -86,20 +86,17 @@
 
 #include "adaptivity/error_estimator.h"
 #include "adaptivity/refinement.h"
-#include "base/counters.h"
 #include "base/errors.h"
-#include "base/files.h"
 #include "base/interruption.h"
-#include "base/restart_file.h"
 #include "base/words.h"
 #include "output/application.h"
+#include "output/checkpoint.h"
 #include "output/postprocessor.h"
 #include "output/report.h"
-#include "solvers/convergence_test.h"
 #include "solvers/fixed_point.h"
 #include "solvers/linear_system.h"
 #include "solvers/load_steps.h"
-#include "solvers/newton_guard.h"
+#include "solvers/newton_state.h"
 #include "solvers/pairing.h"
 #include "solvers/rigid_body_stabilization.h"
 #include "verification/invariants.h"
@@ -141,32 +138,18 @@ namespace Contact
     void solve_with_friction_loop();
 
     // Newton's method.
-    void         solve_newton();
-    void         evaluate(const bool after_a_step, const bool one_at_a_time);
-    unsigned int update_status(const bool after_a_step,
-                               const bool one_at_a_time);
-    bool         points_follow_the_law() const;
-    void         search_along_line(const NewtonGuard           &guard,
-                                   const Vector<double>        &last,
-                                   const std::vector<Decision> &decisions);
-    std::string  changes_since(const std::vector<Decision> &decisions) const;
+    void solve_newton();
 
     // The next mesh.
     void refine();
     bool is_last_level() const;
 
-    // What has to hold, and where a run that has ended goes on.
+    // What has to hold.
     void check_invariants(const Vector<double> &springs);
-    void write_restart_file(LoadSteps &steps);
-    void read_restart_file(LoadSteps &steps);
-    template<class Archive>
-    void        serialize(Archive &archive, LoadSteps &steps);
-    std::string restart_key() const;
 
-    const MPI_Comm          communicator = MPI_COMM_WORLD;
-    const Parameters::All   parameters;
-    const ParameterHandler &prm;
-    Report                  report;
+    const MPI_Comm        communicator = MPI_COMM_WORLD;
+    const Parameters::All parameters;
+    Report                report;
 
     // The scene on the present mesh, its linear system, and its state.
     ContactModel                    model;
@@ -175,13 +158,9 @@ namespace Contact
     std::unique_ptr<LinearSystem>   system;
     RigidBodyStabilization          stabilization;
     std::unique_ptr<InvariantCheck> invariants;
+    NewtonState                     newton;
     Postprocessor                   postprocessor;
-
-    // Newton's method: minus the residual, and what is known of it.
-    Vector<double>  system_rhs;
-    ConvergenceTest convergence;
-    VolumeRatio     smallest_volume;
-    unsigned int    n_changes = 0; // points that changed their status
+    Checkpoint                      checkpoint;
 
     // Nested iteration: the level, and on the level before the solutions and
     // the states of the surfaces after each increment.
@@ -201,12 +180,19 @@ namespace Contact
                                  const ParameterHandler &prm,
                                  const bool              verbose)
     : parameters(parameters)
-    , prm(prm)
     , report(this->parameters, prm, verbose, communicator)
     , pairing(model, this->parameters, report.timer)
     , stabilization(model, report.screen)
+    , newton(model, system, state, pairing, report.timer)
     , postprocessor(this->parameters, model, state, report)
-    , convergence(model)
+    , checkpoint(this->parameters,
+                 prm,
+                 model,
+                 invariants,
+                 state,
+                 pairing,
+                 newton.convergence,
+                 report)
   {
   }
 
@@ -293,7 +279,6 @@ namespace Contact
                                              *model.elasticity,
                                              zones);
       state.reinit(model.n_unknowns());
-      system_rhs.reinit(model.n_unknowns());
       invariants = std::make_unique<InvariantCheck>(*model.discretization,
                                                     *model.elasticity,
                                                     model.interface.get(),
@@ -311,7 +296,7 @@ namespace Contact
     // The levels below the last one need no more than the accuracy of their
     // mesh.
     const double tolerance = parameters.solution.newton_tolerance;
-    convergence.begin_level(
+    newton.begin_level(
       is_last_level() ? tolerance
                       : std::max(tolerance, parameters.refinement.tolerance));
   }
@@ -339,7 +324,7 @@ namespace Contact
         model.interface->initialize_status(state.solution);
       }
     if (parameters.restart && is_last_level())
-      read_restart_file(steps);
+      checkpoint.read(steps);
     while (!steps.finished())
       {
         make_first_contact(steps);
@@ -369,7 +354,7 @@ namespace Contact
         if (is_last_level() && step.ends_increment)
           {
             postprocessor.write_increment(step.increment, /*is_complete=*/true);
-            write_restart_file(steps);
+            checkpoint.write(steps);
           }
         else if (step.ends_increment)
           {
@@ -411,7 +396,7 @@ namespace Contact
         stabilization.hold_free_pieces(model.interface.get()))
       throw NotConverged("a body has lost the contact that held it");
     postprocessor.record_increment();
-    convergence.accept();
+    newton.convergence.accept();
     report.end_increment();
   }
 
@@ -502,7 +487,7 @@ namespace Contact
         return;
       }
 
-    stabilization.choose_stiffness(convergence.force_scale());
+    stabilization.choose_stiffness(newton.convergence.force_scale());
     const unsigned int max_turns = 20;
     for (unsigned int turn = 1;; ++turn)
       {
@@ -523,7 +508,8 @@ namespace Contact
                       << ", strain energy " << energy << " N mm"
                       << model.discretization->per_thickness() << std::endl;
         if (hold.work <= 1e-8 * energy ||
-            hold.force <= convergence.tolerance() * convergence.force_scale())
+            hold.force <=
+              newton.convergence.tolerance() * newton.convergence.force_scale())
           return;
         if (turn == max_turns)
           stabilization.give_up(hold, turn);
@@ -555,7 +541,7 @@ namespace Contact
         last_increment =
           std::min(last_increment,
                    2 * model.elasticity->strain_energy(state.solution) /
-                     convergence.force_scale());
+                     newton.convergence.force_scale());
 
       report.screen << "  geometry, turn " << n << std::endl;
       ++report.increment().geometry_iterations;
@@ -651,6 +637,15 @@ namespace Contact
   // present state, and under a pairing of the present state.
   void ContactProblem::solve_newton()
   {
+    const ConvergenceTest &convergence = newton.convergence;
+    const auto changes_since = [&](const std::vector<Decision> &decisions) {
+      return model.interface ? describe_changes(*model.interface,
+                                                decisions,
+                                                state.solution,
+                                                state.start)
+                             : "";
+    };
+
     NewtonGuard           guard;
     Vector<double>        last; // where the last step began
     std::vector<Decision> last_decisions;
@@ -664,20 +659,24 @@ namespace Contact
         stop_if_interrupted(communicator);
         if (model.interface)
           last_decisions = model.interface->decisions();
-        evaluate(step > 0, one_at_a_time);
-        report.print_step(model, step, convergence.residual(), n_changes);
+        newton.evaluate(step > 0, one_at_a_time);
+        report.print_step(model,
+                          step,
+                          convergence.residual(),
+                          newton.n_changes());
         if (step > 0)
-          search_along_line(guard, last, last_decisions);
+          {
+            report.record_halvings(
+              newton.search_along_line(guard, last, last_decisions));
+            newton.check();
+          }
         const bool progress = guard.advance(convergence.residual_norm());
         if (step > 0)
           pairing.advance(state, last, progress);
 
-        // After a step the residual is that under the new status of all points:
-        // a point may change it for ever where pressure and gap both vanish.
-        const bool is_decided = n_changes == 0 || (step > 0 && !one_at_a_time &&
-                                                   points_follow_the_law());
         const bool has_converged =
-          is_decided && !model.discretization->update_is_prescribed() &&
+          newton.is_decided(step > 0, one_at_a_time) &&
+          !model.discretization->update_is_prescribed() &&
           convergence.has_converged();
         if (has_converged && pairing.accepts(state))
           return;
@@ -697,7 +696,7 @@ namespace Contact
             continue;
           }
 
-        if (guard.one_at_a_time(n_changes) != one_at_a_time)
+        if (guard.one_at_a_time(newton.n_changes()) != one_at_a_time)
           {
             one_at_a_time = !one_at_a_time;
             if (one_at_a_time)
@@ -722,156 +721,11 @@ namespace Contact
                              last_residual,
                              convergence.tolerance(),
                              convergence.force_scale()},
-                            system_rhs,
+                            newton.rhs,
                             state);
         last_residual = residual;
         ++report.increment().newton_iterations;
       }
-  }
-
-
-
-  // @sect4{ContactProblem::evaluate}
-  //
-  // The residual and the status of the points in the present state. Every rank
-  // adds the forces that its cells exert.
-  void ContactProblem::evaluate(const bool after_a_step,
-                                const bool one_at_a_time)
-  {
-    pairing.follow(state.solution, after_a_step);
-    {
-      TimerOutput::Scope scope(report.timer, "residual");
-      system_rhs                 = 0;
-      const VolumeRatio smallest = model.elasticity->assemble(state.solution,
-                                                              state.load_factor,
-                                                              system_rhs,
-                                                              nullptr);
-      Utilities::MPI::sum(system_rhs, communicator, system_rhs);
-      smallest_volume = smallest_of_all_ranks(smallest, communicator);
-    }
-    n_changes =
-      model.interface ? update_status(after_a_step, one_at_a_time) : 0;
-
-    TimerOutput::Scope scope(report.timer, "residual");
-    if (model.interface)
-      model.interface->assemble(state.solution,
-                                state.start,
-                                pairing.linearization(),
-                                system_rhs,
-                                nullptr);
-    convergence.evaluate(system_rhs,
-                         state,
-                         pairing.linearization().moving_bound);
-  }
-
-
-
-  // @sect4{ContactProblem::update_status}
-  //
-  // After a step the points decide anew. Before the first one they only would:
-  // a change of load, pairing or bounds is not in their tractions yet, and the
-  // search of the active set comes first. Returns how many want to change.
-  unsigned int ContactProblem::update_status(const bool after_a_step,
-                                             const bool one_at_a_time)
-  {
-    ContactInterface &interface    = *model.interface;
-    const bool        moving_bound = pairing.linearization().moving_bound;
-    if (after_a_step)
-      system->recover_multipliers(system_rhs, state);
-    const unsigned int n =
-      interface.decide_all(state.solution,
-                           state.start,
-                           moving_bound,
-                           /*keep=*/after_a_step && !one_at_a_time);
-    if (after_a_step && n > 0)
-      ++counters().active_set_changes;
-    // As the search does. Without it the points go on from step to step, and
-    // that would begin each turn of the friction loop anew.
-    if (system->has_multipliers() && after_a_step && !moving_bound)
-      interface.drop_bounds_of_open_points();
-    if (after_a_step && one_at_a_time)
-      interface.decide_one(state.solution, state.start, moving_bound);
-    return n;
-  }
-
-
-
-  // @sect4{ContactProblem::points_follow_the_law}
-  //
-  // One whose slip turns round sticks first, though its shear be too large.
-  bool ContactProblem::points_follow_the_law() const
-  {
-    const ContactInterface &interface = *model.interface;
-    return std::all_of(interface.points.begin(),
-                       interface.points.end(),
-                       [&](const ContactPoint &point) {
-                         const ContactState now =
-                           interface.state(point, state.solution, state.start);
-                         return interface.decide(
-                                  point,
-                                  Decision(),
-                                  now.p_trial,
-                                  now.q_trial,
-                                  pairing.linearization().moving_bound) ==
-                                point.decision;
-                       });
-  }
-
-
-
-  // @sect4{ContactProblem::search_along_line}
-  //
-  // A step that turns a cell inside out, or leads to a residual larger than all
-  // the last ones though no point has changed its status, was too long: half of
-  // it, and half of that. See NewtonGuard.
-  void ContactProblem::search_along_line(const NewtonGuard           &guard,
-                                         const Vector<double>        &last,
-                                         const std::vector<Decision> &decisions)
-  {
-    const auto is_a_state = [&]() {
-      return std::isfinite(convergence.residual()) && smallest_volume.value > 0;
-    };
-
-    const unsigned int max_halvings = 6;
-    for (unsigned int n = 0;
-         n < max_halvings &&
-         (!is_a_state() ||
-          (n_changes == 0 && !guard.accepts(convergence.residual_norm())));
-         ++n)
-      {
-        state.solution.sadd(0.5, 0.5, last);
-        // Supports that were moved are half-way, too: the rest is left to do.
-        model.discretization->constrain_update(state.solution,
-                                               state.load_factor);
-        if (model.interface)
-          model.interface->set_decisions(decisions);
-        ++report.increment().halved_steps;
-        evaluate(/*after_a_step=*/true, /*one_at_a_time=*/false);
-        report.screen << "      half of this step: residual "
-                      << convergence.residual() << std::endl;
-      }
-    if (!std::isfinite(convergence.residual()))
-      throw NotConverged("the residual is not a number");
-    if (smallest_volume.value <= 0)
-      {
-        std::ostringstream message;
-        message << "the body '" << model.mesh->body_name(smallest_volume.body)
-                << "' turns inside out at X = (" << smallest_volume.X
-                << ") mm: det F = " << smallest_volume.value;
-        throw NotConverged(message.str());
-      }
-  }
-
-
-
-  std::string
-  ContactProblem::changes_since(const std::vector<Decision> &decisions) const
-  {
-    return model.interface ? describe_changes(*model.interface,
-                                              decisions,
-                                              state.solution,
-                                              state.start)
-                           : "";
   }
 
 
@@ -932,8 +786,8 @@ namespace Contact
     Invariants         found =
       invariants->check(state.solution,
                         state.load_factor,
-                        convergence.tolerance(),
-                        convergence.force_scale(),
+                        newton.convergence.tolerance(),
+                        newton.convergence.force_scale(),
                         springs.size() > 0 ? &springs : nullptr,
                         pairing.follows() ? pairing.misplacement(state) : 0.);
     invariants->advance();
@@ -945,78 +799,6 @@ namespace Contact
         " of the way of the surfaces. A finer master, the rule mortar, or "
         "'Geometry = fixed point' may come to rest.");
     report.record(found);
-  }
-
-
-
-  // @sect3{Going on where a run has ended}
-
-  // @sect4{ContactProblem::write_restart_file}
-  //
-  // Also the summary so far, should the run not come to its end.
-  void ContactProblem::write_restart_file(LoadSteps &steps)
-  {
-    if (steps.finished())
-      return;
-    TimerOutput::Scope scope(report.timer, "output");
-    report.write_summary();
-    report.files().write_first("restart.bin", [&](std::ostream &out) {
-      write_restart(out, restart_key(), [&](auto &archive) {
-        serialize(archive, steps);
-      });
-    });
-  }
-
-
-
-  void ContactProblem::read_restart_file(LoadSteps &steps)
-  {
-    const auto file = report.files().directory / "restart.bin";
-    if (!std::filesystem::exists(file))
-      {
-        report.screen << "Nothing to go on from: no " << file << std::endl;
-        return;
-      }
-    read_restart(file, restart_key(), [&](auto &archive) {
-      serialize(archive, steps);
-    });
-    report.files().write_series();
-    report.screen << "Restart behind the load factor "
-                  << report.increment().load_factor << std::endl;
-  }
-
-
-
-  // @sect4{ContactProblem::serialize}
-  //
-  // All that an increment leaves to the next one. Levels below the last one are
-  // computed again, which costs less than to keep their meshes.
-  template<class Archive>
-  void ContactProblem::serialize(Archive &archive, LoadSteps &steps)
-  {
-    archive &steps &convergence &*invariants &report.summary.increments &report
-        .files() &
-      state.solution;
-    if (Archive::is_loading::value)
-      pairing.pair(state.solution);
-    if (model.interface)
-      archive &*model.interface;
-  }
-
-
-
-  // @sect4{ContactProblem::restart_key}
-  //
-  // What has to be the same for a run to be the continuation of another one.
-  std::string ContactProblem::restart_key() const
-  {
-    std::ostringstream key;
-    key << "contact restart 2, ranks "
-        << Utilities::MPI::n_mpi_processes(communicator) << ", unknowns "
-        << state.solution.size() << ", mesh " << checksum(parameters.mesh.file)
-        << '\n';
-    prm.print_parameters(key, ParameterHandler::ShortPRM);
-    return key.str();
   }
 } // namespace Contact
 

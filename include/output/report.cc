@@ -160,6 +160,15 @@ namespace Contact
 
 
 
+  void Report::record_halvings(const std::vector<double> &residuals)
+  {
+    increment().halved_steps += residuals.size();
+    for (const double residual : residuals)
+      screen << "      half of this step: residual " << residual << std::endl;
+  }
+
+
+
   void Report::record(const Invariants &found)
   {
     IncrementRecord &record = increment();

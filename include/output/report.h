@@ -75,6 +75,9 @@ namespace Contact
                     const double        residual,
                     const unsigned int  n_changes);
 
+    /// A Newton step was halved, and the residuals of the parts.
+    void record_halvings(const std::vector<double> &residuals);
+
     /// The invariants of the present increment; notes and violations go to
     /// the standard error.
     void record(const Invariants &found);

@@ -1,0 +1,61 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_checkpoint_h
+#define contact_checkpoint_h
+
+#include "contact/increment_state.h"
+#include "output/report.h"
+#include "solvers/convergence_test.h"
+#include "solvers/load_steps.h"
+#include "solvers/pairing.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The file that a run which was interrupted goes on from: all that an
+   * increment leaves to the next one. Levels below the last one are computed
+   * again, which costs less than to keep their meshes.
+   */
+  class Checkpoint
+  {
+  public:
+    Checkpoint(const Parameters::All                 &parameters,
+               const ParameterHandler                &prm,
+               const ContactModel                    &model,
+               const std::unique_ptr<InvariantCheck> &invariants,
+               IncrementState                        &state,
+               Pairing                               &pairing,
+               ConvergenceTest                       &convergence,
+               Report                                &report);
+
+    /// Unless the steps are finished; also the summary so far, should the run
+    /// not come to its end.
+    void write(LoadSteps &steps);
+
+    /// Go on where the file ends, if there is one. Throws InputError if it
+    /// belongs to another run.
+    void read(LoadSteps &steps);
+
+  private:
+    template<class Archive>
+    void serialize(Archive &archive, LoadSteps &steps);
+
+    std::string key() const;
+
+    const Parameters::All                 &parameters;
+    const ParameterHandler                &prm;
+    const ContactModel                    &model;
+    const std::unique_ptr<InvariantCheck> &invariants;
+    IncrementState                        &state;
+    Pairing                               &pairing;
+    ConvergenceTest                       &convergence;
+    Report                                &report;
+  };
+} // namespace Contact
+
+#endif
