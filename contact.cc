@@ -61,10 +61,11 @@
 //
 // The classes behind this file, from the bottom up: Parameters, Mesh,
 // Discretization, Elasticity (the bodies), Surface and ContactPoint (where they
-// meet; MortarRule), ContactInterface (the equations of contact),
-// SaddlePointSystem with ActiveSetSearch, or CondensedSystem with
-// ContactElimination; then ErrorEstimator, InvariantCheck, and for the results
-// StressRecovery, ResultFiles, RunSummary.
+// meet; MortarRule), ContactInterface (the equations of contact), LinearSystem
+// (SaddlePointSystem with ActiveSetSearch, or CondensedSystem with
+// ContactElimination), NewtonState and Pairing (Newton's method),
+// RigidBodyStabilization; then ErrorEstimator, InvariantCheck, and for the
+// results Postprocessor and Report.
 //
 // References: P. Alart and A. Curnier, Comput. Methods Appl. Mech. Engrg. 92
 // (1991) 353-375; M. Hintermueller, K. Ito and K. Kunisch, SIAM J. Optim. 13
@@ -80,7 +81,6 @@
 // is behind the classes of this program, whose order is in include/README.md
 // under "A map of the code".
 
-#include <limits>
 #include <memory>
 #include <sstream>
 
@@ -637,94 +637,50 @@ namespace Contact
   // present state, and under a pairing of the present state.
   void ContactProblem::solve_newton()
   {
-    const ConvergenceTest &convergence = newton.convergence;
-    const auto changes_since = [&](const std::vector<Decision> &decisions) {
-      return model.interface ? describe_changes(*model.interface,
-                                                decisions,
-                                                state.solution,
-                                                state.start)
-                             : "";
-    };
-
-    NewtonGuard           guard;
-    Vector<double>        last; // where the last step began
-    std::vector<Decision> last_decisions;
-    double                last_residual = std::numeric_limits<double>::max();
-    unsigned int          max_steps = parameters.solution.max_newton_iterations;
-    bool                  one_at_a_time = false;
-    pairing.begin_newton();
-    system->begin_newton();
+    IncrementRecord &record    = report.increment();
+    unsigned int     max_steps = parameters.solution.max_newton_iterations;
+    newton.begin();
     for (unsigned int step = 0;; ++step)
       {
         stop_if_interrupted(communicator);
-        if (model.interface)
-          last_decisions = model.interface->decisions();
-        newton.evaluate(step > 0, one_at_a_time);
+        newton.evaluate();
         report.print_step(model,
                           step,
-                          convergence.residual(),
+                          newton.convergence.residual(),
                           newton.n_changes());
-        if (step > 0)
-          {
-            report.record_halvings(
-              newton.search_along_line(guard, last, last_decisions));
-            newton.check();
-          }
-        const bool progress = guard.advance(convergence.residual_norm());
-        if (step > 0)
-          pairing.advance(state, last, progress);
+        report.record_halvings(newton.search_along_line());
+        newton.accept();
 
-        const bool has_converged =
-          newton.is_decided(step > 0, one_at_a_time) &&
-          !model.discretization->update_is_prescribed() &&
-          convergence.has_converged();
+        const bool has_converged = newton.has_converged();
         if (has_converged && pairing.accepts(state))
           return;
         if (step >= max_steps)
-          throw NotConverged(
-            "Newton's method ends with the residual " +
-            brief(convergence.residual()) + " after " + std::to_string(step) +
-            " steps" + changes_since(last_decisions) + system->contradiction());
+          throw NotConverged("Newton's method ends with the residual " +
+                             brief(newton.convergence.residual()) + " after " +
+                             std::to_string(step) + " steps" +
+                             newton.changes() + system->contradiction());
         if (has_converged)
           {
             report.screen << "      paired anew: the surfaces have moved by "
                           << pairing.misplacement(state) << " mm of "
                           << pairing.way(state) << " mm since they were paired"
                           << std::endl;
-            pairing.renew(state.solution);
-            guard.forget();
+            newton.pair_anew();
             continue;
           }
 
-        if (guard.one_at_a_time(newton.n_changes()) != one_at_a_time)
+        if (newton.begins_single_changes())
           {
-            one_at_a_time = !one_at_a_time;
-            if (one_at_a_time)
-              {
-                ++report.increment().cycles;
-                report.screen << "      the active set cycles, now one point "
-                                 "at a time changes:"
-                              << changes_since(last_decisions) << std::endl;
-              }
-            if (one_at_a_time && !system->has_multipliers())
+            ++record.cycles;
+            report.screen << "      the active set cycles, now one point at a "
+                             "time changes:"
+                          << newton.changes() << std::endl;
+            if (!system->has_multipliers())
               max_steps = parameters.solution.max_newton_iterations +
                           model.interface->points.size();
           }
-
-        last = state.solution;
-        if (model.discretization->update_is_prescribed())
-          guard.forget();
-        const double residual = convergence.residual();
-        report.increment().linear_iterations +=
-          system->make_step({step,
-                             residual,
-                             last_residual,
-                             convergence.tolerance(),
-                             convergence.force_scale()},
-                            newton.rhs,
-                            state);
-        last_residual = residual;
-        ++report.increment().newton_iterations;
+        record.linear_iterations += newton.make_step();
+        ++record.newton_iterations;
       }
   }
 

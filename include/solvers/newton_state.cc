@@ -5,10 +5,12 @@
 
 #include "solvers/newton_state.h"
 
+#include <limits>
 #include <sstream>
 
 #include "base/counters.h"
 #include "base/errors.h"
+#include "contact/contact_results.h"
 
 namespace Contact
 {
@@ -36,11 +38,39 @@ namespace Contact
 
 
 
+  void NewtonState::begin()
+  {
+    guard         = NewtonGuard();
+    n_steps       = 0;
+    one_at_a_time = false;
+    last_residual = std::numeric_limits<double>::max();
+    pairing.begin_newton();
+    system->begin_newton();
+    remember_status();
+  }
+
+
+
+  void NewtonState::remember_status()
+  {
+    if (model.interface)
+      last_decisions = model.interface->decisions();
+  }
+
+
+
+  void NewtonState::evaluate()
+  {
+    evaluate_with(one_at_a_time);
+  }
+
+
+
   // Every rank adds the forces that its cells exert.
-  void NewtonState::evaluate(const bool after_a_step, const bool one_at_a_time)
+  void NewtonState::evaluate_with(const bool single_changes)
   {
     const MPI_Comm communicator = model.discretization->communicator;
-    pairing.follow(state.solution, after_a_step);
+    pairing.follow(state.solution, /*after_a_step=*/n_steps > 0);
     {
       TimerOutput::Scope scope(timer, "residual");
       rhs                        = 0;
@@ -51,8 +81,7 @@ namespace Contact
       Utilities::MPI::sum(rhs, communicator, rhs);
       smallest_volume = smallest_of_all_ranks(smallest, communicator);
     }
-    n_status_changes =
-      model.interface ? update_status(after_a_step, one_at_a_time) : 0;
+    n_status_changes = model.interface ? update_status(single_changes) : 0;
 
     TimerOutput::Scope scope(timer, "residual");
     if (model.interface)
@@ -69,36 +98,38 @@ namespace Contact
   // After a step the points decide anew. Before the first one they only would:
   // a change of load, pairing or bounds is not in their tractions yet, and the
   // search of the active set comes first. Returns how many want to change.
-  unsigned int NewtonState::update_status(const bool after_a_step,
-                                          const bool one_at_a_time)
+  unsigned int NewtonState::update_status(const bool single_changes)
   {
     ContactInterface &interface    = *model.interface;
     const bool        moving_bound = pairing.linearization().moving_bound;
+    const bool        after_a_step = n_steps > 0;
     if (after_a_step)
       system->recover_multipliers(rhs, state);
     const unsigned int n =
       interface.decide_all(state.solution,
                            state.start,
                            moving_bound,
-                           /*keep=*/after_a_step && !one_at_a_time);
+                           /*keep=*/after_a_step && !single_changes);
     if (after_a_step && n > 0)
       ++counters().active_set_changes;
     // As the search does. Without it the points go on from step to step, and
     // that would begin each turn of the friction loop anew.
     if (system->has_multipliers() && after_a_step && !moving_bound)
       interface.drop_bounds_of_open_points();
-    if (after_a_step && one_at_a_time)
+    if (after_a_step && single_changes)
       interface.decide_one(state.solution, state.start, moving_bound);
     return n;
   }
 
 
 
-  bool NewtonState::is_decided(const bool after_a_step,
-                               const bool one_at_a_time) const
+  bool NewtonState::has_converged() const
   {
-    return n_status_changes == 0 ||
-           (after_a_step && !one_at_a_time && points_follow_the_law());
+    const bool is_decided =
+      n_status_changes == 0 ||
+      (n_steps > 0 && !one_at_a_time && points_follow_the_law());
+    return is_decided && !model.discretization->update_is_prescribed() &&
+           convergence.has_converged();
   }
 
 
@@ -124,11 +155,10 @@ namespace Contact
 
 
 
-  std::vector<double>
-  NewtonState::search_along_line(const NewtonGuard           &guard,
-                                 const Vector<double>        &last,
-                                 const std::vector<Decision> &decisions)
+  std::vector<double> NewtonState::search_along_line()
   {
+    if (n_steps == 0)
+      return {};
     const auto is_a_state = [&]() {
       return std::isfinite(convergence.residual()) && smallest_volume.value > 0;
     };
@@ -144,11 +174,22 @@ namespace Contact
         model.discretization->constrain_update(state.solution,
                                                state.load_factor);
         if (model.interface)
-          model.interface->set_decisions(decisions);
-        evaluate(/*after_a_step=*/true, /*one_at_a_time=*/false);
+          model.interface->set_decisions(last_decisions);
+        evaluate_with(/*single_changes=*/false);
         residuals.push_back(convergence.residual());
       }
     return residuals;
+  }
+
+
+
+  void NewtonState::accept()
+  {
+    if (n_steps > 0)
+      check();
+    const bool progress = guard.advance(convergence.residual_norm());
+    if (n_steps > 0)
+      pairing.advance(state, last, progress);
   }
 
 
@@ -164,5 +205,56 @@ namespace Contact
             << "' turns inside out at X = (" << smallest_volume.X
             << ") mm: det F = " << smallest_volume.value;
     throw NotConverged(message.str());
+  }
+
+
+
+  void NewtonState::pair_anew()
+  {
+    pairing.renew(state.solution);
+    guard.forget();
+    remember_status();
+    ++n_steps;
+  }
+
+
+
+  bool NewtonState::begins_single_changes()
+  {
+    const bool before = one_at_a_time;
+    one_at_a_time     = guard.one_at_a_time(n_status_changes);
+    return one_at_a_time && !before;
+  }
+
+
+
+  unsigned int NewtonState::make_step()
+  {
+    last = state.solution;
+    if (model.discretization->update_is_prescribed())
+      guard.forget();
+    const double       residual = convergence.residual();
+    const unsigned int n        = system->make_step({n_steps,
+                                                     residual,
+                                                     last_residual,
+                                                     convergence.tolerance(),
+                                                     convergence.force_scale()},
+                                             rhs,
+                                             state);
+    last_residual               = residual;
+    remember_status();
+    ++n_steps;
+    return n;
+  }
+
+
+
+  std::string NewtonState::changes() const
+  {
+    return model.interface ? describe_changes(*model.interface,
+                                              last_decisions,
+                                              state.solution,
+                                              state.start)
+                           : "";
   }
 } // namespace Contact

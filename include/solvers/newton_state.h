@@ -16,8 +16,9 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * What Newton's method knows of the present state: the residual, and how many
-   * points change their status in it.
+   * The state of Newton's method: the residual where it is, the status of the
+   * points there, and where the last step came from. The line search and the
+   * search for the active set are those of NewtonGuard.
    */
   class NewtonState
   {
@@ -31,51 +32,76 @@ namespace Contact
     /// On a new mesh, with points that are paired in the undeformed state.
     void begin_level(const double tolerance);
 
+    /// No step has been made yet.
+    void begin();
+
     /// Pair the points and evaluate the residual and the status of the points.
-    /// With @p one_at_a_time only one of them may change it. Collective.
-    void evaluate(const bool after_a_step, const bool one_at_a_time);
+    /// Collective.
+    void evaluate();
 
     /**
-     * A step that turns a cell inside out, or leads to a residual that @p guard
-     * does not accept though no point has changed its status, was too long:
-     * half of it from @p last, and half of that, under the status of
-     * @p decisions. Returns the residuals of these attempts. Collective.
+     * A step that turns a cell inside out, or leads to a residual that
+     * NewtonGuard does not accept though no point has changed its status, was
+     * too long: half of it, and half of that. Returns the residuals of these
+     * attempts. Collective.
      */
-    std::vector<double>
-    search_along_line(const NewtonGuard           &guard,
-                      const Vector<double>        &last,
-                      const std::vector<Decision> &decisions);
+    std::vector<double> search_along_line();
 
-    /// Throws NotConverged if this is no state of the bodies.
-    void check() const;
+    /// The state is where the next step begins. Throws NotConverged if it is
+    /// no state of the bodies.
+    void accept();
 
-    /// Whether no point changes its status, or would if it had none before:
-    /// after a step a point may change it for ever where pressure and gap both
-    /// vanish.
-    bool is_decided(const bool after_a_step, const bool one_at_a_time) const;
+    /**
+     * Whether the residual is small enough and no point changes its status, or
+     * would if it had none before: after a step a point may change it for ever
+     * where pressure and gap both vanish.
+     */
+    bool has_converged() const;
 
+    /// The points are paired anew: another problem.
+    void pair_anew();
+
+    /// Choose whether one point at a time is to change its status. Returns
+    /// whether it is from now on.
+    bool begins_single_changes();
+
+    /// Make the next step. Returns the number of linear iterations.
+    unsigned int make_step();
+
+    /// The points that change their status in this state, or want to, and a
+    /// line on each of those that did.
     unsigned int n_changes() const
     {
       return n_status_changes;
     }
 
-    /// Minus the residual.
-    Vector<double> rhs;
+    std::string changes() const;
 
     ConvergenceTest convergence;
 
   private:
-    unsigned int                         update_status(const bool after_a_step,
-                                                       const bool one_at_a_time);
-    bool                                 points_follow_the_law() const;
+    void         evaluate_with(const bool single_changes);
+    unsigned int update_status(const bool single_changes);
+    bool         points_follow_the_law() const;
+    void         check() const;
+    void         remember_status();
+
     const ContactModel                  &model;
     const std::unique_ptr<LinearSystem> &system;
     IncrementState                      &state;
     Pairing                             &pairing;
     TimerOutput                         &timer;
 
-    VolumeRatio  smallest_volume;
-    unsigned int n_status_changes = 0;
+    Vector<double> rhs; // minus the residual
+    VolumeRatio    smallest_volume;
+    unsigned int   n_status_changes = 0;
+
+    NewtonGuard           guard;
+    unsigned int          n_steps       = 0;
+    bool                  one_at_a_time = false;
+    Vector<double>        last;           // where the last step began
+    std::vector<Decision> last_decisions; // under which it was made
+    double                last_residual = 0;
   };
 } // namespace Contact
 
