@@ -29,6 +29,7 @@ namespace Contact
                  model.interface.get(),
                  linearization,
                  model.geometry_follows(parameters.solution),
+                 keeps_factorization(model, parameters),
                  timer)
       {
       }
@@ -93,6 +94,16 @@ namespace Contact
       }
 
     private:
+      // In loops around Newton's method little changes from turn to turn. With
+      // the pairing in the tangent there are none: it is there for its
+      // quadratic convergence.
+      static bool keeps_factorization(const ContactModel    &model,
+                                      const Parameters::All &parameters)
+      {
+        return parameters.geometry(model.n_displacements()) !=
+               Parameters::GeometryLoop::newton;
+      }
+
       const ContactModel &model;
       ConditionalOStream &screen;
       SaddlePointSystem   system;

@@ -18,12 +18,14 @@ namespace Contact
     ContactInterface                      *interface,
     const ContactInterface::Linearization &linearization,
     const bool                             geometry_follows,
+    const bool                             keeps_factorization,
     TimerOutput                           &timer)
     : discretization(discretization)
     , elasticity(elasticity)
     , interface(interface)
     , linearization(linearization)
     , geometry_follows(geometry_follows)
+    , keeps_factorization(keeps_factorization)
     , timer(timer)
   {
   }
@@ -85,8 +87,7 @@ namespace Contact
 
 
   // Under decisions that stay linear bodies keep their matrix, if the points do
-  // not follow them. Newton's method with moving geometry is left as it is: it
-  // is there for its quadratic convergence.
+  // not follow them.
   bool SaddlePointSystem::factorization_serves(const double residual,
                                                const double last_residual) const
   {
@@ -96,8 +97,7 @@ namespace Contact
       return false;
     if (elasticity.is_linear() && !geometry_follows)
       return true;
-    return interface && !linearization.moving_geometry &&
-           residual < 0.1 * last_residual;
+    return interface && keeps_factorization && residual < 0.1 * last_residual;
   }
 
 

@@ -27,14 +27,16 @@ namespace Contact
   {
   public:
     /// @p interface may be null. @p geometry_follows: points are paired with
-    /// bodies that have moved. @p linearization may change from step to step.
-    /// Phases are measured by @p timer.
+    /// bodies that have moved. @p keeps_factorization: one may serve for steps
+    /// that reduce the residual well. @p linearization may change from step to
+    /// step. Phases are measured by @p timer.
     SaddlePointSystem(const Discretization                  &discretization,
                       const Elasticity                      &elasticity,
                       ContactInterface                      *interface,
                       const ContactInterface::Linearization &linearization,
                       const bool                             geometry_follows,
-                      TimerOutput                           &timer);
+                      const bool   keeps_factorization,
+                      TimerOutput &timer);
 
     /// When a point faces another edge than before, the matrix couples other
     /// unknowns than before: a new pattern, and a new analysis in the solver.
@@ -72,6 +74,7 @@ namespace Contact
     ContactInterface                      *interface;
     const ContactInterface::Linearization &linearization;
     const bool                             geometry_follows;
+    const bool                             keeps_factorization;
     TimerOutput                           &timer;
 
     SparsityPattern      pattern;
