@@ -69,23 +69,6 @@ namespace Contact
         std::array<StrainRows, 9> B;
       };
 
-      template<bool projected>
-      static PointState state_at(const CellTable      &cell,
-                                 const unsigned int    q,
-                                 const Vector<double> &u,
-                                 const AtPoints       &P_tr_E);
-
-      /// What a point adds to the forces and to the upper half of the tangent
-      /// of the @p n nodes of its cell.
-      static void add_forces(const PointState  &at,
-                             const unsigned int n,
-                             Vector<double>    &residual);
-      static void add_tangent(const PointState   &at,
-                              const unsigned int  n,
-                              const double        lambda,
-                              const double        mu,
-                              FullMatrix<double> &matrix);
-
       template<bool with_tangent, bool projected>
       SmallestInCell assemble_cell(const CellTable      &cell,
                                    const Vector<double> &u,
@@ -150,60 +133,61 @@ namespace Contact
             }
         return dilatations;
       }
+
+      template<bool projected>
+      static PointState state_at(const CellTable      &cell,
+                                 const unsigned int    q,
+                                 const Vector<double> &u,
+                                 const AtPoints       &P_tr_E)
+      {
+        const unsigned int n    = cell.n_nodes();
+        const Tensor<2, 2> H    = displacement_gradient(cell, q, u);
+        const double       h    = hoop_gradient(cell, q, u);
+        const auto         E    = Kinematics::strain(H);
+        const double       E33  = Kinematics::strain(h);
+        const double       tr_E = projected ? P_tr_E[q] : trace(E) + E33;
+
+        PointState at;
+        at.JxW = cell.JxW[q];
+        at.N   = cell.gradients.data() + q * n;
+        at.N_X = Symmetry::has_hoop ? &cell.hoop_gradients[q * n] : nullptr;
+        at.F   = Kinematics::gradient_of_motion(H);
+        at.f33 = Kinematics::gradient_of_motion(h);
+        at.S   = cell.material->stress(E, tr_E);
+        at.S33 = cell.material->hoop_stress(E33, tr_E);
+        for (unsigned int a = 0; a < n; ++a)
+          for (unsigned int i = 0; i < 2; ++i)
+            at.B[a][i] = {{at.F[i][0] * at.N[a][0],
+                           at.F[i][1] * at.N[a][1],
+                           at.F[i][0] * at.N[a][1] + at.F[i][1] * at.N[a][0]}};
+        if constexpr (Symmetry::has_hoop)
+          for (unsigned int a = 0; a < n; ++a)
+            at.B[a][0][3] = at.f33 * at.N_X[a];
+        return at;
+      }
+
+      /// What a point adds to the forces of the @p n nodes of its cell, and to
+      /// the upper half of their tangent.
+      static void add_forces(const PointState  &at,
+                             const unsigned int n,
+                             Vector<double>    &residual)
+      {
+        for (unsigned int a = 0; a < n; ++a)
+          for (unsigned int i = 0; i < 2; ++i)
+            residual[2 * a + i] += at.JxW * (at.B[a][i][0] * at.S[0][0] +
+                                             at.B[a][i][1] * at.S[1][1] +
+                                             at.B[a][i][2] * at.S[0][1]);
+        if constexpr (Symmetry::has_hoop)
+          for (unsigned int a = 0; a < n; ++a)
+            residual[2 * a] += at.JxW * at.B[a][0][3] * at.S33;
+      }
+
+      static void add_tangent(const PointState   &at,
+                              const unsigned int  n,
+                              const double        lambda,
+                              const double        mu,
+                              FullMatrix<double> &matrix);
     };
-
-
-
-    template<class Kinematics, class Symmetry>
-    template<bool projected>
-    typename Solid<Kinematics, Symmetry>::PointState
-    Solid<Kinematics, Symmetry>::state_at(const CellTable      &cell,
-                                          const unsigned int    q,
-                                          const Vector<double> &u,
-                                          const AtPoints       &P_tr_E)
-    {
-      const unsigned int n    = cell.n_nodes();
-      const Tensor<2, 2> H    = displacement_gradient(cell, q, u);
-      const double       h    = hoop_gradient(cell, q, u);
-      const auto         E    = Kinematics::strain(H);
-      const double       E33  = Kinematics::strain(h);
-      const double       tr_E = projected ? P_tr_E[q] : trace(E) + E33;
-
-      PointState at;
-      at.JxW = cell.JxW[q];
-      at.N   = cell.gradients.data() + q * n;
-      at.N_X = Symmetry::has_hoop ? &cell.hoop_gradients[q * n] : nullptr;
-      at.F   = Kinematics::gradient_of_motion(H);
-      at.f33 = Kinematics::gradient_of_motion(h);
-      at.S   = cell.material->stress(E, tr_E);
-      at.S33 = cell.material->hoop_stress(E33, tr_E);
-      for (unsigned int a = 0; a < n; ++a)
-        for (unsigned int i = 0; i < 2; ++i)
-          at.B[a][i] = {{at.F[i][0] * at.N[a][0],
-                         at.F[i][1] * at.N[a][1],
-                         at.F[i][0] * at.N[a][1] + at.F[i][1] * at.N[a][0]}};
-      if constexpr (Symmetry::has_hoop)
-        for (unsigned int a = 0; a < n; ++a)
-          at.B[a][0][3] = at.f33 * at.N_X[a];
-      return at;
-    }
-
-
-
-    template<class Kinematics, class Symmetry>
-    void Solid<Kinematics, Symmetry>::add_forces(const PointState  &at,
-                                                 const unsigned int n,
-                                                 Vector<double>    &residual)
-    {
-      for (unsigned int a = 0; a < n; ++a)
-        for (unsigned int i = 0; i < 2; ++i)
-          residual[2 * a + i] +=
-            at.JxW * (at.B[a][i][0] * at.S[0][0] + at.B[a][i][1] * at.S[1][1] +
-                      at.B[a][i][2] * at.S[0][1]);
-      if constexpr (Symmetry::has_hoop)
-        for (unsigned int a = 0; a < n; ++a)
-          residual[2 * a] += at.JxW * at.B[a][0][3] * at.S33;
-    }
 
 
 
