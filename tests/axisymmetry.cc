@@ -6,14 +6,10 @@
 // Bodies of revolution. Proves that tangent, forces and energy of rings are
 // derivatives of each other; that a uniform stress is in equilibrium under its
 // tractions, in hollow and in solid cylinders, for small and for large strain;
-// that loads and contact weights add up to those of whole rings; that nothing
-// but the motion along the axis is rigid; that a uniform pressure passes from
-// one solid cylinder to another; and that the pressure between two tubes is
-// Lame's.
+// and that loads add up to those of whole rings. Their contact:
+// axisymmetric_contact.cc.
 
-#include "condensed_model.h"
 #include "derivatives.h"
-#include "solvers/free_motions.h"
 
 using namespace Tests;
 
@@ -197,199 +193,6 @@ namespace
 
 
 
-  // Two cylinders of the radius 3, one on the other.
-  Parameters::All two_cylinders(const unsigned int degree,
-                                const std::string &rule)
-  {
-    MeshText mesh;
-    mesh.block("lower", 4, 2, rectangle({0, -1}, {3, 0}));
-    mesh.block("upper", 3, 2, rectangle({0, 0}, {3, 1}));
-    auto parameters                    = make_parameters(mesh,
-                                      {"lower", "upper"},
-                                      degree,
-                                      "small strain",
-                                      young,
-                                      poisson);
-    parameters.solids.symmetry         = "axisymmetric";
-    parameters.contact.slave           = "upper bottom";
-    parameters.contact.master          = "lower top";
-    parameters.contact.rule            = rule;
-    parameters.boundary.displacement_y = {{"lower bottom", 0}};
-    parameters.boundary.pressure       = {{"upper top", "10"}};
-    return parameters;
-  }
-
-
-
-  // They add up to the area of the slave, and each is positive. With the nodal
-  // rule a node on the axis has a weight at degree 1; at degree 2 it has no
-  // area, but a gap, and a point of its own.
-  void check_weights(const unsigned int degree, const std::string &rule)
-  {
-    ContactModel model(two_cylinders(degree, rule));
-    model.interface.pair(model.solution);
-    double       sum = 0, smallest = 1e9;
-    unsigned int n_on_axis = 0;
-    for (const ContactPoint &point : model.interface.points)
-      {
-        const bool on_axis =
-          model.discretization.is_on_axis(point.X[0]) && degree == 2;
-        n_on_axis += on_axis;
-        sum += on_axis && rule == "nodal" ? 0. : point.weight;
-        smallest = std::min(smallest, point.weight);
-      }
-    const std::string name = "degree " + std::to_string(degree) + ", " + rule;
-    check_small(name + ", area", std::abs(sum - 9 * numbers::PI), 1e-12);
-    check(name + ", all positive", smallest > 0);
-    if (rule == "nodal" && degree == 2)
-      check(name + ", a point on the axis", n_on_axis == 1);
-    if (rule == "nodal" && degree == 1)
-      {
-        // integral (1 - r) 2 pi r dr, where the first edge ends at r = 1.
-        check_small(name + ", on the axis",
-                    std::abs(smallest - numbers::PI / 3),
-                    1e-12);
-      }
-  }
-
-
-
-  void check_motions()
-  {
-    const auto print = [](const std::string &name, const auto &parameters) {
-      const Bodies bodies(parameters);
-      std::cout << "  " << name << ':';
-      for (const FreeMotion &motion :
-           free_motions(bodies.discretization, nullptr))
-        std::cout << ' '
-                  << bodies.mesh.body_name(
-                       bodies.mesh.pieces[motion.piece].body)
-                  << ", " << motion.name;
-      std::cout << std::endl;
-    };
-    auto parameters = two_cylinders(1, "mortar");
-    print("free", parameters);
-    parameters.boundary.displacement_y = {{"lower bottom left", 0},
-                                          {"upper top", 0}};
-    print("free, held at a point", parameters);
-  }
-
-
-
-  // sigma_yy = -10 everywhere, all else vanishes.
-  void check_contact(const unsigned int degree, const std::string &slave)
-  {
-    auto parameters          = two_cylinders(degree, "mortar");
-    parameters.contact.slave = slave;
-    if (slave == "lower top")
-      parameters.contact.master = "upper bottom";
-    // Contact has to hold the upper one.
-    CondensedModel model(parameters);
-    model.start = model.solution;
-    model.discretization.constrain_update(model.solution, 1);
-    model.pair();
-    model.interface->initialize_status(model.solution);
-    const std::string name =
-      "degree " + std::to_string(degree) + ", slave " + slave;
-    check(name + ", converged", model.newton(1) > 0);
-
-    double deviation = 0;
-    for (unsigned int k = 0; k < model.interface->n_multipliers(); ++k)
-      deviation =
-        std::max(deviation,
-                 std::abs(model.solution[model.interface->normal_index(k)] -
-                          10));
-    check_small(name + ", pressure", deviation, 1e-8);
-
-    SymmetricTensor<2, 3> exact;
-    exact[1][1] = -10;
-    deviation   = 0;
-    for (const auto &cell : model.elasticity->stresses(model.solution))
-      for (const auto &stress : cell)
-        deviation = std::max(deviation, (stress - exact).norm());
-    check_small(name + ", stress", deviation, 1e-8);
-  }
-
-
-
-  // The displacement at the radius r of a tube from a to b under the pressures
-  // p_i inside and p_o outside, in plane strain along the axis (Lame), see
-  // parameters/verification/nested_cylinders.prm.
-  double lame(const double E,
-              const double nu,
-              const double a,
-              const double b,
-              const double p_i,
-              const double p_o,
-              const double r)
-  {
-    return (1 + nu) / (E * (b * b - a * a)) *
-           ((1 - 2 * nu) * (p_i * a * a - p_o * b * b) * r +
-            (p_i - p_o) * a * a * b * b / r);
-  }
-
-
-
-  // A tube in a tube under the pressure 100 in the bore: how far the pressures
-  // between them are from the one with which both move alike.
-  double tubes_deviation(const unsigned int degree, const unsigned int n)
-  {
-    MeshText mesh;
-    mesh.block("inner", n, 2, rectangle({20, 0}, {50, 5}));
-    mesh.block("outer", n, 3, rectangle({50, 0}, {100, 5}));
-    auto parameters                    = make_parameters(mesh,
-                                      {"inner", "outer"},
-                                      degree,
-                                      "small strain",
-                                      1000,
-                                      0.3);
-    parameters.solids.symmetry         = "axisymmetric";
-    parameters.solids.young["outer"]   = 2000;
-    parameters.solids.poisson["outer"] = 0.25;
-    parameters.contact.slave           = "outer left";
-    parameters.contact.master          = "inner right";
-    parameters.contact.rule            = "mortar";
-    parameters.boundary.pressure       = {{"inner left", "100"}};
-    parameters.boundary.displacement_y = {{"inner bottom", 0},
-                                          {"inner top", 0},
-                                          {"outer bottom", 0},
-                                          {"outer top", 0}};
-
-    CondensedModel model(parameters);
-    model.start = model.solution;
-    model.pair();
-    model.interface->initialize_status(model.solution);
-    const auto overlap = [](const double q) {
-      return lame(1000, 0.3, 20, 50, 100, q, 50) -
-             lame(2000, 0.25, 50, 100, q, 0, 50);
-    };
-    const double q         = overlap(0) / (overlap(0) - overlap(1));
-    double       deviation = model.newton(1) > 0 ? 0 : 1;
-    for (unsigned int k = 0; k < model.interface->n_multipliers(); ++k)
-      deviation =
-        std::max(deviation,
-                 std::abs(model.solution[model.interface->normal_index(k)] / q -
-                          1));
-    return deviation;
-  }
-
-
-
-  // With half the edges the error falls by the power 2 k of the edges.
-  void check_tubes()
-  {
-    for (const unsigned int degree : {1, 2})
-      {
-        const double      coarse = tubes_deviation(degree, 8);
-        const double      fine   = tubes_deviation(degree, 16);
-        const std::string name   = "degree " + std::to_string(degree);
-        check_small(name + ", pressure", fine, degree == 1 ? 1e-3 : 1e-6);
-        check(name + ", order", std::log2(coarse / fine) > 2 * degree - 0.3);
-      }
-  }
-
-
-
   // What is left of the axis, or moved off it, is no ring.
   void check_errors()
   {
@@ -438,22 +241,6 @@ int main()
   headline("loads");
   for (const unsigned int degree : {1, 2})
     check_loads(degree);
-
-  headline("contact weights");
-  for (const unsigned int degree : {1, 2})
-    for (const std::string rule : {"nodal", "Gauss", "mortar"})
-      check_weights(degree, rule);
-
-  headline("rigid motions");
-  check_motions();
-
-  headline("contact");
-  for (const unsigned int degree : {1, 2})
-    for (const std::string slave : {"upper bottom", "lower top"})
-      check_contact(degree, slave);
-
-  headline("tubes");
-  check_tubes();
 
   headline("errors");
   check_errors();

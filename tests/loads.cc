@@ -79,7 +79,7 @@ namespace
               X += shape.value[a] * node;
               along += shape.first[a] * node;
             }
-          const Tensor<1, 2> outwards({along[1], -along[0]});
+          const Tensor<1, 2> outwards = cross_product_2d(along);
           sum.add(X, -2 * quadrature.weight(q) * pressure(X) * outwards);
         }
     return sum;

@@ -56,14 +56,6 @@ namespace Contact
 
 
 
-    /// The body lies to the left of the edge: out of it is to the right.
-    Tensor<1, 2> turn_right(const Tensor<1, 2> &along)
-    {
-      return Tensor<1, 2>({along[1], -along[0]});
-    }
-
-
-
     bool is_tied(const Discretization &discretization,
                  const Surface        &surface,
                  const Surface::Edge  &edge)
@@ -361,7 +353,7 @@ namespace Contact
         bool               is_known = true;
         for (const ContactTractions &of_zone : contact)
           if (const auto p_and_q = of_zone(edge_name(boundary, edge), place, h))
-            residual += (*p_and_q)[0] * turn_right(t) + (*p_and_q)[1] * t;
+            residual += (*p_and_q)[0] * cross_product_2d(t) + (*p_and_q)[1] * t;
           else
             is_known = false;
         if (!is_known)
@@ -386,7 +378,7 @@ namespace Contact
   {
     const Tensor<1, 2> &along =
       elasticity.is_linear() ? place.along_undeformed : place.along;
-    return stress * turn_right(along) / place.along_undeformed.norm();
+    return stress * cross_product_2d(along) / place.along_undeformed.norm();
   }
 
 

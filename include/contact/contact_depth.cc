@@ -53,8 +53,7 @@ namespace Contact
                 r -= shape.value[b] * other.position(edge.nodes[b], u);
                 along += shape.first[b] * other.position(edge.nodes[b], u);
               }
-            const Tensor<1, 2> outward =
-              Tensor<1, 2>({along[1], -along[0]}) / along.norm();
+            const Tensor<1, 2> outward = cross_product_2d(along) / along.norm();
             // A node further behind the other surface than its edge is long has
             // come there around it.
             const double behind = -(r * outward);

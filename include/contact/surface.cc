@@ -74,6 +74,43 @@ namespace Contact
 
 
 
+    /// A face of a cell at the boundary, its part left open.
+    LooseEdge make_loose_edge(const Discretization &discretization,
+                              const DoFHandler<2>::active_cell_iterator &cell,
+                              const unsigned int                         f)
+    {
+      const auto                           face  = cell->face(f);
+      const unsigned int                   index = cell->active_fe_index();
+      const auto                          &fe    = cell->get_fe();
+      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face(f));
+      face->get_dof_indices(dofs, index);
+
+      // The unknowns of a face come in the order of its own vertices.
+      LooseEdge edge;
+      edge.body = cell->material_id();
+      for (unsigned int a = 0; a < 2; ++a)
+        edge.nodes[a].X = face->vertex(a);
+      // The elements number the corners, then the mid-sides as the faces.
+      if (discretization.degree == 2)
+        edge.nodes[2].X =
+          discretization.mapping[index].transform_unit_to_real_cell(
+            cell,
+            fe.base_element(0).unit_support_point(cell->n_vertices() + f));
+      for (unsigned int k = 0; k < dofs.size(); ++k)
+        {
+          const auto [c, a]     = fe.face_system_to_component_index(k, f);
+          edge.nodes[a].dofs[c] = dofs[k];
+        }
+
+      const Tensor<1, 2> along  = edge.nodes[1].X - edge.nodes[0].X;
+      const Tensor<1, 2> inward = cell->center() - face->center();
+      if (along[0] * inward[1] - along[1] * inward[0] < 0)
+        std::swap(edge.nodes[0], edge.nodes[1]);
+      return edge;
+    }
+
+
+
     /// Coordinates of the nodes of an edge: first, last, middle.
     const std::array<double, 3> node_coordinates{{-1, 1, 0}};
 
@@ -111,8 +148,7 @@ namespace Contact
   void Surface::collect_edges(const std::set<types::boundary_id> &boundary_ids)
   {
     const auto parts = connected_parts(discretization.mesh.triangulation);
-    std::vector<LooseEdge>               own;
-    std::vector<types::global_dof_index> dofs;
+    std::vector<LooseEdge> own;
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         {
@@ -121,35 +157,9 @@ namespace Contact
               boundary_ids.count(face->boundary_id()) == 0)
             continue;
 
-          const unsigned int index = cell->active_fe_index();
-          const auto        &fe    = cell->get_fe();
-          dofs.resize(fe.n_dofs_per_face(f));
-          face->get_dof_indices(dofs, index);
-
-          // The unknowns of a face come in the order of its own vertices.
-          LooseEdge edge;
-          edge.body = cell->material_id();
-          edge.part =
-            parts[coarse_cell<typename Triangulation<2>::cell_iterator>(cell)];
-          for (unsigned int a = 0; a < 2; ++a)
-            edge.nodes[a].X = face->vertex(a);
-          // The elements number the corners, then the mid-sides as the faces.
-          if (degree == 2)
-            edge.nodes[2].X =
-              discretization.mapping[index].transform_unit_to_real_cell(
-                cell,
-                fe.base_element(0).unit_support_point(cell->n_vertices() + f));
-          for (unsigned int k = 0; k < dofs.size(); ++k)
-            {
-              const auto [c, a]     = fe.face_system_to_component_index(k, f);
-              edge.nodes[a].dofs[c] = dofs[k];
-            }
-
-          const Tensor<1, 2> along  = edge.nodes[1].X - edge.nodes[0].X;
-          const Tensor<1, 2> inward = cell->center() - face->center();
-          if (along[0] * inward[1] - along[1] * inward[0] < 0)
-            std::swap(edge.nodes[0], edge.nodes[1]);
-          own.push_back(edge);
+          own.push_back(make_loose_edge(discretization, cell, f));
+          own.back().part =
+            parts[coarse_cell<Triangulation<2>::cell_iterator>(cell)];
         }
 
     std::map<types::global_dof_index, unsigned int> node_of_dof;
@@ -337,7 +347,7 @@ namespace Contact
       along += shape.first[b] * position(edge.nodes[b], u);
 
     // The body lies to the left of the edge.
-    const Tensor<1, 2> outward({along[1], -along[0]});
+    const Tensor<1, 2> outward = cross_product_2d(along);
     return outward / outward.norm();
   }
 

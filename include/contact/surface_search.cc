@@ -264,7 +264,7 @@ namespace Contact
     Tensor<1, 2>    along;
     for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
       along += shape.first[a] * nodes[a];
-    return Tensor<1, 2>({along[1], -along[0]}) / along.norm();
+    return cross_product_2d(along) / along.norm();
   }
 
 

@@ -123,6 +123,67 @@ namespace Contact
         for (unsigned int i = 1; i <= 2; ++i)
           effects[effects.size() - i].name += " " + zone.name;
     }
+
+
+
+    std::vector<Effect> effects_of_bodies(const Parameters::All &parameters,
+                                          const Discretization  &discretization)
+    {
+      const auto &kinematics = parameters.solids.kinematics;
+      return {
+        {"kinematics",
+         kinematics.name() +
+           (discretization.axisymmetric ? ", axisymmetric" : ""),
+         kinematics == Parameters::Strains::small
+           ? "one tangent on a mesh"
+           : "a tangent for each Newton step",
+         discretization.axisymmetric ? "Solids/Kinematics, Solids/Symmetry"
+                                     : "Solids/Kinematics"},
+        {"element",
+         parameters.element.degree == 1
+           ? "linear"
+           : (discretization.bound_centre ? "quadratic, 8 nodes"
+                                          : "quadratic, 9 nodes"),
+         std::to_string(discretization.dof_handler.n_dofs()) + " displacements",
+         "Element/Degree"}};
+    }
+
+
+
+    void add_contact(const Parameters::All  &parameters,
+                     const std::size_t       n_displacements,
+                     const ContactInterface *interface,
+                     std::vector<Effect>    &effects)
+    {
+      const auto zones = parameters.zones();
+      for (unsigned int z = 0; z < zones.size(); ++z)
+        add_zone(*interface->zones[z], zones[z], parameters.solution, effects);
+      if (zones.empty())
+        effects.push_back(
+          {"contact", "none", "no multipliers", "Contact/Slave"});
+      else if (!interface->is_tied())
+        {
+          const auto geometry = parameters.geometry(n_displacements);
+          effects.push_back(
+            {"geometry",
+             Parameters::Choice<Parameters::GeometryLoop>(geometry).name(),
+             pairing(geometry),
+             "Solution/Geometry"});
+        }
+    }
+
+
+
+    Effect effect_of_files(const Parameters::Output &output,
+                           const bool                has_profile)
+    {
+      return {
+        "files",
+        std::string("summary") + (output.vtu ? ", VTU of each increment" : "") +
+          (has_profile ? ", profile" : "") + (output.nodes ? ", nodes" : ""),
+        output.vtu || has_profile ? "stresses recovered" : "no stress for them",
+        output.vtu ? "Output/VTU" : "Output/Profile"};
+    }
   } // namespace
 
 
@@ -132,49 +193,15 @@ namespace Contact
                                    const ContactInterface *interface,
                                    const std::string      &system)
   {
-    const auto &kinematics = parameters.solids.kinematics;
-    const auto &output     = parameters.output;
-    const auto &refinement = parameters.refinement;
-
-    std::vector<Effect> effects{
-      {"kinematics",
-       kinematics.name() +
-         (discretization.axisymmetric ? ", axisymmetric" : ""),
-       kinematics == Parameters::Strains::small
-         ? "one tangent on a mesh"
-         : "a tangent for each Newton step",
-       discretization.axisymmetric ? "Solids/Kinematics, Solids/Symmetry"
-                                   : "Solids/Kinematics"},
-      {"element",
-       parameters.element.degree == 1
-         ? "linear"
-         : (discretization.bound_centre ? "quadratic, 8 nodes"
-                                        : "quadratic, 9 nodes"),
-       std::to_string(discretization.dof_handler.n_dofs()) + " displacements",
-       "Element/Degree"}};
-
-    const auto zones = parameters.zones();
-    for (unsigned int z = 0; z < zones.size(); ++z)
-      add_zone(*interface->zones[z], zones[z], parameters.solution, effects);
-    if (zones.empty())
-      effects.push_back({"contact", "none", "no multipliers", "Contact/Slave"});
-    else if (!interface->is_tied())
-      {
-        const auto geometry =
-          parameters.geometry(discretization.dof_handler.n_dofs());
-        effects.push_back(
-          {"geometry",
-           Parameters::Choice<Parameters::GeometryLoop>(geometry).name(),
-           pairing(geometry),
-           "Solution/Geometry"});
-      }
-
+    const auto          n_displacements = discretization.dof_handler.n_dofs();
+    const auto         &refinement      = parameters.refinement;
+    std::vector<Effect> effects = effects_of_bodies(parameters, discretization);
+    add_contact(parameters, n_displacements, interface, effects);
     effects.push_back(
       {"system",
        system,
-       parameters.is_condensed(discretization.dof_handler.n_dofs())
-         ? "multipliers eliminated"
-         : "multipliers are unknowns",
+       parameters.is_condensed(n_displacements) ? "multipliers eliminated"
+                                                : "multipliers are unknowns",
        parameters.solution.linear_solver != Parameters::SolverKind::automatic
          ? "Solution/Linear solver"
          : "Solution/System"});
@@ -190,13 +217,9 @@ namespace Contact
                            ? "stresses recovered and errors estimated on each"
                            : "each starts from the last one",
                          "Refinement/Levels"});
-    const bool profile = output.profile && interface != nullptr;
     effects.push_back(
-      {"files",
-       std::string("summary") + (output.vtu ? ", VTU of each increment" : "") +
-         (profile ? ", profile" : "") + (output.nodes ? ", nodes" : ""),
-       output.vtu || profile ? "stresses recovered" : "no stress for them",
-       output.vtu ? "Output/VTU" : "Output/Profile"});
+      effect_of_files(parameters.output,
+                      parameters.output.profile && interface != nullptr));
     return effects;
   }
 

@@ -257,9 +257,17 @@ namespace Contact
                            discretization.degree,
                            DataOut<2>::curved_inner_cells);
 
-    // One rank writes one file; several write their pieces, which a record
-    // puts together.
-    const std::string  name = "bodies_" + Utilities::int_to_string(k, 4);
+    bodies.emplace_back(load_factor,
+                        write_pieces("bodies_" + Utilities::int_to_string(k, 4),
+                                     data_out));
+    write_series("bodies", bodies);
+  }
+
+
+
+  std::string ResultFiles::write_pieces(const std::string         &name,
+                                        const DataOutInterface<2> &data) const
+  {
     const unsigned int n_ranks =
       Utilities::MPI::n_mpi_processes(discretization.communicator);
     const auto piece = [&](const unsigned int r) {
@@ -268,17 +276,17 @@ namespace Contact
     };
     on_all_ranks(discretization.communicator, [&]() {
       write_file(directory / piece(rank()),
-                 [&](std::ostream &out) { data_out.write_vtu(out); });
+                 [&](std::ostream &out) { data.write_vtu(out); });
     });
-    if (n_ranks > 1)
-      write_first(name + ".pvtu", [&](std::ostream &out) {
-        std::vector<std::string> pieces;
-        for (unsigned int r = 0; r < n_ranks; ++r)
-          pieces.push_back(piece(r));
-        data_out.write_pvtu_record(out, pieces);
-      });
-    bodies.emplace_back(load_factor, n_ranks > 1 ? name + ".pvtu" : piece(0));
-    write_series("bodies", bodies);
+    if (n_ranks == 1)
+      return piece(0);
+    write_first(name + ".pvtu", [&](std::ostream &out) {
+      std::vector<std::string> pieces;
+      for (unsigned int r = 0; r < n_ranks; ++r)
+        pieces.push_back(piece(r));
+      data.write_pvtu_record(out, pieces);
+    });
+    return name + ".pvtu";
   }
 
 

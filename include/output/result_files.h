@@ -6,6 +6,8 @@
 #ifndef contact_result_files_h
 #define contact_result_files_h
 
+#include <deal.II/base/data_out_base.h>
+
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
@@ -89,6 +91,11 @@ namespace Contact
     using Series = std::vector<std::pair<double, std::string>>;
 
     void write_series(const std::string &name, const Series &series) const;
+
+    /// Write what all ranks have as NAME.vtu, of several ranks as one piece
+    /// each with a record NAME.pvtu. Returns the file to open.
+    std::string write_pieces(const std::string         &name,
+                             const DataOutInterface<2> &data) const;
 
     unsigned int rank() const;
 

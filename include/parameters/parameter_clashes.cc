@@ -13,6 +13,14 @@ namespace Contact
 {
   namespace Parameters
   {
+    namespace
+    {
+      const std::string system_entry = "Solution/System";
+      const std::string solver_entry = "Solution/Linear solver";
+    } // namespace
+
+
+
     void All::check() const
     {
       mesh.check();
@@ -34,7 +42,13 @@ namespace Contact
                          {"Solution/Geometry", "Solids/Kinematics"},
                          "set 'Kinematics = small strain', or another "
                          "geometry");
-      check_system();
+      check_points();
+      if (n_ranks > 1)
+        check_ranks();
+      if (is_condensed())
+        check_condensed();
+      else
+        check_saddle_point();
     }
 
 
@@ -66,96 +80,109 @@ namespace Contact
 
 
 
-    // What goes with which linear system.
-    void All::check_system() const
+    // Every multiplier is seen by a point, or the saddle point is singular.
+    void All::check_points() const
     {
-      const std::string system = "Solution/System";
-      const std::string solver = "Solution/Linear solver";
-      // The first zone that has something, if there is one.
-      const auto zones = this->zones();
-      const auto find  = [&](const auto &has) {
-        return std::find_if(zones.begin(), zones.end(), has);
-      };
-      const auto shared = find(
-        [](const Contact &zone) { return !zone.has_point_per_multiplier(); });
-      const bool is_frictional = find([](const Contact &zone) {
-                                   return zone.frictional();
-                                 }) != zones.end();
-      const auto clash         = [](const std::string              &problem,
-                            const std::vector<std::string> &entries,
-                            const std::string              &remedy) {
-        throw EntryError(problem, entries, remedy);
-      };
-
-      for (const Contact &zone : zones)
+      for (const Contact &zone : zones())
         if (zone.rule == Rule::gauss && zone.n_gauss_points <= element.degree)
-          clash("With " + std::to_string(zone.n_gauss_points) +
-                  " Gauss points an edge there are multipliers that no point "
-                  "sees.",
-                {zone.section() + "/Gauss points", "Element/Degree"},
-                "set 'Gauss points = " + std::to_string(element.degree + 1) +
-                  "' or more");
-      if (n_ranks > 1 && shared != zones.end())
-        clash("The rule " + shared->rule.name() +
-                " is solved by one process, here are " +
-                std::to_string(n_ranks) + ".",
-              {shared->section() + "/Rule"},
-              "run it without mpirun, or set 'Rule = mortar' or 'Rule = "
-              "nodal'");
-      if (n_ranks > 1 && solution.linear_solver == SolverKind::cholmod)
-        clash("CHOLMOD works in one process, here are " +
-                std::to_string(n_ranks) + ".",
-              {solver},
-              "set 'Linear solver = AMG' or 'Linear solver = MUMPS'");
+          throw EntryError(
+            "With " + std::to_string(zone.n_gauss_points) +
+              " Gauss points an edge there are multipliers that no point sees.",
+            {zone.section() + "/Gauss points", "Element/Degree"},
+            "set 'Gauss points = " + std::to_string(element.degree + 1) +
+              "' or more");
+    }
 
+
+
+    std::optional<Contact> All::shared_zone() const
+    {
+      for (const Contact &zone : zones())
+        if (!zone.has_point_per_multiplier())
+          return zone;
+      return {};
+    }
+
+
+
+    // What takes one process.
+    void All::check_ranks() const
+    {
+      const std::string here = ", here are " + std::to_string(n_ranks) + ".";
+      if (const auto shared = shared_zone())
+        throw EntryError("The rule " + shared->rule.name() +
+                           " is solved by one process" + here,
+                         {shared->section() + "/Rule"},
+                         "run it without mpirun, or set 'Rule = mortar' or "
+                         "'Rule = nodal'");
+      if (solution.linear_solver == SolverKind::cholmod)
+        throw EntryError("CHOLMOD works in one process" + here,
+                         {solver_entry},
+                         "set 'Linear solver = AMG' or 'Linear solver = "
+                         "MUMPS'");
       if (!is_condensed())
-        {
-          if (n_ranks > 1)
-            clash("A saddle point system is solved by one process.",
-                  {system},
-                  "run it without mpirun, or set 'System = condensed'");
-          if (is_frictional && solution.friction == FrictionLoop::each_step)
-            clash("With multipliers the bound follows in a loop or in the "
-                  "tangent.",
-                  {"Solution/Friction", system},
-                  "set 'Friction = Newton', or 'System = condensed'");
-          if (solution.linear_solver != SolverKind::automatic &&
-              solution.linear_solver != SolverKind::umfpack)
-            clash("A saddle point system is not positive definite: " +
-                    solution.linear_solver.name() + " can not solve it.",
-                  {solver, system},
-                  "set 'Linear solver = UMFPACK', or 'System = condensed'");
-          if (refinement.n_levels > 0)
-            clash("Nested iteration needs the condensed system.",
-                  {"Refinement/Levels", system},
-                  "set 'System = condensed', with the rule nodal or mortar, or "
-                  "refine the first mesh with Mesh/Refinements");
-          return;
-        }
+        throw EntryError("A saddle point system is solved by one process.",
+                         {system_entry},
+                         "run it without mpirun, or set 'System = condensed'");
+    }
 
+
+
+    void All::check_saddle_point() const
+    {
+      const auto zones = this->zones();
+      if (solution.friction == FrictionLoop::each_step &&
+          std::any_of(zones.begin(), zones.end(), [](const Contact &zone) {
+            return zone.frictional();
+          }))
+        throw EntryError("With multipliers the bound follows in a loop or in "
+                         "the tangent.",
+                         {"Solution/Friction", system_entry},
+                         "set 'Friction = Newton', or 'System = condensed'");
+      if (solution.linear_solver != SolverKind::automatic &&
+          solution.linear_solver != SolverKind::umfpack)
+        throw EntryError("A saddle point system is not positive definite: " +
+                           solution.linear_solver.name() + " can not solve it.",
+                         {solver_entry, system_entry},
+                         "set 'Linear solver = UMFPACK', or 'System = "
+                         "condensed'");
+      if (refinement.n_levels > 0)
+        throw EntryError("Nested iteration needs the condensed system.",
+                         {"Refinement/Levels", system_entry},
+                         "set 'System = condensed', with the rule nodal or "
+                         "mortar, or refine the first mesh with "
+                         "Mesh/Refinements");
+    }
+
+
+
+    void All::check_condensed() const
+    {
       if (solution.linear_solver == SolverKind::umfpack)
-        clash("UMFPACK is for saddle point systems.",
-              {solver, system},
-              "set 'Linear solver = CHOLMOD'");
-      if (shared != zones.end())
-        clash("The multipliers of the rule " + shared->rule.name() +
-                " can not be eliminated: " +
-                (solution.linear_solver == SolverKind::automatic
-                   ? "a condensed system"
-                   : solution.linear_solver.name()) +
-                " is not for it.",
-              {shared->section() + "/Rule",
-               solution.system != SystemKind::automatic ? system
-               : solution.linear_solver != SolverKind::automatic
-                 ? solver
-                 : "Refinement/Levels"},
-              "set 'Rule = mortar' or 'Rule = nodal'; the rule " +
-                shared->rule.name() +
-                " takes 'System = saddle point' and UMFPACK");
-      if (!zones.empty() && solution.geometry == GeometryLoop::newton)
-        clash("The condensed system does not know how projections move.",
-              {"Solution/Geometry", system},
-              "set 'Geometry = each step'");
+        throw EntryError("UMFPACK is for saddle point systems.",
+                         {solver_entry, system_entry},
+                         "set 'Linear solver = CHOLMOD'");
+      if (const auto shared = shared_zone())
+        throw EntryError("The multipliers of the rule " + shared->rule.name() +
+                           " can not be eliminated: " +
+                           (solution.linear_solver == SolverKind::automatic
+                              ? "a condensed system"
+                              : solution.linear_solver.name()) +
+                           " is not for it.",
+                         {shared->section() + "/Rule",
+                          solution.system != SystemKind::automatic
+                            ? system_entry
+                          : solution.linear_solver != SolverKind::automatic
+                            ? solver_entry
+                            : "Refinement/Levels"},
+                         "set 'Rule = mortar' or 'Rule = nodal'; the rule " +
+                           shared->rule.name() +
+                           " takes 'System = saddle point' and UMFPACK");
+      if (!zones().empty() && solution.geometry == GeometryLoop::newton)
+        throw EntryError("The condensed system does not know how projections "
+                         "move.",
+                         {"Solution/Geometry", system_entry},
+                         "set 'Geometry = each step'");
     }
   } // namespace Parameters
 } // namespace Contact

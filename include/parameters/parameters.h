@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <iosfwd>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -150,6 +151,10 @@ namespace Contact
 
       void add_parameters(ParameterHandler &prm);
       void check() const;
+
+    private:
+      void add_values(ParameterHandler &prm);
+      void add_formulas(ParameterHandler &prm);
     };
 
 
@@ -260,6 +265,10 @@ namespace Contact
 
       void add_parameters(ParameterHandler &prm);
       void check() const;
+
+    private:
+      void add_loops(ParameterHandler &prm);
+      void add_linear_system(ParameterHandler &prm);
     };
 
 
@@ -388,7 +397,13 @@ namespace Contact
 
     private:
       void check_theory() const;
-      void check_system() const;
+      void check_points() const;
+      void check_ranks() const;
+      void check_saddle_point() const;
+      void check_condensed() const;
+
+      /// The first zone whose multipliers share points, if there is one.
+      std::optional<Contact> shared_zone() const;
     };
   } // namespace Parameters
 

@@ -106,6 +106,16 @@ namespace Contact
     void Boundary::add_parameters(ParameterHandler &prm)
     {
       prm.enter_subsection("Boundary conditions");
+      add_values(prm);
+      add_formulas(prm);
+      prm.leave_subsection();
+    }
+
+
+
+    // One number for a group, or its partner.
+    void Boundary::add_values(ParameterHandler &prm)
+    {
       prm.add_parameter("Displacement x",
                         displacement_x,
                         "'group: value' [mm], separated by ','; a boundary "
@@ -138,6 +148,13 @@ namespace Contact
         spread_force_y,
         "As Spread force x, in direction y [N per mm of thickness; "
         "axisymmetric: N].");
+    }
+
+
+
+    // What varies over a group, or with the load.
+    void Boundary::add_formulas(ParameterHandler &prm)
+    {
       const Patterns::Map formulas(Patterns::Anything(),
                                    Patterns::Anything(),
                                    0,
@@ -180,7 +197,6 @@ namespace Contact
                         "factor, linear in between and constant beyond, as in "
                         "'Force y: table(0 0, 0.5 1, 1 -1)'. Without: t.",
                         formulas);
-      prm.leave_subsection();
     }
 
 

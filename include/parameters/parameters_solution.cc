@@ -27,9 +27,17 @@ namespace Contact
 
     void Solution::add_parameters(ParameterHandler &prm)
     {
-      const Patterns::Integer at_least_one(1);
-
       prm.enter_subsection("Solution");
+      add_loops(prm);
+      add_linear_system(prm);
+      prm.leave_subsection();
+    }
+
+
+
+    void Solution::add_loops(ParameterHandler &prm)
+    {
+      const Patterns::Integer at_least_one(1);
       prm.add_parameter("Increments",
                         n_increments,
                         "Equal steps to the full load [-].",
@@ -84,6 +92,12 @@ namespace Contact
                         max_newton_iterations,
                         "Newton iterations before giving up [-].",
                         at_least_one);
+    }
+
+
+
+    void Solution::add_linear_system(ParameterHandler &prm)
+    {
       prm.add_parameter("Linear tolerance",
                         linear_tolerance,
                         "How far conjugate gradients are driven in a Newton "
@@ -106,7 +120,6 @@ namespace Contact
                         "aggregation) or MUMPS [-]; automatic: UMFPACK, or "
                         "CHOLMOD below 100000 unknowns on one rank and AMG "
                         "beyond.");
-      prm.leave_subsection();
     }
 
 

@@ -52,6 +52,52 @@ namespace Contact
         }
       return modes;
     }
+
+
+
+    /// The unknowns of the free nodes and the gradients of their shape
+    /// functions. Bound, the centre moves with the corners (-1/4) and the
+    /// mid-sides (1/2) and hands its shape function on to them.
+    void tabulate_nodes(const DoFHandler<2>::active_cell_iterator &dof_cell,
+                        const FEValues<2>                         &fe_values,
+                        const Discretization &discretization,
+                        CellTable            &cell)
+    {
+      const auto &fe    = fe_values.get_fe();
+      const bool  bound = discretization.bound_centre &&
+                         dof_cell->reference_cell().is_hyper_cube();
+      const unsigned int n_nodes = fe.base_element(0).n_dofs_per_cell();
+      const unsigned int n_free  = bound ? n_nodes - 1 : n_nodes;
+
+      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      dof_cell->get_dof_indices(dofs);
+      for (unsigned int a = 0; a < n_free; ++a)
+        for (unsigned int c = 0; c < 2; ++c)
+          cell.dofs.push_back(dofs[fe.component_to_system_index(c, a)]);
+
+      const auto handed_over = [&](const unsigned int a, const auto &of) {
+        return bound ? of(a) + (a < 4 ? -0.25 : 0.5) * of(8) : of(a);
+      };
+      for (const unsigned int q : fe_values.quadrature_point_indices())
+        for (unsigned int a = 0; a < n_free; ++a)
+          {
+            cell.gradients.push_back(
+              handed_over(a, [&](const unsigned int node) {
+                return fe_values.shape_grad(fe.component_to_system_index(0,
+                                                                         node),
+                                            q);
+              }));
+            if (discretization.axisymmetric)
+              cell.hoop_gradients.push_back(
+                handed_over(a,
+                            [&](const unsigned int node) {
+                              return fe_values.shape_value(
+                                fe.component_to_system_index(0, node),
+                                q);
+                            }) /
+                cell.points[q][0]);
+          }
+    }
   } // namespace
 
 
@@ -68,8 +114,7 @@ namespace Contact
       update_gradients | update_JxW_values | update_quadrature_points |
         (discretization.axisymmetric ? update_values : update_default));
 
-    std::vector<types::global_dof_index> dofs;
-    CellTables                           tables;
+    CellTables tables;
     tables.own.reserve(discretization.mesh.triangulation.n_active_cells());
     for (const auto &dof_cell :
          discretization.dof_handler.active_cell_iterators())
@@ -78,12 +123,6 @@ namespace Contact
           continue;
         hp_fe_values.reinit(dof_cell);
         const auto &fe_values = hp_fe_values.get_present_fe_values();
-        const auto &fe        = fe_values.get_fe();
-
-        const bool bound = discretization.bound_centre &&
-                           dof_cell->reference_cell().is_hyper_cube();
-        const unsigned int n_nodes = fe.base_element(0).n_dofs_per_cell();
-        const unsigned int n_free  = bound ? n_nodes - 1 : n_nodes;
 
         CellTable cell;
         cell.active_index = dof_cell->active_cell_index();
@@ -103,35 +142,7 @@ namespace Contact
                                 ? 3
                                 : 1);
 
-        dofs.resize(fe.n_dofs_per_cell());
-        dof_cell->get_dof_indices(dofs);
-        for (unsigned int a = 0; a < n_free; ++a)
-          for (unsigned int c = 0; c < 2; ++c)
-            cell.dofs.push_back(dofs[fe.component_to_system_index(c, a)]);
-
-        // Bound, the centre moves with the corners (-1/4) and the mid-sides
-        // (1/2) and hands its shape function on to them.
-        const auto handed_over = [&](const unsigned int a, const auto &of) {
-          return bound ? of(a) + (a < 4 ? -0.25 : 0.5) * of(8) : of(a);
-        };
-        for (const unsigned int q : fe_values.quadrature_point_indices())
-          for (unsigned int a = 0; a < n_free; ++a)
-            {
-              cell.gradients.push_back(
-                handed_over(a, [&](const unsigned int node) {
-                  return fe_values
-                    .shape_grad(fe.component_to_system_index(0, node), q);
-                }));
-              if (discretization.axisymmetric)
-                cell.hoop_gradients.push_back(
-                  handed_over(a,
-                              [&](const unsigned int node) {
-                                return fe_values.shape_value(
-                                  fe.component_to_system_index(0, node),
-                                  q);
-                              }) /
-                  cell.points[q][0]);
-            }
+        tabulate_nodes(dof_cell, fe_values, discretization, cell);
         (dof_cell->is_locally_owned() ? tables.own : tables.neighbors)
           .push_back(std::move(cell));
       }

@@ -13,11 +13,21 @@
 
 namespace Contact
 {
+  namespace
+  {
+    const std::string section = "Boundary conditions/";
+  }
+
+
+
   DeadLoads::DeadLoads(const Discretization &discretization)
     : discretization(discretization)
   {
     for (const unsigned int c : {0, 1})
-      collect(c);
+      {
+        collect_forces(c);
+        collect_densities(c);
+      }
     for (const auto &[name, formula] : discretization.boundary.pressure)
       {
         const auto pressure = parse_formula<2>(formula, "x,y");
@@ -33,14 +43,11 @@ namespace Contact
 
 
 
-  // What acts in the direction c.
-  void DeadLoads::collect(const unsigned int c)
+  // Forces in the direction c, spread over a boundary and on a point.
+  void DeadLoads::collect_forces(const unsigned int c)
   {
-    const auto       &mesh     = discretization.mesh;
-    const auto       &boundary = discretization.boundary;
-    const std::string prefix   = "Boundary conditions/";
-    Tensor<1, 2>      direction;
-    direction[c] = 1;
+    const auto        &boundary  = discretization.boundary;
+    const Tensor<1, 2> direction = Point<2>::unit_vector(c);
 
     const std::string spread = std::string("Spread force ") + "xy"[c];
     for (const auto &[name, force] :
@@ -57,7 +64,7 @@ namespace Contact
         if (!(area > 0))
           throw InputError("the boundary '" + name +
                              "' has no area that a force could be spread over",
-                           prefix + spread,
+                           section + spread,
                            "name one off the axis of symmetry");
         load_of(spread).add(force / area, shares);
       }
@@ -67,10 +74,20 @@ namespace Contact
          c == 0 ? boundary.force_x : boundary.force_y)
       {
         const auto dof =
-          discretization.vertex_dofs[mesh.point(name, prefix + nodal)][c];
+          discretization
+            .vertex_dofs[discretization.mesh.point(name, section + nodal)][c];
         load_of(nodal)[dof] += force;
         nodal_forces.insert(dof);
       }
+  }
+
+
+
+  // Forces in the direction c by area and by volume, as formulas.
+  void DeadLoads::collect_densities(const unsigned int c)
+  {
+    const auto        &boundary  = discretization.boundary;
+    const Tensor<1, 2> direction = Point<2>::unit_vector(c);
 
     const std::string traction = std::string("Traction ") + "xy"[c];
     for (const auto &[name, formula] :
@@ -91,7 +108,7 @@ namespace Contact
       {
         const auto value = parse_formula<2>(formula, "x,y");
         load_of(body_force) +=
-          integrate_body(mesh.body(name, prefix + body_force),
+          integrate_body(discretization.mesh.body(name, section + body_force),
                          [&](const Point<2> &X) {
                            return value(X) * direction;
                          });
@@ -105,8 +122,7 @@ namespace Contact
                                                const std::string   &entry,
                                                const TractionField &traction)
   {
-    const auto &ids =
-      discretization.mesh.boundary(name, "Boundary conditions/" + entry);
+    const auto &ids = discretization.mesh.boundary(name, section + entry);
     loaded.insert(ids.begin(), ids.end());
 
     const QGauss<1>     edge_quadrature(discretization.degree + 1);

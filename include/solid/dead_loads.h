@@ -52,7 +52,8 @@ namespace Contact
     }
 
   private:
-    void collect(const unsigned int c);
+    void collect_forces(const unsigned int c);
+    void collect_densities(const unsigned int c);
 
     /// Traction [MPa] by place and outward normal.
     using TractionField =

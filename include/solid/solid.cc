@@ -51,6 +51,24 @@ namespace Contact
       double cell_energy(const CellTable      &cell,
                          const Vector<double> &u) const override;
 
+      /// By direction, what an unknown of a node adds to the strains.
+      using StrainRows = std::array<typename Symmetry::StrainRow, 2>;
+
+      /// A quadrature point: the derivatives N_a,i and N_a/X of the shape
+      /// functions, the gradient F of the motion, the stress S, and the rows
+      /// B_a. Of what is across the plane, plane strain uses nothing.
+      struct PointState
+      {
+        double                    JxW;
+        const Tensor<1, 2>       *N;
+        const double             *N_X;
+        Tensor<2, 2>              F;
+        double                    f33;
+        SymmetricTensor<2, 2>     S;
+        double                    S33;
+        std::array<StrainRows, 9> B;
+      };
+
       template<bool with_tangent, bool projected>
       SmallestInCell assemble_cell(const CellTable      &cell,
                                    const Vector<double> &u,
@@ -115,7 +133,106 @@ namespace Contact
             }
         return dilatations;
       }
+
+      template<bool projected>
+      static PointState state_at(const CellTable      &cell,
+                                 const unsigned int    q,
+                                 const Vector<double> &u,
+                                 const AtPoints       &P_tr_E)
+      {
+        const unsigned int n    = cell.n_nodes();
+        const Tensor<2, 2> H    = displacement_gradient(cell, q, u);
+        const double       h    = hoop_gradient(cell, q, u);
+        const auto         E    = Kinematics::strain(H);
+        const double       E33  = Kinematics::strain(h);
+        const double       tr_E = projected ? P_tr_E[q] : trace(E) + E33;
+
+        PointState at;
+        at.JxW = cell.JxW[q];
+        at.N   = cell.gradients.data() + q * n;
+        at.N_X = Symmetry::has_hoop ? &cell.hoop_gradients[q * n] : nullptr;
+        at.F   = Kinematics::gradient_of_motion(H);
+        at.f33 = Kinematics::gradient_of_motion(h);
+        at.S   = cell.material->stress(E, tr_E);
+        at.S33 = cell.material->hoop_stress(E33, tr_E);
+        for (unsigned int a = 0; a < n; ++a)
+          for (unsigned int i = 0; i < 2; ++i)
+            at.B[a][i] = {{at.F[i][0] * at.N[a][0],
+                           at.F[i][1] * at.N[a][1],
+                           at.F[i][0] * at.N[a][1] + at.F[i][1] * at.N[a][0]}};
+        if constexpr (Symmetry::has_hoop)
+          for (unsigned int a = 0; a < n; ++a)
+            at.B[a][0][3] = at.f33 * at.N_X[a];
+        return at;
+      }
+
+      /// What a point adds to the forces of the @p n nodes of its cell, and to
+      /// the upper half of their tangent.
+      static void add_forces(const PointState  &at,
+                             const unsigned int n,
+                             Vector<double>    &residual)
+      {
+        for (unsigned int a = 0; a < n; ++a)
+          for (unsigned int i = 0; i < 2; ++i)
+            residual[2 * a + i] += at.JxW * (at.B[a][i][0] * at.S[0][0] +
+                                             at.B[a][i][1] * at.S[1][1] +
+                                             at.B[a][i][2] * at.S[0][1]);
+        if constexpr (Symmetry::has_hoop)
+          for (unsigned int a = 0; a < n; ++a)
+            residual[2 * a] += at.JxW * at.B[a][0][3] * at.S33;
+      }
+
+      static void add_tangent(const PointState   &at,
+                              const unsigned int  n,
+                              const double        lambda,
+                              const double        mu,
+                              FullMatrix<double> &matrix);
     };
+
+
+
+    template<class Kinematics, class Symmetry>
+    void Solid<Kinematics, Symmetry>::add_tangent(const PointState   &at,
+                                                  const unsigned int  n,
+                                                  const double        lambda,
+                                                  const double        mu,
+                                                  FullMatrix<double> &matrix)
+    {
+      for (unsigned int a = 0; a < n; ++a)
+        {
+          StrainRows DB;
+          for (unsigned int i = 0; i < 2; ++i)
+            {
+              const double tr = lambda * Symmetry::trace(at.B[a][i]);
+              DB[i]           = {{at.JxW * (tr + 2 * mu * at.B[a][i][0]),
+                                  at.JxW * (tr + 2 * mu * at.B[a][i][1]),
+                                  at.JxW * mu * at.B[a][i][2]}};
+              if constexpr (Symmetry::has_hoop)
+                DB[i][3] = at.JxW * (tr + 2 * mu * at.B[a][i][3]);
+            }
+          const Tensor<1, 2> SN = at.JxW * (at.S * at.N[a]);
+          for (unsigned int b = a; b < n; ++b)
+            {
+              for (unsigned int i = 0; i < 2; ++i)
+                for (unsigned int j = 0; j < 2; ++j)
+                  matrix(2 * a + i, 2 * b + j) += DB[i][0] * at.B[b][j][0] +
+                                                  DB[i][1] * at.B[b][j][1] +
+                                                  DB[i][2] * at.B[b][j][2];
+              if constexpr (Symmetry::has_hoop)
+                for (unsigned int i = 0; i < 2; ++i)
+                  matrix(2 * a + i, 2 * b) += DB[i][3] * at.B[b][0][3];
+              if constexpr (Kinematics::has_geometric_stiffness)
+                {
+                  const double geometric = SN * at.N[b];
+                  matrix(2 * a, 2 * b) += geometric;
+                  matrix(2 * a + 1, 2 * b + 1) += geometric;
+                  if constexpr (Symmetry::has_hoop)
+                    matrix(2 * a, 2 * b) +=
+                      at.JxW * at.S33 * at.N_X[a] * at.N_X[b];
+                }
+            }
+        }
+    }
 
 
 
@@ -138,11 +255,8 @@ namespace Contact
                                                FullMatrix<double>   &matrix,
                                                Vector<double> &residual) const
     {
-      using StrainRows = std::array<typename Symmetry::StrainRow, 2>;
-
       const unsigned int n      = cell.n_nodes();
       const double       lambda = projected ? 0. : cell.material->lambda;
-      const double       mu     = cell.material->mu;
 
       // Without projection they are neither filled nor read.
       AtPoints                              P_tr_E;
@@ -154,91 +268,25 @@ namespace Contact
             g = {};
         }
 
-      SmallestInCell            smallest;
-      std::array<StrainRows, 9> B;
+      SmallestInCell smallest;
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)
         {
-          const Tensor<2, 2>  H   = displacement_gradient(cell, q, u);
-          const Tensor<2, 2>  F   = Kinematics::gradient_of_motion(H);
-          const auto          E   = Kinematics::strain(H);
-          const Tensor<1, 2> *N   = cell.gradients.data() + q * n;
-          const double        JxW = cell.JxW[q];
-
-          // Across the plane; of these, plane strain uses nothing.
-          const double  h   = hoop_gradient(cell, q, u);
-          const double  f33 = Kinematics::gradient_of_motion(h);
-          const double  E33 = Kinematics::strain(h);
-          const double *N_X =
-            Symmetry::has_hoop ? &cell.hoop_gradients[q * n] : nullptr;
-
-          const double tr_E = projected ? P_tr_E[q] : trace(E) + E33;
-          const auto   S    = cell.material->stress(E, tr_E);
-          const double S33  = cell.material->hoop_stress(E33, tr_E);
+          const PointState at = state_at<projected>(cell, q, u, P_tr_E);
           if constexpr (Kinematics::has_geometric_stiffness)
             {
-              const double det_F = determinant(F) * f33;
+              const double det_F = determinant(at.F) * at.f33;
               if (det_F < smallest.value)
                 smallest = {det_F, q};
             }
-
-          for (unsigned int a = 0; a < n; ++a)
-            for (unsigned int i = 0; i < 2; ++i)
-              {
-                B[a][i] = {{F[i][0] * N[a][0],
-                            F[i][1] * N[a][1],
-                            F[i][0] * N[a][1] + F[i][1] * N[a][0]}};
-                residual[2 * a + i] +=
-                  JxW * (B[a][i][0] * S[0][0] + B[a][i][1] * S[1][1] +
-                         B[a][i][2] * S[0][1]);
-              }
-          if constexpr (Symmetry::has_hoop)
-            for (unsigned int a = 0; a < n; ++a)
-              {
-                B[a][0][3] = f33 * N_X[a];
-                residual[2 * a] += JxW * B[a][0][3] * S33;
-              }
-
+          add_forces(at, n, residual);
+          if constexpr (with_tangent)
+            add_tangent(at, n, lambda, cell.material->mu, matrix);
           if constexpr (with_tangent && projected)
             for (unsigned int m = 0; m < 3; ++m)
               for (unsigned int a = 0; a < n; ++a)
                 for (unsigned int i = 0; i < 2; ++i)
                   g[m][2 * a + i] +=
-                    JxW * cell.modes[q][m] * Symmetry::trace(B[a][i]);
-
-          if constexpr (with_tangent)
-            for (unsigned int a = 0; a < n; ++a)
-              {
-                StrainRows DB;
-                for (unsigned int i = 0; i < 2; ++i)
-                  {
-                    const double tr = lambda * Symmetry::trace(B[a][i]);
-                    DB[i]           = {{JxW * (tr + 2 * mu * B[a][i][0]),
-                                        JxW * (tr + 2 * mu * B[a][i][1]),
-                                        JxW * mu * B[a][i][2]}};
-                    if constexpr (Symmetry::has_hoop)
-                      DB[i][3] = JxW * (tr + 2 * mu * B[a][i][3]);
-                  }
-                const Tensor<1, 2> SN = JxW * (S * N[a]);
-                for (unsigned int b = a; b < n; ++b)
-                  {
-                    for (unsigned int i = 0; i < 2; ++i)
-                      for (unsigned int j = 0; j < 2; ++j)
-                        matrix(2 * a + i, 2 * b + j) += DB[i][0] * B[b][j][0] +
-                                                        DB[i][1] * B[b][j][1] +
-                                                        DB[i][2] * B[b][j][2];
-                    if constexpr (Symmetry::has_hoop)
-                      for (unsigned int i = 0; i < 2; ++i)
-                        matrix(2 * a + i, 2 * b) += DB[i][3] * B[b][0][3];
-                    if constexpr (Kinematics::has_geometric_stiffness)
-                      {
-                        const double geometric = SN * N[b];
-                        matrix(2 * a, 2 * b) += geometric;
-                        matrix(2 * a + 1, 2 * b + 1) += geometric;
-                        if constexpr (Symmetry::has_hoop)
-                          matrix(2 * a, 2 * b) += JxW * S33 * N_X[a] * N_X[b];
-                      }
-                  }
-              }
+                    at.JxW * cell.modes[q][m] * Symmetry::trace(at.B[a][i]);
         }
 
       if constexpr (with_tangent && projected)

@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "base/counters.h"
+#include "solvers/rigid_rotation.h"
 
 namespace Contact
 {
@@ -32,54 +33,6 @@ namespace Contact
     , solver_kind(solver_kind)
   {
     collect_interface();
-  }
-
-
-
-  // The rigid motions about the middle of each body. As a whole they are three
-  // for all bodies together: aggregates do not reach from body to body except
-  // where these touch.
-  DefiniteSolver::Modes CondensedSystem::rigid_modes() const
-  {
-    DefiniteSolver::Modes modes(3, std::vector<double>(owned.n_elements()));
-
-    // Of the coarse cells, which every rank has.
-    std::map<types::material_id, BoundingBox<2>> boxes;
-    for (const auto &cell :
-         discretization.mesh.triangulation.cell_iterators_on_level(0))
-      boxes.emplace(cell->material_id(), cell->bounding_box())
-        .first->second.merge_with(cell->bounding_box());
-
-    std::vector<types::global_dof_index> dofs;
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-      {
-        if (!cell->is_locally_owned())
-          continue;
-        const auto    &fe     = cell->get_fe();
-        const Point<2> centre = boxes.at(cell->material_id()).center();
-        const auto &mapping   = discretization.mapping[cell->active_fe_index()];
-        dofs.resize(fe.n_dofs_per_cell());
-        cell->get_dof_indices(dofs);
-        for (unsigned int a = 0; a < fe.base_element(0).n_dofs_per_cell(); ++a)
-          {
-            const auto in_x = dofs[fe.component_to_system_index(0, a)];
-            const auto in_y = dofs[fe.component_to_system_index(1, a)];
-            if (!owned.is_element(in_x))
-              continue;
-            const Tensor<1, 2> arm =
-              mapping.transform_unit_to_real_cell(
-                cell,
-                fe.base_element(0).unit_support_point(a)) -
-              centre;
-            const auto row_x = owned.index_within_set(in_x);
-            const auto row_y = owned.index_within_set(in_y);
-            modes[0][row_x]  = 1;
-            modes[1][row_y]  = 1;
-            modes[2][row_x]  = -arm[1];
-            modes[2][row_y]  = arm[0];
-          }
-      }
-    return modes;
   }
 
 
@@ -170,14 +123,15 @@ namespace Contact
 
   void CondensedSystem::make_pattern()
   {
-    const auto                       &dof_handler = discretization.dof_handler;
-    const auto                        n           = dof_handler.n_dofs();
-    std::set<types::global_dof_index> touched     = couplings.all();
+    const MPI_Comm communicator               = discretization.communicator;
+    const auto    &dof_handler                = discretization.dof_handler;
+    const auto     n                          = dof_handler.n_dofs();
+    std::set<types::global_dof_index> touched = couplings.all();
 
     // One rank has all rows, which is said by none.
     IndexSet   rows;
     const bool is_distributed =
-      Utilities::MPI::n_mpi_processes(discretization.communicator) > 1;
+      Utilities::MPI::n_mpi_processes(communicator) > 1;
     if (is_distributed)
       {
         rows = DoFTools::extract_locally_relevant_dofs(dof_handler);
@@ -187,8 +141,33 @@ namespace Contact
 
     DynamicSparsityPattern pattern(n, n, rows);
     elasticity.add_couplings(pattern);
+    touched.merge(add_interface_couplings(pattern));
+    for (const auto i : owned)
+      pattern.add(i, i);
 
-    const auto &base = discretization.constraints;
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(communicator,
+                                    Dofs(touched.begin(), touched.end())))
+      touched.insert(of_rank.begin(), of_rank.end());
+    interface_dofs.assign(touched.begin(), touched.end());
+
+    if (is_distributed)
+      SparsityTools::distribute_sparsity_pattern(pattern,
+                                                 owned,
+                                                 communicator,
+                                                 rows);
+    reset_matrix(pattern);
+  }
+
+
+
+  // An unknown of a cell at the interface may become one of its partners, or of
+  // those of the unknowns that it hangs on.
+  std::set<types::global_dof_index> CondensedSystem::add_interface_couplings(
+    DynamicSparsityPattern &pattern) const
+  {
+    const auto                       &base = discretization.constraints;
+    std::set<types::global_dof_index> all;
     for (const unsigned int c : interface_cells)
       {
         const Dofs &cell_dofs = elasticity.dofs_of_cell(c);
@@ -207,23 +186,16 @@ namespace Contact
         base.add_entries_local_to_global(Dofs(coupled.begin(), coupled.end()),
                                          pattern,
                                          /*keep_constrained_entries=*/false);
-        touched.insert(coupled.begin(), coupled.end());
+        all.insert(coupled.begin(), coupled.end());
       }
-    for (const auto i : owned)
-      pattern.add(i, i);
+    return all;
+  }
 
-    const MPI_Comm communicator = discretization.communicator;
-    for (const auto &of_rank :
-         Utilities::MPI::all_gather(communicator,
-                                    Dofs(touched.begin(), touched.end())))
-      touched.insert(of_rank.begin(), of_rank.end());
-    interface_dofs.assign(touched.begin(), touched.end());
 
-    if (is_distributed)
-      SparsityTools::distribute_sparsity_pattern(pattern,
-                                                 owned,
-                                                 communicator,
-                                                 rows);
+
+  // An empty matrix: whoever has had the old one lets go of it first.
+  void CondensedSystem::reset_matrix(const DynamicSparsityPattern &pattern)
+  {
     for (Solver &solver : solvers)
       {
         if (solver.solver)
@@ -232,7 +204,7 @@ namespace Contact
       }
     current = nullptr;
     matrix.clear();
-    matrix.reinit(owned, owned, pattern, communicator);
+    matrix.reinit(owned, owned, pattern, discretization.communicator);
     tangents_are_known = false;
     has_pattern        = true;
   }
@@ -304,7 +276,7 @@ namespace Contact
     if (!of_kind.solver)
       {
         const auto modes = solver_kind == Parameters::SolverKind::amg
-                             ? rigid_modes()
+                             ? rigid_modes(discretization)
                              : DefiniteSolver::Modes();
         of_kind.solver =
           kind ? DefiniteSolver::create(solver_kind, modes)

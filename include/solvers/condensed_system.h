@@ -66,6 +66,12 @@ namespace Contact
     bool add_eliminable();
     bool on_any_rank(const bool condition) const;
     void make_pattern();
+    void reset_matrix(const DynamicSparsityPattern &pattern);
+
+    /// Returns all unknowns that are coupled.
+    std::set<types::global_dof_index>
+    add_interface_couplings(DynamicSparsityPattern &pattern) const;
+
     void eliminate(const Vector<double> &solution,
                    const Vector<double> &u_start);
 
@@ -77,8 +83,6 @@ namespace Contact
     void restore_interface_rows();
     void for_interface_rows(
       const std::function<void(const int n, double *values)> &visit);
-
-    DefiniteSolver::Modes rigid_modes() const;
 
     const Discretization &discretization;
     const Elasticity     &elasticity;

@@ -182,6 +182,54 @@ namespace Contact
 
 
 
+  std::vector<std::vector<double>>
+  rigid_modes(const Discretization &discretization)
+  {
+    const IndexSet &owned = discretization.dof_handler.locally_owned_dofs();
+    std::vector<std::vector<double>> modes(3,
+                                           std::vector<double>(
+                                             owned.n_elements()));
+
+    const MeshPieces &pieces = discretization.mesh.pieces;
+    std::map<types::material_id, BoundingBox<2>> boxes;
+    for (unsigned int piece = 0; piece < pieces.size(); ++piece)
+      boxes.emplace(pieces[piece].body, pieces[piece].box)
+        .first->second.merge_with(pieces[piece].box);
+
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      {
+        if (!cell->is_locally_owned())
+          continue;
+        const auto    &fe     = cell->get_fe();
+        const Point<2> centre = boxes.at(cell->material_id()).center();
+        const auto &mapping   = discretization.mapping[cell->active_fe_index()];
+        dofs.resize(fe.n_dofs_per_cell());
+        cell->get_dof_indices(dofs);
+        for (unsigned int a = 0; a < fe.base_element(0).n_dofs_per_cell(); ++a)
+          {
+            const auto in_x = dofs[fe.component_to_system_index(0, a)];
+            const auto in_y = dofs[fe.component_to_system_index(1, a)];
+            if (!owned.is_element(in_x))
+              continue;
+            const Tensor<1, 2> arm =
+              mapping.transform_unit_to_real_cell(
+                cell,
+                fe.base_element(0).unit_support_point(a)) -
+              centre;
+            const auto row_x = owned.index_within_set(in_x);
+            const auto row_y = owned.index_within_set(in_y);
+            modes[0][row_x]  = 1;
+            modes[1][row_y]  = 1;
+            modes[2][row_x]  = -arm[1];
+            modes[2][row_y]  = arm[0];
+          }
+      }
+    return modes;
+  }
+
+
+
   std::vector<double> rigid_rotations(const Discretization &discretization,
                                       const Vector<double> &u)
   {

@@ -15,6 +15,15 @@ namespace Contact
   using namespace dealii;
 
   /**
+   * The rigid motions of the bodies, each about the middle of its box, by the
+   * unknowns that this rank owns: displacement in x, in y, and rotation. As a
+   * whole they are three for all bodies together: the aggregates of a multigrid
+   * do not reach from body to body except where these touch.
+   */
+  std::vector<std::vector<double>>
+  rigid_modes(const Discretization &discretization);
+
+  /**
    * The rigid rotation of each piece (MeshPieces) in the linear theory: the
    * omega [rad] of the motion a + omega e_z x (X - c), c the centre of mass,
    * that is closest to the displacement @p u in the mean of the squares over

@@ -148,43 +148,21 @@ namespace Contact
                                       const Vector<double> *hold_forces,
                                       Invariants           &found)
   {
-    Vector<double> left = elasticity.forces(end.displacement, load_factor);
-    left -= end.pressures;
-    left -= end.shears;
+    end.holds = 0;
     if (hold_forces != nullptr)
-      {
-        std::copy(hold_forces->begin(),
-                  hold_forces->begin() + end.holds.size(),
-                  end.holds.begin());
-        left -= end.holds;
-      }
-    else
-      end.holds = 0;
-
-    const auto    &constraints = discretization.constraints;
-    const auto    &owned = discretization.dof_handler.locally_owned_dofs();
-    const MPI_Comm communicator = discretization.communicator;
+      std::copy(hold_forces->begin(),
+                hold_forces->begin() + end.holds.size(),
+                end.holds.begin());
+    Vector<double> left = elasticity.forces(end.displacement, load_factor);
+    for (const auto *forces : {&end.pressures, &end.shears, &end.holds})
+      left -= *forces;
     if (discretization.mesh.triangulation.has_hanging_nodes())
-      {
-        // Hanging nodes hand over to their neighbors. Of those that a support
-        // fixes the constraints of an update know nothing any longer.
-        AffineConstraints<double> hanging;
-        DoFTools::make_hanging_node_constraints(discretization.dof_handler,
-                                                hanging);
-        hanging.close();
-        Vector<double> handed_over(left.size());
-        for (const auto &line : hanging.get_lines())
-          if (owned.is_element(line.index))
-            {
-              handed_over[line.index] -= left[line.index];
-              for (const auto &[other, coefficient] : line.entries)
-                handed_over[other] += coefficient * left[line.index];
-            }
-        Utilities::MPI::sum(handed_over, communicator, handed_over);
-        left += handed_over;
-      }
+      hand_over_from_hanging_nodes(left);
+
+    const auto    &constraints  = discretization.constraints;
+    const MPI_Comm communicator = discretization.communicator;
     Vector<double> reactions(left.size()), residual(left.size());
-    for (const auto dof : owned)
+    for (const auto dof : discretization.dof_handler.locally_owned_dofs())
       if (!constraints.is_constrained(dof))
         residual[dof] += left[dof];
       else if (const auto *entries = constraints.get_constraint_entries(dof);
@@ -199,37 +177,66 @@ namespace Contact
     end.external = elasticity.dead_loads.at(load_factor);
     end.external += reactions;
     add_up(reactions, found);
+    judge_balance(residual.l2_norm(), slack, hold_forces != nullptr, found);
+  }
 
-    // The force scale knows the round-off of the stiffest body. Where that is
-    // more than the loads, these are not in the solution.
+
+
+  // Hanging nodes hand over to their neighbors. Of those that a support fixes
+  // the constraints of an update know nothing any longer.
+  void InvariantCheck::hand_over_from_hanging_nodes(Vector<double> &left) const
+  {
+    const auto               &dof_handler = discretization.dof_handler;
+    AffineConstraints<double> hanging;
+    DoFTools::make_hanging_node_constraints(dof_handler, hanging);
+    hanging.close();
+    Vector<double> handed_over(left.size());
+    for (const auto &line : hanging.get_lines())
+      if (dof_handler.locally_owned_dofs().is_element(line.index))
+        {
+          handed_over[line.index] -= left[line.index];
+          for (const auto &[other, coefficient] : line.entries)
+            handed_over[other] += coefficient * left[line.index];
+        }
+    Utilities::MPI::sum(handed_over, discretization.communicator, handed_over);
+    left += handed_over;
+  }
+
+
+
+  // The force scale knows the round-off of the stiffest body. Where that is
+  // more than the loads, these are not in the solution.
+  void InvariantCheck::judge_balance(const double residual,
+                                     const Slack &slack,
+                                     const bool   is_held,
+                                     Invariants  &found) const
+  {
+    const auto in_words = [this](const double force) {
+      return brief(force) + " N" + discretization.per_thickness();
+    };
     const double loads   = elasticity.dead_loads.whole();
     const double allowed = (slack.force + slack.shear_force) / slack.reference;
-    found.equilibrium    = residual.l2_norm() / slack.reference;
+    found.equilibrium    = residual / slack.reference;
     if (loads > 0 && found.equilibrium <= allowed)
       found.judge("resolution",
-                  residual.l2_norm() / loads,
+                  residual / loads,
                   1e-3,
-                  "of loads of " + brief(loads) + " N" +
-                    discretization.per_thickness() + " " +
-                    brief(residual.l2_norm()) + " N" +
-                    discretization.per_thickness() +
+                  "of loads of " + in_words(loads) + " " + in_words(residual) +
                     " are lost in the round-off of the stiffest body",
                   "Take a smaller Young's modulus, or an obstacle instead of "
                   "that body.");
-    if (hold_forces != nullptr)
+    if (is_held)
       found.judge("stabilization",
                   end.holds.l2_norm() / slack.reference,
                   1e-3,
                   "springs that hold a body still carry " +
-                    brief(end.holds.l2_norm()) + " N" +
-                    discretization.per_thickness(),
+                    in_words(end.holds.l2_norm()),
                   "Support the body in the motion that is named above, or "
                   "refine its surfaces.");
     found.judge("equilibrium",
                 found.equilibrium,
                 allowed,
-                "a force of " + brief(residual.l2_norm()) + " N" +
-                  discretization.per_thickness() +
+                "a force of " + in_words(residual) +
                   " is left over where no support acts",
                 wrong_forces);
   }
@@ -271,24 +278,8 @@ namespace Contact
     const double stabilization = work(&State::holds);
     const double sum           = external + contact + friction + stabilization;
 
-    double path = 0;
-    if (!elasticity.is_linear())
-      {
-        Vector<double> middle(start.displacement);
-        middle.add(0.5, d);
-        double along = 0;
-        elasticity.visit_cells(
-          middle,
-          /*with_tangent=*/false,
-          [&](const std::vector<types::global_dof_index> &dofs,
-              const FullMatrix<double> &,
-              const Vector<double> &forces) {
-            for (unsigned int i = 0; i < dofs.size(); ++i)
-              along += forces[i] * d[dofs[i]];
-          });
-        path = 2. / 3 *
-               (Utilities::MPI::sum(along, discretization.communicator) - sum);
-      }
+    const double path =
+      elasticity.is_linear() ? 0. : 2. / 3 * (work_at_middle(d) - sum);
 
     end.external_work += external;
     end.contact_work += contact;
@@ -308,13 +299,7 @@ namespace Contact
     const double round_off = std::numeric_limits<double>::epsilon() * d.size() *
                              (scale + start.strain_energy + end.strain_energy);
 
-    found.strain_energy      = end.strain_energy;
-    found.external_work      = end.external_work;
-    found.contact_work       = end.contact_work;
-    found.friction_work      = end.friction_work;
-    found.stabilization_work = end.stabilization_work;
-    found.path_work          = end.path_work;
-    found.dissipation        = end.dissipation;
+    static_cast<Works &>(found) = end;
     if (scale == 0)
       return;
     found.energy_imbalance = missing / std::max(scale, works);
@@ -326,5 +311,23 @@ namespace Contact
                   " N mm" + discretization.per_thickness() +
                   " in this increment",
                 wrong_forces);
+  }
+
+
+
+  double InvariantCheck::work_at_middle(const Vector<double> &d) const
+  {
+    Vector<double> middle(start.displacement);
+    middle.add(0.5, d);
+    double work = 0;
+    elasticity.visit_cells(middle,
+                           /*with_tangent=*/false,
+                           [&](const std::vector<types::global_dof_index> &dofs,
+                               const FullMatrix<double> &,
+                               const Vector<double> &forces) {
+                             for (unsigned int i = 0; i < dofs.size(); ++i)
+                               work += forces[i] * d[dofs[i]];
+                           });
+    return Utilities::MPI::sum(work, discretization.communicator);
   }
 } // namespace Contact

@@ -16,26 +16,16 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * What has to hold after a load increment, of contact and of the bodies. Of
-   * several levels of refinement each starts from the undeformed bodies.
+   * Energy and works since the start [N mm per mm of thickness]:
+   *   strain energy = works of the loads and moved supports (external), of
+   *     the pressures (contact), of the shears (friction), of what else holds
+   *     the bodies (stabilization), and path work.
+   * See InvariantCheck. The dissipation is that of the slip law, which is
+   * never negative; it and minus the friction work agree in the limit of many
+   * increments, where contact work and path work vanish.
    */
-  struct Invariants : public ContactInvariants
+  struct Works
   {
-    /// The norm of the forces that are left over where no support acts, by F.
-    double equilibrium = 0;
-
-    /// The largest distance of a supported node from where it has to be [mm].
-    double supports = 0;
-
-    /**
-     * Energy and works since the start [N mm per mm of thickness]:
-     *   strain energy = works of the loads and moved supports (external), of
-     *     the pressures (contact), of the shears (friction), of what else holds
-     *     the bodies (stabilization), and path work.
-     * See InvariantCheck. The dissipation is that of the slip law, which is
-     * never negative; it and minus the friction work agree in the limit of
-     * many increments, where contact work and path work vanish.
-     */
     double strain_energy      = 0;
     double external_work      = 0;
     double contact_work       = 0;
@@ -43,10 +33,27 @@ namespace Contact
     double stabilization_work = 0;
     double path_work          = 0;
     double dissipation        = 0;
+  };
 
-    /// What is missing to the equation above in this increment, by the larger
-    /// of the sum of the magnitudes of its terms and of strain energy and
-    /// external work.
+
+
+  /**
+   * What has to hold after a load increment, of contact and of the bodies. Of
+   * several levels of refinement each starts from the undeformed bodies.
+   */
+  struct Invariants
+    : public ContactInvariants
+    , public Works
+  {
+    /// The norm of the forces that are left over where no support acts, by F.
+    double equilibrium = 0;
+
+    /// The largest distance of a supported node from where it has to be [mm].
+    double supports = 0;
+
+    /// What is missing to the equation of the works in this increment, by the
+    /// larger of the sum of the magnitudes of its terms and of strain energy
+    /// and external work.
     double energy_imbalance = 0;
 
     /// What each group of supports exerts on the bodies, by direction, in the
@@ -99,18 +106,13 @@ namespace Contact
   {
   public:
     /// The state at the start of an increment, all that the next one needs.
-    struct State
+    struct State : public Works
     {
       /// Displacements [mm], and forces on the nodes [N per mm]: loads and
       /// reactions; of the pressures and the shears of contact; of what else
       /// holds the bodies. Full on all ranks.
       Vector<double> displacement;
       Vector<double> external, pressures, shears, holds;
-
-      /// The works so far.
-      double strain_energy = 0, external_work = 0, contact_work = 0,
-             friction_work = 0, stabilization_work = 0, path_work = 0,
-             dissipation = 0;
 
       template<class Archive>
       void serialize(Archive &archive, const unsigned int)
@@ -161,8 +163,17 @@ namespace Contact
                         const Slack          &slack,
                         const Vector<double> *hold_forces,
                         Invariants           &found);
+    void hand_over_from_hanging_nodes(Vector<double> &left) const;
+    void judge_balance(const double residual,
+                       const Slack &slack,
+                       const bool   is_held,
+                       Invariants  &found) const;
     void add_up(const Vector<double> &reactions, Invariants &found) const;
     void check_energy(const Slack &slack, Invariants &found);
+
+    /// The work of the internal forces in the middle of the increment along its
+    /// whole way @p d.
+    double work_at_middle(const Vector<double> &d) const;
 
     const Discretization      &discretization;
     const Elasticity          &elasticity;

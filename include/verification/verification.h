@@ -67,23 +67,6 @@ namespace Contact
     }
 
     /**
-     * How much [mm] the center of body 1, a full cylinder of the radius
-     * @p radius_1 [mm], approaches the center of the contact,
-     *   delta = P (1 - nu1^2)/(pi E1) (2 ln(4 R1/a) - 1),
-     * Johnson, equation (5.56). It is the strain on the axis between the two
-     * under the Hertz pressure, the opposite force -P on a line at the far end
-     * of the diameter, and the tension P/(pi R1) in all directions that frees
-     * the rest of the circle, up to terms of the order (a/R1)^2. A force that
-     * acts elsewhere gives another approach. A half plane has none: there the
-     * displacement grows with the logarithm of the distance.
-     */
-    double approach_of_centre(const double radius_1) const
-    {
-      return force * (1 - poisson_1 * poisson_1) / (numbers::PI * young_1) *
-             (2 * std::log(4 * radius_1 / half_width()) - 1);
-    }
-
-    /**
      * Dundurs' constant [-]. A pressure p strains the surface below it by
      * -(1 + nu)(1 - 2 nu)/E p, and by reciprocity a shear traction bends the
      * surface in the same ratio. What counts is the difference of the bodies,

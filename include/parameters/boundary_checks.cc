@@ -1,0 +1,143 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// What supports, ties and loads have to be, beyond their patterns.
+
+#include <deal.II/base/patterns.h>
+
+#include <algorithm>
+
+#include "base/words.h"
+#include "parameters/formula.h"
+#include "parameters/parameters.h"
+
+namespace Contact
+{
+  namespace
+  {
+    // Two entries that act on the same group although only one of them can.
+    template<typename A, typename B>
+    void check_disjoint(const std::map<std::string, A> &map,
+                        const std::string              &entry,
+                        const std::map<std::string, B> &other,
+                        const std::string              &other_entry)
+    {
+      for (const auto &[key, value] : map)
+        if (other.count(key) > 0)
+          throw EntryError(in_quotes(key) + " is in " + entry + " and in " +
+                             other_entry + ", which contradict each other.",
+                           {entry, other_entry},
+                           "remove " + in_quotes(key) + " from one of the two");
+    }
+
+
+
+    template<int n_variables>
+    void check_formula(const std::string &formula,
+                       const std::string &variables,
+                       const std::string &entry)
+    {
+      try
+        {
+          parse_formula<n_variables>(formula, variables);
+        }
+      catch (const std::runtime_error &error)
+        {
+          throw EntryError(error.what(),
+                           {entry},
+                           "write a formula such as '2*" +
+                             variables.substr(0, 1) +
+                             " + 1'; there are ^, sin, min(a, b), "
+                             "if(condition, a, b), pi and others");
+        }
+    }
+
+
+
+    void check_history(const std::string &history, const std::string &entry)
+    {
+      if (!is_table(history))
+        return check_formula<1>(history, "t", entry);
+      try
+        {
+          parse_history(history);
+        }
+      catch (const std::runtime_error &error)
+        {
+          throw EntryError(error.what(),
+                           {entry},
+                           "write pairs of t and a factor, with growing t, "
+                           "such as 'table(0 0, 0.5 1, 1 -1)'");
+        }
+    }
+
+
+
+    // Entries of the boundary conditions that grow with the load.
+    const std::vector<std::string> entries_with_history = {"Displacement x",
+                                                           "Displacement y",
+                                                           "Force x",
+                                                           "Force y",
+                                                           "Spread force x",
+                                                           "Spread force y",
+                                                           "Pressure",
+                                                           "Traction x",
+                                                           "Traction y",
+                                                           "Body force x",
+                                                           "Body force y"};
+  } // namespace
+
+
+
+  namespace Parameters
+  {
+    void Boundary::check() const
+    {
+      const std::string section      = "Boundary conditions/";
+      const auto        moves_freely = [&](const auto        &loads,
+                                    const std::string &entry,
+                                    const auto        &displacement) {
+        check_disjoint(loads,
+                       section + entry,
+                       displacement,
+                       section + "Displacement " + entry.back());
+      };
+      moves_freely(force_x, "Force x", displacement_x);
+      moves_freely(force_y, "Force y", displacement_y);
+      moves_freely(spread_force_x, "Spread force x", displacement_x);
+      moves_freely(spread_force_y, "Spread force y", displacement_y);
+      moves_freely(traction_x, "Traction x", displacement_x);
+      moves_freely(traction_y, "Traction y", displacement_y);
+      moves_freely(tied_y, "Tied y", displacement_y);
+      const auto check_formulas = [&](const auto        &formulas,
+                                      const std::string &entry) {
+        for (const auto &[group, formula] : formulas)
+          check_formula<2>(formula, "x,y", section + entry);
+      };
+      check_formulas(pressure, "Pressure");
+      check_formulas(traction_x, "Traction x");
+      check_formulas(traction_y, "Traction y");
+      check_formulas(body_force_x, "Body force x");
+      check_formulas(body_force_y, "Body force y");
+      for (const auto &[entry, formula] : histories)
+        {
+          if (std::count(entries_with_history.begin(),
+                         entries_with_history.end(),
+                         entry) == 0)
+            throw EntryError(in_quotes(entry) + " has no history.",
+                             {section + "Histories"},
+                             "choose one of: " + Patterns::Tools::to_string(
+                                                   entries_with_history));
+          check_history(formula, section + "Histories");
+        }
+      for (const auto &[follower, leader] : tied_y)
+        if (tied_y.count(leader) > 0)
+          throw EntryError(in_quotes(follower) + " is tied to " +
+                             in_quotes(leader) + ", which is tied itself.",
+                           {section + "Tied y"},
+                           "tie points to one that is not tied");
+    }
+  } // namespace Parameters
+} // namespace Contact
