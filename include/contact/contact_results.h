@@ -60,6 +60,17 @@ namespace Contact
                                 const Vector<double>   &u_start,
                                 const bool              moving_bound);
 
+  /**
+   * What the points at corners of the master exert on a slave, spread over its
+   * nodes as the nodal rule would: pressure and shear (p, q) by node, with
+   * which the integrals of the shape functions give the forces [MPa]. To be
+   * added to those of the nodes' own multipliers; empty if there are no such
+   * points.
+   */
+  std::vector<Tensor<1, 2>> corner_tractions(const ContactInterface &interface,
+                                             const ContactZone      &zone,
+                                             const Vector<double>   &solution);
+
   /// Which points have changed their minds since @p decisions, where, from what
   /// to what: a line each, at most ten.
   std::string describe_changes(const ContactInterface      &interface,
