@@ -267,34 +267,47 @@ namespace Contact
 
 
 
-  // The multipliers of a solution are the tractions.
-  std::vector<Tensor<1, 2>> corner_tractions(const ContactInterface &interface,
-                                             const ContactZone      &zone,
-                                             const Vector<double>   &solution)
+  // The multipliers of a solution are the tractions. A node without a point
+  // that faces the master is pushed along the normal of the corner's.
+  std::vector<CornerLoad> corner_loads(const ContactInterface &interface,
+                                       const ContactZone      &zone,
+                                       const Vector<double>   &solution)
   {
     if (!zone.has_corner_points())
       return {};
-    MultiplierSpace numbering;
-    const auto      own = make_nodal_points(zone.slave, {}, numbering);
-    std::map<types::global_dof_index, unsigned int> node_of_dof;
+    MultiplierSpace         numbering;
+    const auto              own = make_nodal_points(zone.slave, {}, numbering);
+    std::vector<CornerLoad> loads;
+    std::map<types::global_dof_index, unsigned int>         node_of_dof;
+    std::map<types::global_dof_index, const ContactPoint *> facing;
     for (unsigned int n = 0; n < zone.slave.nodes.size(); ++n)
-      node_of_dof[zone.slave.nodes[n].dofs[0]] = n;
+      {
+        node_of_dof[zone.slave.nodes[n].dofs[0]] = n;
+        loads.push_back({Tensor<1, 2>(), own[numbering.of_node[n]].weight});
+      }
+    for (const ContactPoint &point : interface.points_of(zone))
+      if (!point.is_master_corner && point.facing)
+        facing[point.dofs[0][0]] = &point;
 
-    std::vector<Tensor<1, 2>> tractions(zone.slave.nodes.size());
     for (const ContactPoint &point : interface.points_of(zone))
       if (point.is_master_corner)
         {
           const ContactState now = interface.state(point, solution, solution);
-          const Tensor<1, 2> force(
-            {point.weight * now.lambda_n, point.weight * now.lambda_t});
+          const Tensor<1, 2> force =
+            point.weight *
+            (now.lambda_n * point.normal + now.lambda_t * point.tangent);
           for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
             {
-              const unsigned int n = node_of_dof.at(point.dofs[a][0]);
-              tractions[n] -=
-                point.C[a] / own[numbering.of_node[n]].weight * force;
+              const auto         found = facing.find(point.dofs[a][0]);
+              const Tensor<1, 2> normal =
+                found == facing.end() ? -point.normal : found->second->normal;
+              const Tensor<1, 2> on_node = point.C[a] * force;
+              loads[node_of_dof.at(point.dofs[a][0])].force +=
+                Tensor<1, 2>({on_node * normal,
+                              on_node[1] * normal[0] - on_node[0] * normal[1]});
             }
         }
-    return tractions;
+    return loads;
   }
 
 

@@ -30,9 +30,10 @@ namespace Contact
   std::vector<ContactPoint> make_corner_points(const Surface &master)
   {
     std::vector<unsigned int> corners;
-    for (const Surface::Edge &edge : master.edges)
-      if (edge.corner[0] && edge.begins_face)
-        corners.push_back(edge.nodes[0]);
+    for (unsigned int e = 0; e < master.edges.size(); ++e)
+      if (master.edges[e].corner[0] && master.edges[e].begins_face &&
+          master.turn_of_curves(e) > numbers::PI / 180 * Surface::feature_angle)
+        corners.push_back(master.edges[e].nodes[0]);
     if (corners.empty())
       return {};
 

@@ -32,8 +32,9 @@ namespace Contact
    * weighted so as a slave node. It is a force, singular at a sharp corner as
    * the theory of elasticity has it, not a pressure that a mesh resolves.
    *
-   * A corner is what Surface::feature_angle says, inside of the surface: where
-   * the surface ends, the body may go on flat.
+   * A corner is what Surface::feature_angle says, of the curves that the edges
+   * stand for (the vertices of an arc are none, however few they are), inside
+   * of the surface: where the surface ends, the body may go on flat.
    *
    * Where a corner lies on a flat edge whose nodes are in contact as well, its
    * condition follows from theirs, to round-off. It is met up to

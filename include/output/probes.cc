@@ -129,9 +129,9 @@ namespace Contact
     const auto [zone, n] =
       slave_nodes_at(discretization.vertex_dofs[vertex], interface).at(0);
     const bool   normal     = quantity == "pressure";
-    const auto   of_corners = corner_tractions(*interface, *zone, solution);
+    const auto   of_corners = corner_loads(*interface, *zone, solution);
     const double of_corner =
-      of_corners.empty() ? 0. : of_corners[n][normal ? 0 : 1];
+      of_corners.empty() ? 0. : of_corners[n].traction()[normal ? 0 : 1];
     if (normal)
       return interface->pressure(zone->pressure_at(n), solution) + of_corner;
     const unsigned int k = zone->multipliers.of_node[n];

@@ -127,35 +127,6 @@ namespace Contact
 
 
 
-    using NodeOfDof = std::map<types::global_dof_index, unsigned int>;
-
-    NodeOfDof nodes_by_dof(const Surface &surface)
-    {
-      NodeOfDof node_of_dof;
-      for (unsigned int n = 0; n < surface.nodes.size(); ++n)
-        node_of_dof[surface.nodes[n].dofs[0]] = n;
-      return node_of_dof;
-    }
-
-
-
-    /// The force of a point on the nodes of one surface, positive if it pushes.
-    void add_force(const ContactPoint      &point,
-                   const bool               on_slave,
-                   const double             force,
-                   const NodeOfDof         &node_of_dof,
-                   std::vector<ProfileRow> &rows)
-    {
-      // The coefficients of the side that a point belongs to are positive.
-      const double sign = on_slave == point.is_master_corner ? -1 : 1;
-      for (unsigned int a = 0; a < point.n_nodes; ++a)
-        if (point.is_on_slave(a) == on_slave)
-          rows[node_of_dof.at(point.dofs[a][0])].nodal_force +=
-            sign * point.C[a] * force;
-    }
-
-
-
     /// The status of a point as the profile counts it.
     int rank(const ContactPoint &point)
     {
@@ -209,8 +180,7 @@ namespace Contact
                             const Vector<double>    &u_start,
                             std::vector<ProfileRow> &rows)
     {
-      const auto node_of_dof = nodes_by_dof(zone.slave);
-      const auto of_corners  = corner_tractions(interface, zone, solution);
+      const auto of_corners = corner_loads(interface, zone, solution);
       std::vector<unsigned int> node_of(interface.n_normal_multipliers());
       for (unsigned int n = 0; n < rows.size(); ++n)
         {
@@ -224,19 +194,17 @@ namespace Contact
             }
           if (!of_corners.empty())
             {
-              rows[n].pressure += of_corners[n][0];
-              rows[n].shear += of_corners[n][1];
+              rows[n].nodal_force += of_corners[n].force[0];
+              rows[n].pressure += of_corners[n].traction()[0];
+              rows[n].shear += of_corners[n].traction()[1];
             }
         }
 
       for (const ContactPoint &point : interface.points_of(zone))
         {
-          const double force = normal_force(interface, point, solution);
           if (point.is_master_corner)
-            {
-              add_force(point, true, force, node_of_dof, rows);
-              continue;
-            }
+            continue;
+          const double force = normal_force(interface, point, solution);
           for (unsigned int k = 0; k < point.n_multipliers; ++k)
             {
               ProfileRow &row = rows[node_of[point.multipliers[k]]];
@@ -341,13 +309,19 @@ namespace Contact
           interpolate(zone.slave, slave, place, rows[n]);
       }
 
-    const auto node_of_dof = nodes_by_dof(master);
+    std::map<types::global_dof_index, unsigned int> node_of_dof;
+    for (unsigned int n = 0; n < master.nodes.size(); ++n)
+      node_of_dof[master.nodes[n].dofs[0]] = n;
     for (const ContactPoint &point : interface.points_of(zone))
-      add_force(point,
-                /*on_slave=*/false,
-                normal_force(interface, point, solution),
-                node_of_dof,
-                rows);
+      {
+        // Positive if it pushes.
+        const double force = (point.is_master_corner ? -1 : 1) *
+                             normal_force(interface, point, solution);
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          if (!point.is_on_slave(a))
+            rows[node_of_dof.at(point.dofs[a][0])].nodal_force -=
+              point.C[a] * force;
+      }
 
     add_exact_values(exact, rows);
     reverse(rows);
