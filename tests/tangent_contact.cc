@@ -6,8 +6,9 @@
 // Proves that the tangent of contact is the derivative of its residual: both
 // rules, both degrees, all friction laws, sticking and slipping in both
 // directions and open, with finite penetration and slip on turned and curved
-// edges. With moving geometry the points are paired anew in every state that
-// the difference quotient visits, else never. The same on rigid obstacles.
+// edges; and of points at corners of the master. With moving geometry the
+// points are paired anew in every state that the difference quotient visits,
+// else never. The same on rigid obstacles.
 
 #include "tests.h"
 
@@ -317,6 +318,41 @@ namespace
 
 
 
+  /// A corner of the master under the inside of a slave edge.
+  void check_master_corner(const unsigned int degree, const std::string &rule)
+  {
+    headline("degree " + std::to_string(degree) + ", " + rule +
+             " rule, a corner of the master");
+    MeshText mesh;
+    mesh.block("lower", 2, 1, [](const double s, const double t) {
+      return Point<2>(2 * s - 1, t - 1 - std::abs(2 * s - 1));
+    });
+    mesh.block("upper", 1, 1, rectangle({-0.8, 0}, {0.4, 1}));
+    Parameters::All parameters =
+      make_parameters(mesh, {"lower", "upper"}, degree, "small strain");
+    parameters.contact.slave                = "upper bottom";
+    parameters.contact.master               = "lower top";
+    parameters.contact.rule                 = rule;
+    parameters.contact.friction_coefficient = 0.4;
+    ContactModel model(parameters);
+    randomize(model, -0.08);
+
+    model.interface.pair(model.solution);
+    const ContactPoint &corner = model.interface.points.back();
+    check("the last point is at the corner",
+          corner.is_master_corner && corner.facing);
+    check("and deep inside",
+          model.interface.state(corner, model.solution, model.start).gap <
+            -0.02);
+
+    check_decision(model, "open", {Status::open, 0});
+    check_decision(model, "stick", {Status::stick, 0});
+    check_decision(model, "slip forward", {Status::slip, 1});
+    check_decision(model, "slip backward", {Status::slip, -1});
+  }
+
+
+
   /// On rigid obstacles, which turn the normal of a point as it moves along
   /// them. All is turned by the same angle as in randomize().
   void check_obstacle(const unsigned int         degree,
@@ -362,6 +398,9 @@ int main()
       for (const Law &law : {laws[0], laws[2]})
         check_mortar(degree, law, whole);
   check_corner(1);
+  for (const unsigned int degree : {1, 2})
+    for (const std::string rule : {"nodal", "mortar"})
+      check_master_corner(degree, rule);
   const Tensor<2, 2> R      = rotation(0.6);
   const Tensor<1, 2> normal = R * Point<2>(0, 1);
   const Tensor<1, 2> below  = R * Point<2>(1.3, -4);

@@ -12,6 +12,7 @@
 
 #include "adaptivity/refinement.h"
 #include "base/counters.h"
+#include "contact/contact_results.h"
 
 namespace Contact
 {
@@ -136,6 +137,9 @@ namespace Contact
           if (!zone.law.is_frictionless())
             at_nodes[i][1] = solution[interface.tangential_index(k)];
         }
+      const auto of_corners = corner_loads(interface, zone, solution);
+      for (unsigned int i = 0; i < of_corners.size(); ++i)
+        at_nodes[i] += of_corners[i].traction();
     }
 
     /**

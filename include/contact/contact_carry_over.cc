@@ -67,6 +67,18 @@ namespace Contact
         state.bound.push_back(points[k].tresca_bound);
         state.decisions.push_back(points[k].decision);
       }
+    for (const ContactPoint &point : points_of(zone))
+      if (point.is_master_corner)
+        {
+          const unsigned int k = point.multipliers[0];
+          state.corners.push_back(
+            {point.weight * solution[normal_index(k)],
+             zone.law.is_frictionless()
+               ? 0.
+               : point.weight * solution[tangential_index(k)],
+             point.tresca_bound,
+             point.decision});
+        }
     return state;
   }
 
@@ -163,5 +175,33 @@ namespace Contact
                  !can_stick(points[k]))
           points[k].decision = {Status::slip, 0};
       }
+    restore_corners(zone, state, solution);
+  }
+
+
+
+  // They come in the order of the chain. Where a finer slave has got a node
+  // close to a corner, that does not face it any more.
+  void ContactInterface::restore_corners(const ContactZone  &zone,
+                                         const SurfaceState &state,
+                                         Vector<double>     &solution)
+  {
+    auto corner = state.corners.begin();
+    for (unsigned int q = zone.first_point;
+         q < zone.first_point + zone.n_points && corner != state.corners.end();
+         ++q)
+      if (points[q].is_master_corner)
+        {
+          ContactPoint &point = points[q];
+          point.decision      = point.facing ? corner->decision : Decision();
+          point.tresca_bound  = corner->bound;
+          if (point.decision.status == Status::stick && !can_stick(point))
+            point.decision = {Status::slip, 0};
+          const unsigned int k      = point.multipliers[0];
+          solution[normal_index(k)] = corner->force / point.weight;
+          if (!zone.law.is_frictionless())
+            solution[tangential_index(k)] = corner->shear / point.weight;
+          ++corner;
+        }
   }
 } // namespace Contact

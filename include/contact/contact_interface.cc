@@ -171,13 +171,9 @@ namespace Contact
   void ContactInterface::initialize_status(const Vector<double> &u)
   {
     for (ContactPoint &point : points)
-      {
-        const double length =
-          zone(point).slave.reference_length(point.slave_edge);
-        if (point.facing && state(point, u, u).gap <= 0.01 * length)
-          point.decision.status =
-            can_stick(point) ? Status::stick : Status::slip;
-      }
+      if (point.facing && !point.is_master_corner &&
+          state(point, u, u).gap <= 0.01 * zone(point).edge_length(point))
+        point.decision.status = can_stick(point) ? Status::stick : Status::slip;
   }
 
 
@@ -190,11 +186,17 @@ namespace Contact
     for (const ContactPoint &point : points)
       if (point.facing)
         smallest = std::min(smallest, state(point, u, u).gap);
-    for (ContactPoint &point : points)
-      if (point.facing &&
-          state(point, u, u).gap - smallest <=
-            0.01 * zone(point).slave.reference_length(point.slave_edge))
-        point.decision.status = can_stick(point) ? Status::stick : Status::slip;
+    const auto close = [&](const bool corners) {
+      for (ContactPoint &point : points)
+        if (point.facing && point.is_master_corner == corners &&
+            state(point, u, u).gap - smallest <=
+              0.01 * zone(point).edge_length(point))
+          point.decision.status =
+            can_stick(point) ? Status::stick : Status::slip;
+    };
+    close(false);
+    if (count().active == 0)
+      close(true);
   }
 
 

@@ -121,14 +121,16 @@ namespace Contact
     /**
      * The first guess of the active set: points that touch, penetrate, or are
      * closer than a hundredth of the length of their slave edge. What it misses
-     * costs time only: the search of the active set finds the rest.
+     * costs time only: the search of the active set finds the rest. It leaves
+     * corners of the master out: their conditions may follow from others.
      */
     void initialize_status(const Vector<double> &u);
 
     /**
      * If no point is in contact, begin with those that come first as the
      * bodies approach each other: the one with the smallest gap, and what is
-     * no further than a hundredth of an edge behind it. A guess again.
+     * no further than a hundredth of an edge behind it. A guess again. Corners
+     * of the master, if no point of the slave is as close.
      */
     void close_nearest(const Vector<double> &u);
 
@@ -139,6 +141,15 @@ namespace Contact
       std::vector<double>   place;
       std::vector<double>   pressure, shear, bound; // [MPa]
       std::vector<Decision> decisions;
+
+      /// Corners of the master, which every mesh has: force and shear [N per
+      /// mm], bound [MPa].
+      struct Corner
+      {
+        double   force, shear, bound;
+        Decision decision;
+      };
+      std::vector<Corner> corners;
     };
 
     /// Rules with a point per node: from one mesh to a finer one, by zone.
@@ -305,6 +316,9 @@ namespace Contact
     void         restore_zone(const ContactZone  &zone,
                               const SurfaceState &state,
                               Vector<double>     &solution);
+    void         restore_corners(const ContactZone  &zone,
+                                 const SurfaceState &state,
+                                 Vector<double>     &solution);
 
     const Discretization &discretization;
 

@@ -103,6 +103,10 @@ namespace Contact
     // The zone that the point belongs to.
     unsigned int zone = 0;
 
+    // At a corner of the master: the same with both bodies exchanged in all
+    // that follows, see corner_points.h.
+    bool is_master_corner = false;
+
     // The slave side, the same during the whole run.
     unsigned int slave_edge = 0; // in the slave surface
     double       slave_xi   = 0;
@@ -140,6 +144,12 @@ namespace Contact
 
     /// Forget one node.
     void remove_node(const unsigned int n);
+
+    /// Whether the node @p a of the list is one of the slave.
+    bool is_on_slave(const unsigned int a) const
+    {
+      return (a < n_slave_nodes) != is_master_corner;
+    }
 
     Tensor<1, 2> normal, tangent;
     double       metric = 1; // |d x_m / d xi| [mm]

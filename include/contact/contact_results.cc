@@ -158,6 +158,26 @@ namespace Contact
 
 
 
+    /// What acts on a corner: a force, whose traction is that of the mesh size.
+    void add_force(const ContactInterface &interface,
+                   const ContactPoint     &point,
+                   const Vector<double>   &solution,
+                   const Vector<double>   &u_start,
+                   const bool              moving_bound,
+                   ContactResults         &results)
+    {
+      const ContactState now      = interface.state(point, solution, u_start);
+      const Traction     traction = interface.traction(point,
+                                                   point.decision,
+                                                   now.p_trial,
+                                                   now.q_trial,
+                                                   moving_bound);
+      results.normal_force += point.weight * traction.p;
+      results.tangential_force += point.weight * traction.q;
+    }
+
+
+
     /// A decision in a message; a point that slips does so against its shear.
     std::string describe(const Decision &decision)
     {
@@ -202,6 +222,16 @@ namespace Contact
     std::vector<Samples> by_chain(chains.back() + 1);
     for (const ContactPoint &point : interface.points_of(zone))
       {
+        if (point.is_master_corner)
+          {
+            add_force(interface,
+                      point,
+                      solution,
+                      u_start,
+                      moving_bound,
+                      results);
+            continue;
+          }
         Samples        &samples = by_chain[chains[point.slave_edge]];
         const EdgeShape shape(slave.degree, point.slave_xi);
         double          s = 0;
@@ -233,6 +263,51 @@ namespace Contact
       }
     add_widths(slave, s_of_node, by_chain, results);
     return results;
+  }
+
+
+
+  // The multipliers of a solution are the tractions. A node without a point
+  // that faces the master is pushed along the normal of the corner's.
+  std::vector<CornerLoad> corner_loads(const ContactInterface &interface,
+                                       const ContactZone      &zone,
+                                       const Vector<double>   &solution)
+  {
+    if (!zone.has_corner_points())
+      return {};
+    MultiplierSpace         numbering;
+    const auto              own = make_nodal_points(zone.slave, {}, numbering);
+    std::vector<CornerLoad> loads;
+    std::map<types::global_dof_index, unsigned int>         node_of_dof;
+    std::map<types::global_dof_index, const ContactPoint *> facing;
+    for (unsigned int n = 0; n < zone.slave.nodes.size(); ++n)
+      {
+        node_of_dof[zone.slave.nodes[n].dofs[0]] = n;
+        loads.push_back({Tensor<1, 2>(), own[numbering.of_node[n]].weight});
+      }
+    for (const ContactPoint &point : interface.points_of(zone))
+      if (!point.is_master_corner && point.facing)
+        facing[point.dofs[0][0]] = &point;
+
+    for (const ContactPoint &point : interface.points_of(zone))
+      if (point.is_master_corner)
+        {
+          const ContactState now = interface.state(point, solution, solution);
+          const Tensor<1, 2> force =
+            point.weight *
+            (now.lambda_n * point.normal + now.lambda_t * point.tangent);
+          for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
+            {
+              const auto         found = facing.find(point.dofs[a][0]);
+              const Tensor<1, 2> normal =
+                found == facing.end() ? -point.normal : found->second->normal;
+              const Tensor<1, 2> on_node = point.C[a] * force;
+              loads[node_of_dof.at(point.dofs[a][0])].force +=
+                Tensor<1, 2>({on_node * normal,
+                              on_node[1] * normal[0] - on_node[0] * normal[1]});
+            }
+        }
+    return loads;
   }
 
 

@@ -60,6 +60,29 @@ namespace Contact
                                 const Vector<double>   &u_start,
                                 const bool              moving_bound);
 
+  /**
+   * What the points at corners of the master exert on a node of the slave: the
+   * force along normal and tangent of the node's own point, in which it can be
+   * added to what that exerts [N per mm], and the integral of the node's shape
+   * function, over which it is spread [mm].
+   */
+  struct CornerLoad
+  {
+    Tensor<1, 2> force;
+    double       weight;
+
+    /// As pressure and shear (p, q) at the node [MPa].
+    Tensor<1, 2> traction() const
+    {
+      return force / weight;
+    }
+  };
+
+  /// By slave node; empty if there are no such points.
+  std::vector<CornerLoad> corner_loads(const ContactInterface &interface,
+                                       const ContactZone      &zone,
+                                       const Vector<double>   &solution);
+
   /// Which points have changed their minds since @p decisions, where, from what
   /// to what: a line each, at most ten.
   std::string describe_changes(const ContactInterface      &interface,

@@ -10,6 +10,7 @@
 
 #include "base/counters.h"
 #include "base/errors.h"
+#include "contact/corner_points.h"
 
 namespace Contact
 {
@@ -160,8 +161,27 @@ namespace Contact
     if (slave.degree == 2 && master &&
         parameters.rule == Parameters::Rule::mortar)
       for (unsigned int i = 0; i < slave.nodes.size(); ++i)
-        if (discretization.is_on_axis(slave.nodes[i].X))
-          excluded.insert(i);
+        if (discretization.is_on_axis(slave.nodes[i].X) &&
+            excluded.count(i) == 0)
+          on_axis.insert(i);
+  }
+
+
+
+  // Not with glue, which the nodes of the rule hold.
+  void ContactZone::make_axis_points(std::vector<ContactPoint> &points)
+  {
+    if (on_axis.empty() || tied)
+      return;
+    MultiplierSpace numbering;
+    auto            all = make_nodal_points(slave, {}, numbering);
+    for (const unsigned int node : on_axis)
+      {
+        multipliers.of_node[node] = multipliers.n_multipliers++;
+        ContactPoint &point       = all[numbering.of_node[node]];
+        point.multipliers[0]      = multipliers.of_node[node];
+        points.push_back(point);
+      }
   }
 
 
@@ -173,10 +193,12 @@ namespace Contact
     std::vector<ContactPoint> points;
     if (parameters.rule == Parameters::Rule::mortar && master)
       {
+        auto without_dual_function = excluded;
+        without_dual_function.insert(on_axis.begin(), on_axis.end());
         mortar = std::make_unique<MortarRule>(slave,
                                               *master,
                                               discretization,
-                                              excluded);
+                                              without_dual_function);
         points = mortar->make_points(multipliers);
       }
     else if (parameters.rule == Parameters::Rule::gauss)
@@ -184,8 +206,19 @@ namespace Contact
     else
       points = make_nodal_points(slave, excluded, multipliers);
 
-    this->first_point = first_point;
-    n_points          = points.size();
+    n_of_rule = points.size();
+    make_axis_points(points);
+    n_of_slave = points.size();
+    if (master && !tied && has_point_per_multiplier())
+      for (ContactPoint &corner : make_corner_points(*master))
+        {
+          corner.multipliers[0] = multipliers.n_multipliers++;
+          points.push_back(std::move(corner));
+        }
+
+    this->first_point      = first_point;
+    this->first_multiplier = first_multiplier;
+    n_points               = points.size();
     for (unsigned int &k : multipliers.of_node)
       if (k != numbers::invalid_unsigned_int)
         k += first_multiplier;
@@ -206,14 +239,58 @@ namespace Contact
                          const Vector<double>          &u,
                          const bool                     with_derivatives) const
   {
-    if (tied)
+    return tied ? pair_all(points, Vector<double>(u.size()), false)
+                : pair_all(points, u, with_derivatives);
+  }
+
+
+
+  bool ContactZone::pair_all(const ArrayView<ContactPoint> &points,
+                             const Vector<double>          &u,
+                             const bool with_derivatives) const
+  {
+    const auto part = [&](const unsigned int first, const unsigned int end) {
+      return ArrayView<ContactPoint>(points.data() + first, end - first);
+    };
+    const auto of_rule = part(0, n_of_rule);
+    bool       changed =
+      mortar ? mortar->pair(of_rule, u, with_derivatives) : project(of_rule, u);
+    if (n_of_rule < n_of_slave)
+      changed = project(part(n_of_rule, n_of_slave), u) || changed;
+    if (has_corner_points())
+      changed = pair_corners(part(n_of_slave, n_points), u) || changed;
+
+    // A nodal point looks from its own place, where the corner is.
+    for (unsigned int q = n_of_slave; q < n_points; ++q)
+      if (const unsigned int node = node_at_foot(points[q], slave);
+          node != numbers::invalid_unsigned_int)
+        if (const unsigned int k = multipliers.of_node[node] - first_multiplier;
+            k < n_of_slave && (!mortar || k >= n_of_rule))
+          points[k].facing = false;
+    return changed;
+  }
+
+
+
+  bool ContactZone::pair_corners(const ArrayView<ContactPoint> &corners,
+                                 const Vector<double>          &u) const
+  {
+    const SurfaceSearch search(slave, u);
+    const auto          normals = master->edge_normals(u);
+    bool                changed = false;
+    for (ContactPoint &corner : corners)
       {
-        const Vector<double> undeformed(u.size());
-        return mortar ? mortar->pair(points, undeformed, false)
-                      : project(points, undeformed);
+        const auto old_dofs = corner.dofs;
+        pair_corner_point(corner,
+                          *master,
+                          normals,
+                          slave,
+                          search,
+                          discretization,
+                          u);
+        changed = changed || corner.dofs != old_dofs;
       }
-    return mortar ? mortar->pair(points, u, with_derivatives)
-                  : project(points, u);
+    return changed;
   }
 
 
@@ -257,11 +334,28 @@ namespace Contact
 
   double ContactZone::stiffness(const ContactPoint &point) const
   {
-    const double of_slave =
-      elasticity.young(slave.edges[point.slave_edge].body);
-    return (master ? std::min(of_slave, elasticity.young(master->edges[0].body))
-                   : of_slave) /
-           slave.reference_length(point.slave_edge);
+    const Surface &own    = surface_of(point);
+    const double   of_own = elasticity.young(own.edges[point.slave_edge].body);
+    const Surface *other  = point.is_master_corner ? &slave
+                            : master               ? &*master
+                                                   : nullptr;
+    return (other ? std::min(of_own, elasticity.young(other->edges[0].body))
+                  : of_own) /
+           edge_length(point);
+  }
+
+
+
+  const Surface &ContactZone::surface_of(const ContactPoint &point) const
+  {
+    return point.is_master_corner ? *master : slave;
+  }
+
+
+
+  double ContactZone::edge_length(const ContactPoint &point) const
+  {
+    return surface_of(point).reference_length(point.slave_edge);
   }
 
 
@@ -303,11 +397,11 @@ namespace Contact
 
   Point<2> ContactZone::place(const ContactPoint &point) const
   {
-    const EdgeShape shape(slave.degree, point.slave_xi);
+    const Surface  &own = surface_of(point);
+    const EdgeShape shape(own.degree, point.slave_xi);
     Point<2>        X;
-    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
-      X +=
-        shape.value[a] * slave.nodes[slave.edges[point.slave_edge].nodes[a]].X;
+    for (unsigned int a = 0; a < own.n_nodes_per_edge(); ++a)
+      X += shape.value[a] * own.nodes[own.edges[point.slave_edge].nodes[a]].X;
     return X;
   }
 } // namespace Contact

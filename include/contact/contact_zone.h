@@ -24,6 +24,11 @@ namespace Contact
    * common: the rule by which they are made and paired, and the law of
    * friction. The master is a surface of a body, or a rigid obstacle.
    *
+   * The points are those of the rule, and behind them what it can not see: with
+   * the mortar rule at degree 2 a nodal point for a node on an axis of
+   * symmetry, which has no dual function; with the rules mortar and nodal the
+   * corners of the master (corner_points.h).
+   *
    * On an obstacle the rules nodal and mortar are one: of a gap that is linear
    * along the edge, which it is over a half plane, the dual functions leave the
    * value at the node.
@@ -73,9 +78,22 @@ namespace Contact
     bool project(const ArrayView<ContactPoint> &points,
                  const Vector<double>          &u) const;
 
-    /// The stiffness E/h at a point [MPa/mm]: the softer body, the slave's
-    /// edge.
+    /// The surface that a point belongs to: but for corners of the master, the
+    /// slave.
+    const Surface &surface_of(const ContactPoint &point) const;
+
+    /// The undeformed length of the edge that a point belongs to [mm].
+    double edge_length(const ContactPoint &point) const;
+
+    /// The stiffness E/h at a point [MPa/mm]: the softer body, the edge that
+    /// the point belongs to.
     double stiffness(const ContactPoint &point) const;
+
+    /// Whether there are points at corners of the master.
+    bool has_corner_points() const
+    {
+      return n_of_slave < n_points;
+    }
 
     /// Each multiplier belongs to one point: rules nodal and mortar.
     bool has_point_per_multiplier() const;
@@ -93,12 +111,24 @@ namespace Contact
     Point<2> place(const ContactPoint &point) const;
 
   private:
+    void make_axis_points(std::vector<ContactPoint> &points);
+    bool pair_all(const ArrayView<ContactPoint> &points,
+                  const Vector<double>          &u,
+                  const bool                     with_derivatives) const;
+    bool pair_corners(const ArrayView<ContactPoint> &corners,
+                      const Vector<double>          &u) const;
+
     const Discretization           &discretization;
     const Elasticity               &elasticity;
     const Parameters::Contact       parameters;
     std::unique_ptr<const Obstacle> obstacle;
     std::set<unsigned int>          excluded; // nodes of the slave
+    std::set<unsigned int>          on_axis;  // without a dual function
     std::unique_ptr<MortarRule>     mortar;
+
+    /// Of the points those of the rule, and those that belong to the slave.
+    unsigned int n_of_rule = 0, n_of_slave = 0;
+    unsigned int first_multiplier = 0;
   };
 } // namespace Contact
 

@@ -23,13 +23,14 @@ namespace Contact
       std::array<Surface::Node, 3> nodes;
       types::material_id           body;
       unsigned int                 part;
+      Point<2>                     middle;
 
       template<class Archive>
       void serialize(Archive &archive, const unsigned int)
       {
         for (Surface::Node &node : nodes)
           archive &node.dofs[0] & node.dofs[1] & node.X;
-        archive &body &part;
+        archive &body &part &middle;
       }
     };
 
@@ -87,7 +88,8 @@ namespace Contact
 
       // The unknowns of a face come in the order of its own vertices.
       LooseEdge edge;
-      edge.body = cell->material_id();
+      edge.body   = cell->material_id();
+      edge.middle = face->center(/*respect_manifold=*/true);
       for (unsigned int a = 0; a < 2; ++a)
         edge.nodes[a].X = face->vertex(a);
       // The elements number the corners, then the mid-sides as the faces.
@@ -170,6 +172,7 @@ namespace Contact
           const unsigned int none = numbers::invalid_unsigned_int;
           Edge
             edge{{{0, 0, 0}}, loose.body, false, false, none, none, loose.part};
+          edge.middle = loose.middle;
           for (unsigned int a = 0; a < n_nodes_per_edge(); ++a)
             {
               const Node &node = loose.nodes[a];
@@ -299,6 +302,24 @@ namespace Contact
         if (turn > 0)
           before.ends_face = edge.begins_face = true;
       }
+  }
+
+
+
+  // On an arc the angle between the chords of its halves is half of what it
+  // turns by, and each chord is a quarter of that off the tangent at its end.
+  double Surface::turn_of_curves(const unsigned int e) const
+  {
+    if (edges[e].previous == numbers::invalid_unsigned_int)
+      return 0;
+    const auto half = [this](const Edge &edge, const unsigned int a) {
+      const Point<2> end = nodes[edge.nodes[a]].X;
+      return a == 0 ? edge.middle - end : end - edge.middle;
+    };
+    const Edge &before = edges[edges[e].previous];
+    return angle(half(before, 1), half(edges[e], 0)) -
+           0.5 * (angle(half(before, 0), half(before, 1)) +
+                  angle(half(edges[e], 0), half(edges[e], 1)));
   }
 
 

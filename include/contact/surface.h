@@ -68,6 +68,9 @@ namespace Contact
       /// bodies, or a part of one.
       unsigned int part = 0;
 
+      /// The middle of the curve that the edge stands for, undeformed [mm].
+      Point<2> middle;
+
       /// Corners at the first and the last node.
       std::array<bool, 2> corner{{false, false}};
 
@@ -101,6 +104,10 @@ namespace Contact
     /// The largest angle by which one edge turns against the one before it
     /// [degrees], of those that are no corners.
     double largest_bend() const;
+
+    /// By how much the curves turn that two edges stand for, where an edge
+    /// begins, to the left [rad]: on an arc of any number of edges not at all.
+    double turn_of_curves(const unsigned int edge) const;
 
     /// By how much the undeformed surface turns at each node, from the middle
     /// of the edge before it to the middle of the edge behind it [rad]; at an

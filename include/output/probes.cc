@@ -9,6 +9,7 @@
 #include <map>
 
 #include "base/errors.h"
+#include "contact/contact_results.h"
 #include "solid/stress_recovery.h"
 
 namespace Contact
@@ -127,12 +128,16 @@ namespace Contact
   {
     const auto [zone, n] =
       slave_nodes_at(discretization.vertex_dofs[vertex], interface).at(0);
-    if (quantity == "pressure")
-      return interface->pressure(zone->pressure_at(n), solution);
+    const bool   normal     = quantity == "pressure";
+    const auto   of_corners = corner_loads(*interface, *zone, solution);
+    const double of_corner =
+      of_corners.empty() ? 0. : of_corners[n].traction()[normal ? 0 : 1];
+    if (normal)
+      return interface->pressure(zone->pressure_at(n), solution) + of_corner;
     const unsigned int k = zone->multipliers.of_node[n];
     return zone->law.is_frictionless() || k == numbers::invalid_unsigned_int
-             ? 0.
-             : solution[interface->tangential_index(k)];
+             ? of_corner
+             : solution[interface->tangential_index(k)] + of_corner;
   }
 
 

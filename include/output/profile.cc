@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <map>
 
+#include "contact/contact_results.h"
+
 namespace Contact
 {
   namespace
@@ -178,20 +180,30 @@ namespace Contact
                             const Vector<double>    &u_start,
                             std::vector<ProfileRow> &rows)
     {
+      const auto of_corners = corner_loads(interface, zone, solution);
       std::vector<unsigned int> node_of(interface.n_normal_multipliers());
       for (unsigned int n = 0; n < rows.size(); ++n)
         {
           rows[n].pressure = interface.pressure(zone.pressure_at(n), solution);
           const unsigned int k = zone.multipliers.of_node[n];
-          if (k == numbers::invalid_unsigned_int)
-            continue;
-          node_of[k] = n;
-          if (!zone.law.is_frictionless())
-            rows[n].shear = solution[interface.tangential_index(k)];
+          if (k != numbers::invalid_unsigned_int)
+            {
+              node_of[k] = n;
+              if (!zone.law.is_frictionless())
+                rows[n].shear = solution[interface.tangential_index(k)];
+            }
+          if (!of_corners.empty())
+            {
+              rows[n].nodal_force += of_corners[n].force[0];
+              rows[n].pressure += of_corners[n].traction()[0];
+              rows[n].shear += of_corners[n].traction()[1];
+            }
         }
 
       for (const ContactPoint &point : interface.points_of(zone))
         {
+          if (point.is_master_corner)
+            continue;
           const double force = normal_force(interface, point, solution);
           for (unsigned int k = 0; k < point.n_multipliers; ++k)
             {
@@ -301,9 +313,15 @@ namespace Contact
     for (unsigned int n = 0; n < master.nodes.size(); ++n)
       node_of_dof[master.nodes[n].dofs[0]] = n;
     for (const ContactPoint &point : interface.points_of(zone))
-      for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
-        rows[node_of_dof.at(point.dofs[a][0])].nodal_force -=
-          point.C[a] * normal_force(interface, point, solution);
+      {
+        // Positive if it pushes.
+        const double force = (point.is_master_corner ? -1 : 1) *
+                             normal_force(interface, point, solution);
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          if (!point.is_on_slave(a))
+            rows[node_of_dof.at(point.dofs[a][0])].nodal_force -=
+              point.C[a] * force;
+      }
 
     add_exact_values(exact, rows);
     reverse(rows);

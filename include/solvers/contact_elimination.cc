@@ -30,8 +30,9 @@ namespace Contact
     std::string place(const ContactPoint &point)
     {
       std::ostringstream text;
-      text << "the node of the slave at (" << point.X[0][0] << ", "
-           << point.X[0][1] << ")";
+      text << (point.is_master_corner ? "the corner of the master"
+                                      : "the node of the slave")
+           << " at (" << point.X[0][0] << ", " << point.X[0][1] << ")";
       return text.str();
     }
 

@@ -16,21 +16,25 @@ namespace Contact
   {
     if (interface != nullptr)
       for (const auto &zone : interface->zones)
-        if (zone->master)
-          collect_neighbors(*zone->master);
+        {
+          if (zone->master)
+            collect_neighbors(*zone->master);
+          if (zone->has_corner_points())
+            collect_neighbors(zone->slave);
+        }
   }
 
 
 
-  void InterfaceCouplings::collect_neighbors(const Surface &master)
+  void InterfaceCouplings::collect_neighbors(const Surface &surface)
   {
-    for (const Surface::Edge &edge : master.edges)
-      for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
-        for (unsigned int b = 0; b < master.n_nodes_per_edge(); ++b)
+    for (const Surface::Edge &edge : surface.edges)
+      for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
+        for (unsigned int b = 0; b < surface.n_nodes_per_edge(); ++b)
           for (unsigned int c = 0; c < 2; ++c)
             {
-              const NodeDoFs &around = master.nodes[edge.nodes[b]].dofs;
-              neighbors_on_master[master.nodes[edge.nodes[a]].dofs[c]]
+              const NodeDoFs &around = surface.nodes[edge.nodes[b]].dofs;
+              neighbors[surface.nodes[edge.nodes[a]].dofs[c]]
                 .insert(around.begin(), around.end());
             }
   }
@@ -45,8 +49,8 @@ namespace Contact
       for (const auto dof : point.dofs[a])
         {
           dofs.insert(dof);
-          if (const auto around = neighbors_on_master.find(dof);
-              around != neighbors_on_master.end())
+          if (const auto around = neighbors.find(dof);
+              around != neighbors.end())
             dofs.insert(around->second.begin(), around->second.end());
         }
     return Dofs(dofs.begin(), dofs.end());

@@ -53,7 +53,7 @@ namespace Contact
     std::set<types::global_dof_index> all() const;
 
   private:
-    void collect_neighbors(const Surface &master);
+    void collect_neighbors(const Surface &surface);
     Dofs reachable(const ContactPoint &point) const;
 
     const Discretization   &discretization;
@@ -65,9 +65,9 @@ namespace Contact
     std::map<types::global_dof_index, std::set<types::global_dof_index>>
       partners;
 
-    /// Of the unknowns on masters those of the edges around them.
+    /// Of the unknowns where feet may be those of the edges around them.
     std::map<types::global_dof_index, std::set<types::global_dof_index>>
-      neighbors_on_master;
+      neighbors;
   };
 } // namespace Contact
 

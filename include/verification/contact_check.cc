@@ -303,10 +303,11 @@ namespace Contact
     for (const ContactPoint &point : interface.points)
       if (&interface.zone(point) == &zone &&
           point.decision.status != Status::open)
-        for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
           for (unsigned int b = 0; b < zone.slave.n_nodes_per_edge(); ++b)
-            if (point.dofs[a] ==
-                zone.slave.nodes[zone.slave.edges[slave_edge].nodes[b]].dofs)
+            if (point.is_on_slave(a) &&
+                point.dofs[a] ==
+                  zone.slave.nodes[zone.slave.edges[slave_edge].nodes[b]].dofs)
               return true;
     return false;
   }
@@ -367,10 +368,9 @@ namespace Contact
 
         if (-now.gap > found.penetration)
           {
-            found.penetration = -now.gap;
-            found.relative_penetration =
-              -now.gap / zone.slave.reference_length(point.slave_edge);
-            found.deepest = zone.place(point);
+            found.penetration          = -now.gap;
+            found.relative_penetration = -now.gap / zone.edge_length(point);
+            found.deepest              = zone.place(point);
           }
       }
     for (unsigned int l = 0; l < n; ++l)

@@ -15,6 +15,8 @@ APART = 0.05
 ANGLE = 0.03
 # More than this angle between two edges is a corner (its sine).
 ROUND = 0.6
+# What turns by more, undeformed, is a corner (its sine).
+CORNER = np.sin(np.radians(35))
 # Forces along surfaces that bend by more are not taken together [rad].
 BUNDLE = 2.0
 # A force that counts, of the largest one.
@@ -73,6 +75,8 @@ class ZoneCheck:
                        for n in self.nodes]
         if self.rule == "mortar":
             self.add_neighbours()
+        elif self.rule == "nodal" and model.degree == 2:
+            self.take_together(connected(self.lines[self.holds_corner()]))
         self.size = np.hypot(*self.force.T)
         noise = 10 * np.hypot(*state.error[self.nodes].T)
         self.counts = self.judged & (self.size > np.maximum(
@@ -101,11 +105,33 @@ class ZoneCheck:
                   (self.gaps.min(1) <= near))
         misses = ((self.gaps > APART * self.slack) & ~self.master.faces(
             self.points.reshape(-1, 2)).reshape(self.gaps.shape)).any(1)
-        force = self.force.copy()
         bundles = connected(self.lines[partly])
         if any(self.bends(nodes) > BUNDLE for nodes in bundles):
             # Conforming surfaces, which are near each other all around.
             bundles = connected(self.lines[partly & misses])
+        self.take_together(bundles)
+
+    def holds_corner(self):
+        """Lines that a corner of the master is in contact with: its force goes
+        to their nodes by shape functions, of which at degree 2 one is
+        negative."""
+        found = np.zeros(len(self.lines), bool)
+        if self.zone.obstacle:
+            return found
+        drawn = surfaces.Polyline(self.model.lines[self.zone.master],
+                                  self.model.X)
+        corners = [self.master.group.begin[k] for k, p in enumerate(drawn.begin)
+                   for n in np.flatnonzero((drawn.end == p).all(1))
+                   if np.cross(drawn.tangent[n], drawn.tangent[k]) > CORNER]
+        for k, line in enumerate(self.lines if corners else []):
+            part = surfaces.Polyline(line[None], self.state.x)
+            found[k] = part.closest(np.array(corners))[0].min() <= (
+                APART * self.slack)
+        return found
+
+    def take_together(self, bundles):
+        """Give each node the sum of the forces on a set that it is in."""
+        force = self.force.copy()
         for nodes in bundles:
             together = np.isin(self.nodes, list(nodes))
             lines = np.flatnonzero(np.isin(self.lines, self.nodes[

@@ -1,0 +1,95 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/corner_points.h"
+
+#include <cmath>
+
+namespace Contact
+{
+  namespace
+  {
+    /// Whether a foot lies at the end of a face, from where on both sides the
+    /// overhang counts.
+    bool is_at_end_of_face(const Surface &surface, const ContactPoint &point)
+    {
+      const Surface::Edge &edge = surface.edges[point.master_edge];
+      const double         last = 1 - SurfaceSearch::overhang;
+      return (edge.begins_face && point.master_xi < -last) ||
+             (edge.ends_face && point.master_xi > last);
+    }
+
+
+
+  } // namespace
+
+
+
+  std::vector<ContactPoint> make_corner_points(const Surface &master)
+  {
+    std::vector<unsigned int> corners;
+    for (unsigned int e = 0; e < master.edges.size(); ++e)
+      if (master.edges[e].corner[0] && master.edges[e].begins_face &&
+          master.turn_of_curves(e) > numbers::PI / 180 * Surface::feature_angle)
+        corners.push_back(master.edges[e].nodes[0]);
+    if (corners.empty())
+      return {};
+
+    MultiplierSpace           numbering;
+    const auto                all = make_nodal_points(master, {}, numbering);
+    std::vector<ContactPoint> points;
+    for (const unsigned int node : corners)
+      {
+        points.push_back(all[numbering.of_node[node]]);
+        points.back().is_master_corner = true;
+        points.back().multipliers[0]   = points.size() - 1;
+      }
+    return points;
+  }
+
+
+
+  void pair_corner_point(
+    ContactPoint                                          &point,
+    const Surface                                         &master,
+    const std::vector<Surface::PerEdgeNode<Tensor<1, 2>>> &master_normals,
+    const Surface                                         &slave,
+    const SurfaceSearch                                   &search,
+    const Discretization                                  &discretization,
+    const Vector<double>                                  &u)
+  {
+    pair_with_master(point,
+                     directions_of(point, master, master_normals),
+                     slave,
+                     search,
+                     discretization,
+                     u);
+    const double length = slave.reference_length(point.master_edge);
+    double       gap    = 0;
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      for (unsigned int i = 0; i < 2; ++i)
+        gap +=
+          point.normal[i] * point.C[a] * (point.X[a][i] + u[point.dofs[a][i]]);
+    point.facing =
+      point.facing && gap > -length && !is_at_end_of_face(slave, point);
+    point.foot = Point<2>(-corner_slack * length * point.normal);
+  }
+
+
+
+  unsigned int node_at_foot(const ContactPoint &corner, const Surface &slave)
+  {
+    const double close = 1e-2;
+    const auto  &nodes = slave.edges[corner.master_edge].nodes;
+    if (corner.facing)
+      {
+        if (std::abs(corner.master_xi) > 1 - close)
+          return nodes[corner.master_xi > 0 ? 1 : 0];
+        if (slave.degree == 2 && std::abs(corner.master_xi) < close)
+          return nodes[2];
+      }
+    return numbers::invalid_unsigned_int;
+  }
+} // namespace Contact

@@ -1,0 +1,74 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_corner_points_h
+#define contact_corner_points_h
+
+#include "contact/contact_points.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * Points of the reversed direction, at the convex corners of a master.
+   *
+   * The rules look from the nodes of the slave, or in the mean along its edges:
+   * a corner of the master between two slave nodes they do not see, or only
+   * when it is deep inside. So each such corner has a contact point of its own,
+   * which is a nodal one with the roles exchanged: its place is the vertex of
+   * the master, its foot is on the slave, and its normal is that of the slave
+   * edge, out of the slave. What a ContactPoint says, in particular the signs
+   * of gap, pressure and shear, holds as it stands, with the other body first:
+   * p and q are the same seen from either side. The kernel, friction, the
+   * search of the active set and both linear systems need not know. (Vertex to
+   * segment, as in G. Zavarise and L. De Lorenzis, Int. J. Numer. Meth. Engng.
+   * 79, 2009, 379-416, but at corners only: at all nodes of both sides it would
+   * be over-constrained.)
+   *
+   * Its multiplier is one more, with its own unknown: the vertex would be
+   * weighted so as a slave node. It is a force, singular at a sharp corner as
+   * the theory of elasticity has it, not a pressure that a mesh resolves.
+   *
+   * A corner is what Surface::feature_angle says, of the curves that the edges
+   * stand for (the vertices of an arc are none, however few they are), inside
+   * of the surface: where the surface ends, the body may go on flat.
+   *
+   * Where a corner lies on a flat edge whose nodes are in contact as well, its
+   * condition follows from theirs, to round-off. It is met up to
+   * @ref corner_slack, so that such a point stays open.
+   */
+  std::vector<ContactPoint> make_corner_points(const Surface &master);
+
+  /// The depth, by the length of the slave edge, that a corner may have: above
+  /// all round-off of the pairing, below all depths that matter.
+  constexpr double corner_slack = 1e-8;
+
+  /**
+   * Pair a corner point with the slave in the configuration @p u.
+   *
+   * It faces nothing at the end of a face of the slave, where corners of both
+   * bodies stand on each other and a slave node sees the master, nor deeper
+   * inside than a slave edge is long: there it has come around it.
+   */
+  void pair_corner_point(
+    ContactPoint                                          &point,
+    const Surface                                         &master,
+    const std::vector<Surface::PerEdgeNode<Tensor<1, 2>>> &master_normals,
+    const Surface                                         &slave,
+    const SurfaceSearch                                   &search,
+    const Discretization                                  &discretization,
+    const Vector<double>                                  &u);
+
+  /**
+   * The slave node that the foot of a corner is at, closer than a hundredth of
+   * half an edge, or invalid. There a nodal point of that node and the corner
+   * would say the same twice. The corner is the one to keep: as the bodies
+   * slide, it carries on, while a node beside it lifts off.
+   */
+  unsigned int node_at_foot(const ContactPoint &corner, const Surface &slave);
+} // namespace Contact
+
+#endif

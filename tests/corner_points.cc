@@ -1,0 +1,244 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Proves that a corner of the master is seen inside of a slave edge: gap, slip
+// and coefficients by hand on one element; that a tip pressed into an edge
+// gives what the nodal rule gives with the roles exchanged, where the tip is a
+// slave node, in both linear systems, with friction too; that the forces of
+// both bodies balance, and the results hold the force of the corner; that flat
+// faces with a slave beyond the corner, whose condition follows from those of
+// the nodes, are no singular system; and that there are no such points where
+// there is no corner.
+
+#include "condensed_model.h"
+#include "contact/contact_results.h"
+
+using namespace Tests;
+
+namespace
+{
+  /// A tip on one element, whose middle is beside it.
+  MeshText make_tip()
+  {
+    MeshText mesh;
+    mesh.block("low", 1, 1, rectangle({-0.6, -1}, {1, 0}));
+    mesh.block("tip", 2, 2, [](const double s, const double t) {
+      return Point<2>(2 * s - 1, (1 - t) * std::abs(2 * s - 1) + 1.5 * t);
+    });
+    return mesh;
+  }
+
+
+
+  Parameters::All make_case(const unsigned int degree,
+                            const std::string &rule,
+                            const double       friction,
+                            const bool         exchanged = false)
+  {
+    Parameters::All parameters =
+      make_parameters(make_tip(), {"low", "tip"}, degree, "small strain");
+    parameters.contact.slave  = exchanged ? "tip bottom" : "low top";
+    parameters.contact.master = exchanged ? "low top" : "tip bottom";
+    parameters.contact.rule   = rule;
+    parameters.contact.friction_coefficient = friction;
+    parameters.boundary.displacement_x = {{"low bottom", 0}, {"tip top", 0.02}};
+    parameters.boundary.displacement_y = {{"low bottom", 0},
+                                          {"tip top", -0.02}};
+    return parameters;
+  }
+
+
+
+  void check_signs(const unsigned int degree, const std::string &rule)
+  {
+    headline("signs, degree " + std::to_string(degree) + ", rule " + rule);
+    ContactModel model(make_case(degree, rule, 0.3));
+    const double up = 0.1, sideways = 0.2;
+    for (const auto &node : model.interface.zones[0]->master->nodes)
+      {
+        model.solution[node.dofs[0]] = sideways;
+        model.solution[node.dofs[1]] = up;
+      }
+    model.interface.pair(model.solution);
+
+    const ContactPoint &corner = model.interface.points.back();
+    unsigned int        n      = 0;
+    for (const ContactPoint &point : model.interface.points)
+      n += point.is_master_corner;
+    check("one corner, which faces the edge",
+          n == 1 && corner.is_master_corner && corner.facing);
+    check_small("the normal is that of the slave, outward",
+                (corner.normal - Tensor<1, 2>({0, 1})).norm(),
+                1e-12);
+    const ContactState now =
+      model.interface.state(corner, model.solution, model.start);
+    check_small("the gap is the height", std::abs(now.gap - up), 1e-7);
+    check_small("the slip is along n turned by +90 degrees",
+                std::abs(now.slip + sideways),
+                1e-12);
+    check_small("own coefficient", std::abs(corner.C[0] - 1), 1e-12);
+    double place = 0, sum = 0;
+    for (unsigned int a = 1; a < corner.n_nodes; ++a)
+      {
+        check("of the slave", corner.is_on_slave(a));
+        sum += corner.C[a];
+        place -= corner.C[a] * corner.X[a][0];
+      }
+    check_small("the others add up to minus one", std::abs(sum + 1), 1e-12);
+    check_small("and have their centre under the tip",
+                std::abs(place - sideways),
+                1e-12);
+  }
+
+
+
+  template<typename Vector>
+  double difference(const Vector &a, const Vector &b, const unsigned int n)
+  {
+    double largest = 0, size = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        largest = std::max(largest, std::abs(a[i] - b[i]));
+        size    = std::max(size, std::abs(b[i]));
+      }
+    return largest / size;
+  }
+
+
+
+  void check_tip(const unsigned int degree,
+                 const std::string &rule,
+                 const double       friction)
+  {
+    headline("pressed and dragged, degree " + std::to_string(degree) +
+             ", rule " + rule + ", friction " + two_digits(friction));
+    ContactModel exchanged(make_case(degree, "nodal", friction, true));
+    check("exchanged converges", exchanged.solve(1, true) > 0);
+    const auto   parameters = make_case(degree, rule, friction);
+    ContactModel model(parameters);
+    check("converges", model.solve(1, true) > 0);
+
+    const ContactPoint &corner = model.interface.points.back();
+    check("the corner is in contact, and nothing else",
+          corner.decision.status != Status::open &&
+            model.interface.count().active == 1);
+    check_small("displacements of both ways",
+                difference(model.solution, exchanged.solution, model.n_dofs()),
+                2e-6);
+
+    Tensor<1, 2>         on_slave, on_master;
+    const Vector<double> forces = model.contact_forces();
+    const auto           add = [&](const Surface &surface, Tensor<1, 2> &sum) {
+      for (const auto &node : surface.nodes)
+        for (unsigned int i = 0; i < 2; ++i)
+          sum[i] += forces[node.dofs[i]];
+    };
+    const ContactZone &zone = *model.interface.zones[0];
+    add(zone.slave, on_slave);
+    add(*zone.master, on_master);
+    check("the tip is pushed up", on_master[1] > 0.1);
+    check_small("the bodies push each other",
+                (on_slave + on_master).norm() / on_master.norm(),
+                1e-12);
+    const auto results =
+      contact_results(model.interface, zone, model.solution, model.start, true);
+    check_small("it is the normal force of the results",
+                std::abs(results.normal_force / on_master.norm() *
+                           std::hypot(1, friction) -
+                         1),
+                1e-3);
+    if (friction > 0)
+      check("friction is against the drag", on_master[0] < 0);
+
+    // Paired where the other one has ended.
+    if (friction > 0)
+      return;
+    CondensedModel condensed(parameters, "CHOLMOD", true);
+    std::copy_n(model.solution.begin(),
+                model.n_dofs(),
+                condensed.solution.begin());
+    condensed.pair();
+    check("condensed converges", condensed.newton(1) > 0);
+    check_small("displacements of both systems",
+                difference(condensed.solution, model.solution, model.n_dofs()),
+                1e-6);
+    check_small("and the pressure of the corner",
+                std::abs(condensed.solution[condensed.solution.size() - 1] /
+                           model.solution[model.solution.size() - 1] -
+                         1),
+                1e-6);
+  }
+
+
+
+  /// A block on a wider one that is the slave, all of its sides in the group.
+  void check_flat(const unsigned int degree,
+                  const std::string &rule,
+                  const unsigned int n_low)
+  {
+    headline("flat, degree " + std::to_string(degree) + ", rule " + rule +
+             ", slave edges " + std::to_string(n_low));
+    MeshText mesh;
+    mesh.block("low", n_low, 2, rectangle({-2, -1}, {2, 0}));
+    mesh.block("up", 6, 1, [](const double s, const double t) {
+      // Its bottom goes down the left side, along the foot, up the right side.
+      const Point<2> skin(std::min(0.9, std::max(-0.9, 5.4 * (s - 0.5))),
+                          std::max(0., 2.4 * std::abs(2 * s - 1) - 0.8));
+      return skin + t * (Point<2>(1.2 * s - 0.6, 2) - skin);
+    });
+    Parameters::All parameters =
+      make_parameters(mesh, {"low", "up"}, degree, "small strain");
+    parameters.contact.slave           = "low top";
+    parameters.contact.master          = "up bottom";
+    parameters.contact.rule            = rule;
+    parameters.boundary.displacement_x = {{"low bottom", 0}, {"up top", 0}};
+    parameters.boundary.displacement_y = {{"low bottom", 0}, {"up top", -0.01}};
+    ContactModel model(parameters);
+    unsigned int n = 0;
+    for (const ContactPoint &point : model.interface.points)
+      n += point.is_master_corner;
+    check("two corners", n == 2);
+    check("converges", model.solve(1, true) > 0);
+    double depth = 0, tension = 0;
+    for (const ContactPoint &point : model.interface.points)
+      if (point.facing)
+        {
+          const ContactState now =
+            model.interface.state(point, model.solution, model.start);
+          depth   = std::max(depth, -now.gap);
+          tension = std::max(tension, -now.lambda_n);
+        }
+    check_small("depth", depth, 1e-10);
+    check_small("tension", tension, 1e-6);
+  }
+} // namespace
+
+
+
+int main()
+{
+  for (const unsigned int degree : {1, 2})
+    for (const std::string rule : {"nodal", "mortar"})
+      {
+        check_signs(degree, rule);
+        check_tip(degree, rule, 0);
+        check_tip(degree, rule, 0.1);
+        // The plain active set of this loop, all points at once, cycles with
+        // the nodal rule at degree 2.
+        if (degree == 1 || rule == "mortar")
+          for (const unsigned int n_low : {1, 3, 4, 7})
+            check_flat(degree, rule, n_low);
+      }
+
+  headline("the Gauss rule, and no corner");
+  check("none with the Gauss rule",
+        !ContactModel(make_case(1, "Gauss", 0))
+           .interface.zones[0]
+           ->has_corner_points());
+  check("none of a flat master",
+        !ContactModel(make_case(1, "mortar", 0, true))
+           .interface.zones[0]
+           ->has_corner_points());
+}
