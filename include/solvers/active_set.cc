@@ -8,9 +8,11 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
+#include <iostream>
 #include <set>
 
 #include "base/errors.h"
+#include "solvers/lemke.h"
 
 namespace Contact
 {
@@ -50,7 +52,8 @@ namespace Contact
     collect(solution, u_start);
     Vector<double> corrected = update;
     if (!search(update, corrected) &&
-        !(linearization.moving_bound && search_by_turns(update, corrected)))
+        !(linearization.moving_bound && search_by_turns(update, corrected)) &&
+        !search_by_pivoting(update, corrected))
       return false;
     update = corrected;
     return true;
@@ -104,6 +107,205 @@ namespace Contact
       }
     bounds_are_frozen = false;
     return is_found;
+  }
+
+
+
+  namespace
+  {
+    /// The places of a point's tractions in the vector of all responses, and
+    /// of its variables in the complementarity problem: p, then q_+, q_-, l.
+    struct Places
+    {
+      unsigned int point;
+      unsigned int p, q; // responses
+      unsigned int z;    // its first variable
+      bool         has_shear;
+    };
+
+
+
+    /// The tractions of all responses as combinations of the variables.
+    Vector<double> tractions(const std::vector<Places> &places,
+                             const unsigned int         n,
+                             const Vector<double>      &z)
+    {
+      Vector<double> t(n);
+      for (const Places &place : places)
+        {
+          t[place.p] = z[place.z];
+          if (place.has_shear)
+            t[place.q] = z[place.z + 1] - z[place.z + 2];
+        }
+      return t;
+    }
+
+
+
+    /// c g and c s of all responses are (1 + matrix) t - constant.
+    void fill_complementarity(const std::vector<Places> &places,
+                              const FullMatrix<double>  &matrix,
+                              const Vector<double>      &constant,
+                              FullMatrix<double>        &M,
+                              Vector<double>            &r)
+    {
+      const auto fill_row = [&](const unsigned int row,
+                                const unsigned int response,
+                                const double       sign) {
+        r[row] = -sign * constant[response];
+        for (const Places &to : places)
+          {
+            M(row, to.z) =
+              sign * (matrix(response, to.p) + (response == to.p ? 1 : 0));
+            if (to.has_shear)
+              {
+                M(row, to.z + 1) =
+                  sign * (matrix(response, to.q) + (response == to.q ? 1 : 0));
+                M(row, to.z + 2) = -M(row, to.z + 1);
+              }
+          }
+      };
+      for (const Places &place : places)
+        {
+          fill_row(place.z, place.p, 1);
+          if (!place.has_shear)
+            continue;
+          fill_row(place.z + 1, place.q, 1);
+          fill_row(place.z + 2, place.q, -1);
+          M(place.z + 1, place.z + 3) = M(place.z + 2, place.z + 3) = 1;
+          M(place.z + 3, place.z + 1) = M(place.z + 3, place.z + 2) = -1;
+        }
+    }
+  } // namespace
+
+
+
+  bool ActiveSetSearch::search_by_pivoting(const Vector<double> &update,
+                                           Vector<double>       &corrected)
+  {
+    for (unsigned int q = 0; q < points.size(); ++q)
+      {
+        const ContactPoint &point = interface.points[q];
+        points[q].decision        = point.decision;
+        points[q].has_changed     = point.facing && !interface.zone(point).tied;
+      }
+    add_responses();
+    FullMatrix<double> matrix;
+    Vector<double>     constant;
+    if (!find_trial_values(update, matrix, constant))
+      {std::cout<<"DBG singular"<<std::endl;
+      return false;}
+
+    std::vector<Places> places;
+    unsigned int        n_variables = 0;
+    for (unsigned int i = 0; i < responses.size(); ++i)
+      if (!responses[i].tangential)
+        {
+          const unsigned int q = responses[i].point;
+          places.push_back({q, i, i, n_variables, false});
+          places.back().has_shear = interface.can_stick(interface.points[q]);
+          n_variables += places.back().has_shear ? 4 : 1;
+        }
+    for (Places &place : places)
+      for (unsigned int i = 0; i < responses.size(); ++i)
+        if (responses[i].tangential && responses[i].point == place.point)
+          place.q = i;
+
+    FullMatrix<double> M(n_variables, n_variables);
+    Vector<double>     r(n_variables);
+    fill_complementarity(places, matrix, constant, M, r);
+    for (const Places &place : places)
+      if (place.has_shear)
+        {
+          const ContactPoint &point = interface.points[place.point];
+          const FrictionLaw  &law   = interface.zone(point).law;
+          r[place.z + 3] = bound_moves() ? law.bound(0) : point.tresca_bound;
+          M(place.z + 3, place.z) = bound_moves() ? law.coulomb_coefficient : 0;
+        }
+    Lemke lemke(M, r);
+    if (!lemke.solve())
+      {std::cout<<"DBG ray n="<<n_variables<<" "<<std::endl;
+      return false;}
+    std::cout<<"DBG lemke ok"<<std::endl;
+
+    const Vector<double> t =
+      tractions(places, responses.size(), lemke.z());
+    Vector<double> trial = constant;
+    for (unsigned int i = 0; i < trial.size(); ++i)
+      for (unsigned int j = 0; j < t.size(); ++j)
+        trial[i] -= matrix(i, j) * t[j];
+    for (const Places &place : places)
+      points[place.point].decision =
+        interface.decide(interface.points[place.point],
+                         Decision(),
+                         trial[place.p],
+                         trial[place.q],
+                         bound_moves());
+    corrected = solve_changes(update);
+    return true;
+  }
+
+
+
+  // The tractions t are those of the old decisions, a + D z, and the excess
+  // eta, and z = z_0 - G eta: (1 - G D) z = z_0 + G a - G t.
+  bool ActiveSetSearch::find_trial_values(const Vector<double> &update,
+                                          FullMatrix<double>   &matrix,
+                                          Vector<double>       &constant) const
+  {
+    const unsigned int       n = responses.size();
+    FullMatrix<double>       G(n, n);
+    LAPACKFullMatrix<double> system(n, n);
+    Vector<double>           a(n);
+    constant.reinit(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const auto &[q, tangential, W] = responses[i];
+        const auto &row                = trial_row(q, tangential);
+        const auto &unknowns           = points[q].rows.unknowns;
+        constant[i] =
+          (tangential ? points[q].q : points[q].p) + dot(unknowns, row, update);
+        a[i] = (tangential ? points[q].old_q : points[q].old_p).constant;
+        for (unsigned int j = 0; j < n; ++j)
+          G(i, j) = dot(unknowns, row, responses[j].W);
+      }
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          double product = i == j ? 1 : 0;
+          for (unsigned int k = 0; k < n; ++k)
+            if (responses[k].point == responses[j].point)
+              {
+                const AffineTraction &old = responses[k].tangential
+                                              ? points[responses[k].point].old_q
+                                              : points[responses[k].point].old_p;
+                product -=
+                  G(i, k) * (responses[j].tangential ? old.by_q : old.by_p);
+              }
+          system(i, j) = product;
+        }
+    G.vmult_add(constant, a);
+
+    // Singular, but for round-off, where nothing but contact holds a body.
+    const double norm = system.l1_norm();
+    try
+      {
+        system.invert();
+      }
+    catch (const LACExceptions::ExcSingular &)
+      {
+        return false;
+      }
+    if (!(norm * system.l1_norm() < 1e12))
+      return false;
+    const Vector<double> unloaded = constant;
+    system.vmult(constant, unloaded);
+    LAPACKFullMatrix<double> loads(n, n), response(n, n);
+    loads = G;
+    system.mmult(response, loads);
+    matrix.reinit(n, n);
+    matrix = response;
+    return true;
   }
 
 

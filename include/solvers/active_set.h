@@ -34,7 +34,9 @@ namespace Contact
    * problem is not symmetric, and the iteration may cycle. Then it is run with
    * frozen bounds, which is a convex problem, and the bounds follow the
    * pressures from turn to turn: the fixed point over Tresca's problems, on
-   * the contact points alone.
+   * the contact points alone. That may fail as well, where friction is large
+   * beside what holds a body, as soft springs do. Lemke's method does not: see
+   * search_by_pivoting().
    *
    * The step that results is one of sequential quadratic programming: the
    * number of Newton steps does not grow with the number of points by which
@@ -98,6 +100,28 @@ namespace Contact
     /// decisions are those of the last turn.
     bool search_by_turns(const Vector<double> &update,
                          Vector<double>       &corrected);
+
+    /**
+     * The linearised problem as a linear complementarity problem in all
+     * tractions (A. Klarbring, Int. J. Numer. Methods Eng. 24, 1987),
+     *   0 <= p      _|_  c g >= 0,
+     *   0 <= q_+    _|_  l + c s >= 0,      q = q_+ - q_-,
+     *   0 <= q_-    _|_  l - c s >= 0,
+     *   0 <= l      _|_  limit + mu p - q_+ - q_- >= 0,
+     * whose matrix is copositive if the bodies resist every traction: then
+     * Lemke's method ends at a solution whatever mu may be (A. Klarbring and
+     * J.-S. Pang, SIAM J. Optim. 8, 1998). It needs the response of every
+     * point. Returns whether it was found; not so where contact is all that
+     * holds a body.
+     */
+    bool search_by_pivoting(const Vector<double> &update,
+                            Vector<double>       &corrected);
+
+    /// Trial values of all points by what they exert: z = constant - matrix t.
+    /// Returns whether that exists.
+    bool find_trial_values(const Vector<double> &update,
+                           FullMatrix<double>   &matrix,
+                           Vector<double>       &constant) const;
 
     /// Freeze the bounds under the pressures of @p update. Returns the largest
     /// change by the largest bound.

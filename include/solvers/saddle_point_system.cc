@@ -69,17 +69,48 @@ namespace Contact
                                 Vector<double>       &rhs_and_update)
   {
     if (!factorization_serves(residual, last_residual))
-      assemble_and_factorize(solution, u_start, load_factor, rhs_and_update);
-    {
-      TimerOutput::Scope scope(timer, "solution");
-      solver.solve(rhs_and_update);
-      discretization.constraints.distribute(rhs_and_update);
-    }
+      assemble_and_factorize(
+        solution, u_start, load_factor, linearization, rhs_and_update);
+    solve_factorized(rhs_and_update);
     if (!interface || !search)
       return true;
+    if (search_active_set(solution, u_start, linearization, rhs_and_update))
+      return true;
+    if (!linearization.moving_geometry)
+      return false;
+
+    const Vector<double>            newton_step = rhs_and_update;
+    ContactInterface::Linearization standing    = linearization;
+    standing.moving_geometry                    = false;
+    assemble_and_factorize(
+      solution, u_start, load_factor, standing, rhs_and_update);
+    solve_factorized(rhs_and_update);
+    if (search_active_set(solution, u_start, standing, rhs_and_update))
+      return true;
+    rhs_and_update = newton_step;
+    return false;
+  }
+
+
+
+  void SaddlePointSystem::solve_factorized(Vector<double> &rhs_and_update)
+  {
+    TimerOutput::Scope scope(timer, "solution");
+    solver.solve(rhs_and_update);
+    discretization.constraints.distribute(rhs_and_update);
+  }
+
+
+
+  bool SaddlePointSystem::search_active_set(
+    const Vector<double>                  &solution,
+    const Vector<double>                  &u_start,
+    const ContactInterface::Linearization &linearization,
+    Vector<double>                        &update)
+  {
     TimerOutput::Scope scope(timer, "active set");
     return ActiveSetSearch(discretization, *interface, solver, linearization)
-      .correct(solution, u_start, rhs_and_update);
+      .correct(solution, u_start, update);
   }
 
 
@@ -104,10 +135,12 @@ namespace Contact
 
   // The right-hand side is assembled anew with the matrix, because prescribed
   // displacements enter it through the matrix.
-  void SaddlePointSystem::assemble_and_factorize(const Vector<double> &solution,
-                                                 const Vector<double> &u_start,
-                                                 const double    load_factor,
-                                                 Vector<double> &rhs)
+  void SaddlePointSystem::assemble_and_factorize(
+    const Vector<double>                  &solution,
+    const Vector<double>                  &u_start,
+    const double                           load_factor,
+    const ContactInterface::Linearization &linearization,
+    Vector<double>                        &rhs)
   {
     {
       TimerOutput::Scope scope(timer, "assembly");

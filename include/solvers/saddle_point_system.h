@@ -49,6 +49,11 @@ namespace Contact
      * one reduced the residual well: @p residual, @p last_residual [-]. With
      * @p search the active set is searched in the linearised problem; returns
      * whether that, if any, has come to an end.
+     *
+     * With geometry in the tangent the linearised problem is not that of a body
+     * at rest on springs: gaps close along other directions than pressures act
+     * in, and if little holds the body there may be no active set at all. Then
+     * projections and normals stand still for this step.
      */
     bool solve(const Vector<double> &solution,
                const Vector<double> &u_start,
@@ -61,10 +66,17 @@ namespace Contact
   private:
     bool factorization_serves(const double residual,
                               const double last_residual) const;
-    void assemble_and_factorize(const Vector<double> &solution,
-                                const Vector<double> &u_start,
-                                const double          load_factor,
-                                Vector<double>       &rhs);
+    void
+    assemble_and_factorize(const Vector<double>                  &solution,
+                           const Vector<double>                  &u_start,
+                           const double                           load_factor,
+                           const ContactInterface::Linearization &linearization,
+                           Vector<double>                        &rhs);
+    void solve_factorized(Vector<double> &rhs_and_update);
+    bool search_active_set(const Vector<double> &solution,
+                           const Vector<double> &u_start,
+                           const ContactInterface::Linearization &linearization,
+                           Vector<double>                        &update);
     void add_tangent_of_linear_bodies(const Vector<double> &solution);
 
     const Discretization                  &discretization;
