@@ -18,9 +18,8 @@ using namespace Tests;
 
 namespace
 {
-  void report(const char               *name,
-              const FullMatrix<double> &M,
-              const Vector<double>     &r)
+  void
+  report(const char *name, const FullMatrix<double> &M, const Vector<double> &r)
   {
     Lemke      lemke(M, r);
     const bool found = lemke.solve();
@@ -44,8 +43,8 @@ namespace
     misfit -= lemke.w();
     double largest = misfit.linfty_norm();
     for (unsigned int i = 0; i < r.size(); ++i)
-      largest = std::max(largest,
-                         std::abs(std::min(lemke.z()[i], lemke.w()[i])));
+      largest =
+        std::max(largest, std::abs(std::min(lemke.z()[i], lemke.w()[i])));
     return largest / std::max(1., lemke.z().linfty_norm());
   }
 
@@ -88,9 +87,9 @@ namespace
             for (unsigned int j = 0; j < n; ++j)
               for (unsigned int a = 0; a < 3; ++a)
                 for (unsigned int b = 0; b < 3; ++b)
-                  M(4 * i + a, 4 * j + b) =
-                    (a == 2 ? -1 : 1) * (b == 2 ? -1 : 1) *
-                    A(2 * i + (a > 0), 2 * j + (b > 0));
+                  M(4 * i + a, 4 * j + b) = (a == 2 ? -1 : 1) *
+                                            (b == 2 ? -1 : 1) *
+                                            A(2 * i + (a > 0), 2 * j + (b > 0));
             M(4 * i + 1, 4 * i + 3) = M(4 * i + 2, 4 * i + 3) = 1;
             M(4 * i + 3, 4 * i + 1) = M(4 * i + 3, 4 * i + 2) = -1;
             M(4 * i + 3, 4 * i)                               = mu;
@@ -125,7 +124,8 @@ int main()
   FullMatrix<double> ring(6, 6);
   for (unsigned int i = 0; i < 6; ++i)
     for (unsigned int j = 0; j < 6; ++j)
-      ring(i, j) = std::cos((i - 1. * j) * numbers::PI / 3) + (i == j ? 0.1 : 0);
+      ring(i, j) =
+        std::cos((i - 1. * j) * numbers::PI / 3) + (i == j ? 0.1 : 0);
   Vector<double> same(6);
   same = -1;
   report("equal ratios", ring, same);

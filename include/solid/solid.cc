@@ -45,6 +45,7 @@ namespace Contact
 
       SmallestInCell cell_forces(const CellTable      &cell,
                                  const Vector<double> &u,
+                                 const StressStiffness stress_stiffness,
                                  FullMatrix<double>   *tangent,
                                  Vector<double>       &forces) const override;
 
@@ -54,6 +55,7 @@ namespace Contact
       template<bool with_tangent, bool projected>
       SmallestInCell assemble_cell(const CellTable      &cell,
                                    const Vector<double> &u,
+                                   const StressStiffness stress_stiffness,
                                    FullMatrix<double>   &matrix,
                                    Vector<double>       &residual) const;
 
@@ -133,10 +135,12 @@ namespace Contact
     template<class Kinematics, class Symmetry>
     template<bool with_tangent, bool projected>
     typename Solid<Kinematics, Symmetry>::SmallestInCell
-    Solid<Kinematics, Symmetry>::assemble_cell(const CellTable      &cell,
-                                               const Vector<double> &u,
-                                               FullMatrix<double>   &matrix,
-                                               Vector<double> &residual) const
+    Solid<Kinematics, Symmetry>::assemble_cell(
+      const CellTable      &cell,
+      const Vector<double> &u,
+      const StressStiffness stress_stiffness,
+      FullMatrix<double>   &matrix,
+      Vector<double>       &residual) const
     {
       using StrainRows = std::array<typename Symmetry::StrainRow, 2>;
 
@@ -218,7 +222,14 @@ namespace Contact
                     if constexpr (Symmetry::has_hoop)
                       DB[i][3] = JxW * (tr + 2 * mu * B[a][i][3]);
                   }
-                const Tensor<1, 2> SN = JxW * (S * N[a]);
+                Tensor<1, 2> SN;
+                double       S33_N = 0;
+                if (stress_stiffness == StressStiffness::with)
+                  {
+                    SN = JxW * (S * N[a]);
+                    if constexpr (Symmetry::has_hoop)
+                      S33_N = JxW * S33 * N_X[a];
+                  }
                 for (unsigned int b = a; b < n; ++b)
                   {
                     for (unsigned int i = 0; i < 2; ++i)
@@ -235,7 +246,7 @@ namespace Contact
                         matrix(2 * a, 2 * b) += geometric;
                         matrix(2 * a + 1, 2 * b + 1) += geometric;
                         if constexpr (Symmetry::has_hoop)
-                          matrix(2 * a, 2 * b) += JxW * S33 * N_X[a] * N_X[b];
+                          matrix(2 * a, 2 * b) += S33_N * N_X[b];
                       }
                   }
               }
@@ -258,22 +269,39 @@ namespace Contact
 
     template<class Kinematics, class Symmetry>
     typename Solid<Kinematics, Symmetry>::SmallestInCell
-    Solid<Kinematics, Symmetry>::cell_forces(const CellTable      &cell,
-                                             const Vector<double> &u,
-                                             FullMatrix<double>   *tangent,
-                                             Vector<double>       &forces) const
+    Solid<Kinematics, Symmetry>::cell_forces(
+      const CellTable      &cell,
+      const Vector<double> &u,
+      const StressStiffness stress_stiffness,
+      FullMatrix<double>   *tangent,
+      Vector<double>       &forces) const
     {
       counters().large_displacement_cells += !is_linear();
       const bool projected = !cell.modes.empty();
       if (tangent == nullptr)
         {
           FullMatrix<double> no_tangent;
-          return projected
-                   ? assemble_cell<false, true>(cell, u, no_tangent, forces)
-                   : assemble_cell<false, false>(cell, u, no_tangent, forces);
+          return projected ? assemble_cell<false, true>(cell,
+                                                        u,
+                                                        stress_stiffness,
+                                                        no_tangent,
+                                                        forces)
+                           : assemble_cell<false, false>(cell,
+                                                         u,
+                                                         stress_stiffness,
+                                                         no_tangent,
+                                                         forces);
         }
-      return projected ? assemble_cell<true, true>(cell, u, *tangent, forces)
-                       : assemble_cell<true, false>(cell, u, *tangent, forces);
+      return projected ? assemble_cell<true, true>(cell,
+                                                   u,
+                                                   stress_stiffness,
+                                                   *tangent,
+                                                   forces)
+                       : assemble_cell<true, false>(cell,
+                                                    u,
+                                                    stress_stiffness,
+                                                    *tangent,
+                                                    forces);
     }
 
 

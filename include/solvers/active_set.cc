@@ -8,11 +8,10 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
-#include <iostream>
 #include <set>
 
 #include "base/errors.h"
-#include "solvers/lemke.h"
+#include "solvers/contact_complementarity.h"
 
 namespace Contact
 {
@@ -106,77 +105,8 @@ namespace Contact
         is_found = search(update, corrected);
       }
     bounds_are_frozen = false;
-    return is_found;
+    return is_found && change <= tolerance;
   }
-
-
-
-  namespace
-  {
-    /// The places of a point's tractions in the vector of all responses, and
-    /// of its variables in the complementarity problem: p, then q_+, q_-, l.
-    struct Places
-    {
-      unsigned int point;
-      unsigned int p, q; // responses
-      unsigned int z;    // its first variable
-      bool         has_shear;
-    };
-
-
-
-    /// The tractions of all responses as combinations of the variables.
-    Vector<double> tractions(const std::vector<Places> &places,
-                             const unsigned int         n,
-                             const Vector<double>      &z)
-    {
-      Vector<double> t(n);
-      for (const Places &place : places)
-        {
-          t[place.p] = z[place.z];
-          if (place.has_shear)
-            t[place.q] = z[place.z + 1] - z[place.z + 2];
-        }
-      return t;
-    }
-
-
-
-    /// c g and c s of all responses are (1 + matrix) t - constant.
-    void fill_complementarity(const std::vector<Places> &places,
-                              const FullMatrix<double>  &matrix,
-                              const Vector<double>      &constant,
-                              FullMatrix<double>        &M,
-                              Vector<double>            &r)
-    {
-      const auto fill_row = [&](const unsigned int row,
-                                const unsigned int response,
-                                const double       sign) {
-        r[row] = -sign * constant[response];
-        for (const Places &to : places)
-          {
-            M(row, to.z) =
-              sign * (matrix(response, to.p) + (response == to.p ? 1 : 0));
-            if (to.has_shear)
-              {
-                M(row, to.z + 1) =
-                  sign * (matrix(response, to.q) + (response == to.q ? 1 : 0));
-                M(row, to.z + 2) = -M(row, to.z + 1);
-              }
-          }
-      };
-      for (const Places &place : places)
-        {
-          fill_row(place.z, place.p, 1);
-          if (!place.has_shear)
-            continue;
-          fill_row(place.z + 1, place.q, 1);
-          fill_row(place.z + 2, place.q, -1);
-          M(place.z + 1, place.z + 3) = M(place.z + 2, place.z + 3) = 1;
-          M(place.z + 3, place.z + 1) = M(place.z + 3, place.z + 2) = -1;
-        }
-    }
-  } // namespace
 
 
 
@@ -191,55 +121,43 @@ namespace Contact
       }
     add_responses();
     FullMatrix<double> matrix;
-    Vector<double>     constant;
-    if (!find_trial_values(update, matrix, constant))
-      {std::cout<<"DBG singular"<<std::endl;
-      return false;}
+    Vector<double>     z;
+    if (!find_trial_values(update, matrix, z))
+      return false;
 
-    std::vector<Places> places;
-    unsigned int        n_variables = 0;
+    // Tractions along a void row do nothing: such a point has no shear.
+    std::vector<ContactComplementarity::Point> tractions;
+    std::vector<unsigned int>                  number_of;
     for (unsigned int i = 0; i < responses.size(); ++i)
-      if (!responses[i].tangential)
-        {
-          const unsigned int q = responses[i].point;
-          places.push_back({q, i, i, n_variables, false});
-          places.back().has_shear = interface.can_stick(interface.points[q]);
-          n_variables += places.back().has_shear ? 4 : 1;
-        }
-    for (Places &place : places)
-      for (unsigned int i = 0; i < responses.size(); ++i)
-        if (responses[i].tangential && responses[i].point == place.point)
-          place.q = i;
+      {
+        const unsigned int  q     = responses[i].point;
+        const ContactPoint &point = interface.points[q];
+        if (!responses[i].tangential)
+          {
+            const FrictionLaw frozen{point.tresca_bound, 0};
+            tractions.push_back(
+              {i,
+               numbers::invalid_unsigned_int,
+               bound_moves() ? interface.zone(point).law : frozen});
+            number_of.push_back(q);
+          }
+        else if (interface.can_stick(point))
+          tractions[std::find(number_of.begin(), number_of.end(), q) -
+                    number_of.begin()]
+            .q = i;
+      }
+    const Vector<double> constant = z;
+    if (!ContactComplementarity(matrix, constant, tractions).solve(z))
+      return false;
 
-    FullMatrix<double> M(n_variables, n_variables);
-    Vector<double>     r(n_variables);
-    fill_complementarity(places, matrix, constant, M, r);
-    for (const Places &place : places)
-      if (place.has_shear)
-        {
-          const ContactPoint &point = interface.points[place.point];
-          const FrictionLaw  &law   = interface.zone(point).law;
-          r[place.z + 3] = bound_moves() ? law.bound(0) : point.tresca_bound;
-          M(place.z + 3, place.z) = bound_moves() ? law.coulomb_coefficient : 0;
-        }
-    Lemke lemke(M, r);
-    if (!lemke.solve())
-      {std::cout<<"DBG ray n="<<n_variables<<" "<<std::endl;
-      return false;}
-    std::cout<<"DBG lemke ok"<<std::endl;
-
-    const Vector<double> t =
-      tractions(places, responses.size(), lemke.z());
-    Vector<double> trial = constant;
-    for (unsigned int i = 0; i < trial.size(); ++i)
-      for (unsigned int j = 0; j < t.size(); ++j)
-        trial[i] -= matrix(i, j) * t[j];
-    for (const Places &place : places)
-      points[place.point].decision =
-        interface.decide(interface.points[place.point],
+    for (unsigned int i = 0; i < number_of.size(); ++i)
+      points[number_of[i]].decision =
+        interface.decide(interface.points[number_of[i]],
                          Decision(),
-                         trial[place.p],
-                         trial[place.q],
+                         z[tractions[i].p],
+                         tractions[i].q == numbers::invalid_unsigned_int
+                           ? 0.
+                           : z[tractions[i].q],
                          bound_moves());
     corrected = solve_changes(update);
     return true;
@@ -253,37 +171,26 @@ namespace Contact
                                           FullMatrix<double>   &matrix,
                                           Vector<double>       &constant) const
   {
-    const unsigned int       n = responses.size();
-    FullMatrix<double>       G(n, n);
-    LAPACKFullMatrix<double> system(n, n);
-    Vector<double>           a(n);
-    constant.reinit(n);
+    const unsigned int n = responses.size();
+    FullMatrix<double> G, D(n, n);
+    Vector<double>     a(n);
+    find_responses(update, constant, G);
     for (unsigned int i = 0; i < n; ++i)
       {
-        const auto &[q, tangential, W] = responses[i];
-        const auto &row                = trial_row(q, tangential);
-        const auto &unknowns           = points[q].rows.unknowns;
-        constant[i] =
-          (tangential ? points[q].q : points[q].p) + dot(unknowns, row, update);
-        a[i] = (tangential ? points[q].old_q : points[q].old_p).constant;
+        const LinearPoint    &point = points[responses[i].point];
+        const AffineTraction &old =
+          responses[i].tangential ? point.old_q : point.old_p;
+        a[i] = old.constant;
         for (unsigned int j = 0; j < n; ++j)
-          G(i, j) = dot(unknowns, row, responses[j].W);
+          if (responses[j].point == responses[i].point)
+            D(i, j) = responses[j].tangential ? old.by_q : old.by_p;
       }
+    FullMatrix<double> GD(n, n);
+    G.mmult(GD, D);
+    LAPACKFullMatrix<double> system(n, n);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
-        {
-          double product = i == j ? 1 : 0;
-          for (unsigned int k = 0; k < n; ++k)
-            if (responses[k].point == responses[j].point)
-              {
-                const AffineTraction &old = responses[k].tangential
-                                              ? points[responses[k].point].old_q
-                                              : points[responses[k].point].old_p;
-                product -=
-                  G(i, k) * (responses[j].tangential ? old.by_q : old.by_p);
-              }
-          system(i, j) = product;
-        }
+        system(i, j) = (i == j ? 1 : 0) - GD(i, j);
     G.vmult_add(constant, a);
 
     // Singular, but for round-off, where nothing but contact holds a body.
@@ -465,15 +372,13 @@ namespace Contact
 
 
 
-  // With the trial values z of the points that respond, eta = eta_0 + D z:
-  //   (I + G D) z = z_0 - G eta_0,  G_qr = d_q . W_r.
-  Vector<double>
-  ActiveSetSearch::solve_changes(const Vector<double> &update) const
+  void ActiveSetSearch::find_responses(const Vector<double> &update,
+                                       Vector<double>       &z,
+                                       FullMatrix<double>   &G) const
   {
     const unsigned int n = responses.size();
-
-    FullMatrix<double> G(n, n), D(n, n), system(n, n);
-    Vector<double>     z(n), eta(n), G_eta(n);
+    z.reinit(n);
+    G.reinit(n, n);
     for (unsigned int i = 0; i < n; ++i)
       {
         const auto &[q, tangential, W] = responses[i];
@@ -483,8 +388,25 @@ namespace Contact
           (tangential ? points[q].q : points[q].p) + dot(unknowns, row, update);
         for (unsigned int j = 0; j < n; ++j)
           G(i, j) = dot(unknowns, row, responses[j].W);
+      }
+  }
 
-        const AffineTraction traction = excess(q, tangential);
+
+
+  // With the trial values z of the points that respond, eta = eta_0 + D z:
+  //   (I + G D) z = z_0 - G eta_0,  G_qr = d_q . W_r.
+  Vector<double>
+  ActiveSetSearch::solve_changes(const Vector<double> &update) const
+  {
+    const unsigned int n = responses.size();
+
+    FullMatrix<double> G, D(n, n), system(n, n);
+    Vector<double>     z, eta(n), G_eta(n);
+    find_responses(update, z, G);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const unsigned int   q        = responses[i].point;
+        const AffineTraction traction = excess(q, responses[i].tangential);
         eta[i]                        = traction.constant;
         for (unsigned int j = 0; j < n; ++j)
           if (responses[j].point == q)

@@ -102,17 +102,9 @@ namespace Contact
                          Vector<double>       &corrected);
 
     /**
-     * The linearised problem as a linear complementarity problem in all
-     * tractions (A. Klarbring, Int. J. Numer. Methods Eng. 24, 1987),
-     *   0 <= p      _|_  c g >= 0,
-     *   0 <= q_+    _|_  l + c s >= 0,      q = q_+ - q_-,
-     *   0 <= q_-    _|_  l - c s >= 0,
-     *   0 <= l      _|_  limit + mu p - q_+ - q_- >= 0,
-     * whose matrix is copositive if the bodies resist every traction: then
-     * Lemke's method ends at a solution whatever mu may be (A. Klarbring and
-     * J.-S. Pang, SIAM J. Optim. 8, 1998). It needs the response of every
-     * point. Returns whether it was found; not so where contact is all that
-     * holds a body.
+     * The linearised problem by Lemke's method, see ContactComplementarity,
+     * from the responses of all points. Returns whether a solution was found;
+     * not so where contact is all that holds a body.
      */
     bool search_by_pivoting(const Vector<double> &update,
                             Vector<double>       &corrected);
@@ -145,6 +137,12 @@ namespace Contact
     AffineTraction traction(const unsigned int q, const bool tangential) const;
     /// The same minus that under the old decision.
     AffineTraction excess(const unsigned int q, const bool tangential) const;
+
+    /// The trial values z of the points that respond under the @p update, and
+    /// what of them a unit of a traction takes away, G.
+    void           find_responses(const Vector<double> &update,
+                                  Vector<double>       &z,
+                                  FullMatrix<double>   &G) const;
     Vector<double> solve_changes(const Vector<double> &update) const;
 
     const Discretization                 &discretization;

@@ -119,11 +119,10 @@ namespace Contact
                        const unsigned int c) const
   {
     const auto entry = [&](const unsigned int row, const unsigned int k) {
-      const auto place = std::find(others.begin(), others.end(), k);
-      const double value =
-        place == others.end() ?
-          (basic[row] == k ? 1. : 0.) :
-          -table(row, place - others.begin());
+      const auto   place = std::find(others.begin(), others.end(), k);
+      const double value = place == others.end()
+                             ? (basic[row] == k ? 1. : 0.)
+                             : -table(row, place - others.begin());
       return -value / table(row, c);
     };
     for (unsigned int k = 0; k < n; ++k)
@@ -147,8 +146,8 @@ namespace Contact
       if (const double factor = table(i, column); i != row && factor != 0)
         {
           for (unsigned int j = 0; j <= n; ++j)
-            table(i, j) = (j == column ? 0 : table(i, j)) +
-                          factor * table(row, j);
+            table(i, j) =
+              (j == column ? 0 : table(i, j)) + factor * table(row, j);
           constant[i] += factor * constant[row];
         }
     std::swap(basic[row], others[column]);

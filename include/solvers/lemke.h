@@ -56,9 +56,9 @@ namespace Contact
     unsigned int leaving_row(const unsigned int column) const;
 
     /// Whether, at equal ratios, row @p i is left before row @p j.
-    bool
-    is_first(const unsigned int i, const unsigned int j, const unsigned int c)
-      const;
+    bool is_first(const unsigned int i,
+                  const unsigned int j,
+                  const unsigned int c) const;
 
     void exchange(const unsigned int row, const unsigned int column);
     void collect();

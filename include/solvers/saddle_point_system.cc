@@ -69,8 +69,12 @@ namespace Contact
                                 Vector<double>       &rhs_and_update)
   {
     if (!factorization_serves(residual, last_residual))
-      assemble_and_factorize(
-        solution, u_start, load_factor, linearization, rhs_and_update);
+      assemble_and_factorize(solution,
+                             u_start,
+                             load_factor,
+                             linearization,
+                             StressStiffness::with,
+                             rhs_and_update);
     solve_factorized(rhs_and_update);
     if (!interface || !search)
       return true;
@@ -82,8 +86,12 @@ namespace Contact
     const Vector<double>            newton_step = rhs_and_update;
     ContactInterface::Linearization standing    = linearization;
     standing.moving_geometry                    = false;
-    assemble_and_factorize(
-      solution, u_start, load_factor, standing, rhs_and_update);
+    assemble_and_factorize(solution,
+                           u_start,
+                           load_factor,
+                           standing,
+                           StressStiffness::without,
+                           rhs_and_update);
     solve_factorized(rhs_and_update);
     if (search_active_set(solution, u_start, standing, rhs_and_update))
       return true;
@@ -140,6 +148,7 @@ namespace Contact
     const Vector<double>                  &u_start,
     const double                           load_factor,
     const ContactInterface::Linearization &linearization,
+    const StressStiffness                  stress_stiffness,
     Vector<double>                        &rhs)
   {
     {
@@ -154,7 +163,11 @@ namespace Contact
       else
         {
           ++counters().tangents;
-          elasticity.assemble(solution, load_factor, rhs, &matrix);
+          elasticity.assemble(solution,
+                              load_factor,
+                              rhs,
+                              &matrix,
+                              stress_stiffness);
         }
       if (interface)
         interface->assemble(solution, u_start, linearization, rhs, &matrix);

@@ -52,8 +52,11 @@ namespace Contact
      *
      * With geometry in the tangent the linearised problem is not that of a body
      * at rest on springs: gaps close along other directions than pressures act
-     * in, and if little holds the body there may be no active set at all. Then
-     * projections and normals stand still for this step.
+     * in, and stresses that turn with the body may let it yield to its loads.
+     * If little holds the body, there may be no active set at all. Then
+     * projections, normals and stresses stand still for this step: the
+     * linearised problem always has a solution if something holds each body,
+     * and ActiveSetSearch finds it.
      */
     bool solve(const Vector<double> &solution,
                const Vector<double> &u_start,
@@ -67,14 +70,15 @@ namespace Contact
     bool factorization_serves(const double residual,
                               const double last_residual) const;
     void
-    assemble_and_factorize(const Vector<double>                  &solution,
-                           const Vector<double>                  &u_start,
-                           const double                           load_factor,
-                           const ContactInterface::Linearization &linearization,
-                           Vector<double>                        &rhs);
+         assemble_and_factorize(const Vector<double>                  &solution,
+                                const Vector<double>                  &u_start,
+                                const double                           load_factor,
+                                const ContactInterface::Linearization &linearization,
+                                const StressStiffness stress_stiffness,
+                                Vector<double>       &rhs);
     void solve_factorized(Vector<double> &rhs_and_update);
-    bool search_active_set(const Vector<double> &solution,
-                           const Vector<double> &u_start,
+    bool search_active_set(const Vector<double>                  &solution,
+                           const Vector<double>                  &u_start,
                            const ContactInterface::Linearization &linearization,
                            Vector<double>                        &update);
     void add_tangent_of_linear_bodies(const Vector<double> &solution);
