@@ -284,6 +284,13 @@ namespace Contact
 
 
 
+  bool ActiveSetSearch::keeps_decisions() const
+  {
+    return signature() == interface.signature();
+  }
+
+
+
   std::vector<signed char> ActiveSetSearch::signature() const
   {
     std::vector<signed char> signature;

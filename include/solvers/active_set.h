@@ -65,6 +65,9 @@ namespace Contact
                  const Vector<double> &u_start,
                  Vector<double>       &update);
 
+    /// Whether the decisions found are those in the points.
+    bool keeps_decisions() const;
+
   private:
     /// A traction as a function of trial values: constant and derivatives.
     struct AffineTraction

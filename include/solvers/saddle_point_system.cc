@@ -78,11 +78,30 @@ namespace Contact
     solve_factorized(rhs_and_update);
     if (!interface || !search)
       return true;
-    if (search_active_set(solution, u_start, linearization, rhs_and_update))
-      return true;
-    if (!linearization.moving_geometry)
-      return false;
 
+    // A body that springs hold is far from where contact will hold it.
+    const bool stands_anyway =
+      elasticity.is_linear() && !linearization.moving_geometry;
+    if (stands_anyway || elasticity.soft_hold.held().empty())
+      {
+        TimerOutput::Scope scope(timer, "active set");
+        if (ActiveSetSearch(discretization, *interface, solver, linearization)
+              .correct(solution, u_start, rhs_and_update))
+          return true;
+      }
+    return !stands_anyway &&
+           search_standing(solution, u_start, load_factor, rhs_and_update);
+  }
+
+
+
+  // Where the decisions turn out to be those at hand, Newton's step is the one
+  // under them that knows the motion of the geometry.
+  bool SaddlePointSystem::search_standing(const Vector<double> &solution,
+                                          const Vector<double> &u_start,
+                                          const double          load_factor,
+                                          Vector<double>       &rhs_and_update)
+  {
     const Vector<double>            newton_step = rhs_and_update;
     ContactInterface::Linearization standing    = linearization;
     standing.moving_geometry                    = false;
@@ -93,10 +112,13 @@ namespace Contact
                            StressStiffness::without,
                            rhs_and_update);
     solve_factorized(rhs_and_update);
-    if (search_active_set(solution, u_start, standing, rhs_and_update))
-      return true;
-    rhs_and_update = newton_step;
-    return false;
+
+    TimerOutput::Scope scope(timer, "active set");
+    ActiveSetSearch    search(discretization, *interface, solver, standing);
+    const bool settled = search.correct(solution, u_start, rhs_and_update);
+    if (!settled || search.keeps_decisions())
+      rhs_and_update = newton_step;
+    return settled;
   }
 
 
@@ -106,19 +128,6 @@ namespace Contact
     TimerOutput::Scope scope(timer, "solution");
     solver.solve(rhs_and_update);
     discretization.constraints.distribute(rhs_and_update);
-  }
-
-
-
-  bool SaddlePointSystem::search_active_set(
-    const Vector<double>                  &solution,
-    const Vector<double>                  &u_start,
-    const ContactInterface::Linearization &linearization,
-    Vector<double>                        &update)
-  {
-    TimerOutput::Scope scope(timer, "active set");
-    return ActiveSetSearch(discretization, *interface, solver, linearization)
-      .correct(solution, u_start, update);
   }
 
 
