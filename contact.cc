@@ -232,6 +232,7 @@ namespace Contact
     bool        geometry_follows() const;
     double      largest_change(const Vector<double> &from) const;
     std::string changes_since(const std::vector<Decision> &decisions) const;
+    std::string what_is_open(const Outcome &now, const bool pairing) const;
 
     const MPI_Comm          communicator = MPI_COMM_WORLD;
     const Parameters::All   parameters;
@@ -1001,11 +1002,11 @@ namespace Contact
                    << std::endl;
           }
         if (step >= max_steps + n_single)
-          throw NotConverged("Newton's method ends with the residual " +
-                             brief(now.residual) + " after " +
-                             std::to_string(step) + " steps" +
-                             changes_since(last_decisions) +
-                             (elimination ? elimination->contradiction() : ""));
+          throw NotConverged(
+            "Newton's method ends with the residual " + brief(now.residual) +
+            " after " + std::to_string(step) + " steps" +
+            what_is_open(now, is_to_be_paired) + changes_since(last_decisions) +
+            (elimination ? elimination->contradiction() : ""));
         if (is_to_be_paired)
           {
             renew_pairing(relaxation);
@@ -1066,6 +1067,30 @@ namespace Contact
                                                   linearization.moving_bound) ==
                                 point.decision;
                        });
+  }
+
+
+
+  // @sect4{ContactProblem::what_is_open}
+  //
+  // Where Newton's method ends with forces in balance, something else has not
+  // come to rest. In words, for the message.
+  std::string ContactProblem::what_is_open(const Outcome &now,
+                                           const bool     pairing) const
+  {
+    if (now.residual > newton_tolerance() ||
+        discretization->update_is_prescribed())
+      return "";
+    const std::string balanced = ", which is small enough; not settled is ";
+    if (!pairing)
+      return balanced + "the status of the points of contact";
+    return balanced + "the pairing: the surfaces are " +
+           brief(interface->largest_change(solution, paired_at)) +
+           " mm from where they were paired, of " +
+           brief(interface->largest_change(solution, start)) +
+           " mm of the increment. Where a node of the slave slides over a "
+           "corner of the master it may face the edges on either side in turn: "
+           "a finer master, Mesh/Arcs, or the rule mortar";
   }
 
 

@@ -105,7 +105,12 @@ namespace Contact
         is_found = search(update, corrected);
       }
     bounds_are_frozen = false;
-    return is_found && change <= tolerance;
+    if (!is_found || change > tolerance)
+      return false;
+
+    // A point that has opened and closed again on the way has lost its bound.
+    corrected = solve_changes(update);
+    return !decide(corrected, /*one_by_one=*/false);
   }
 
 

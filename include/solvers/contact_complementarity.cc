@@ -5,6 +5,8 @@
 
 #include "solvers/contact_complementarity.h"
 
+#include <cmath>
+
 #include "solvers/lemke.h"
 
 namespace Contact
@@ -50,6 +52,28 @@ namespace Contact
 
 
 
+  // What springs hold yields to a traction a million times more than the bodies
+  // do. Scaled so that each point by itself has ones on the diagonal and
+  // between shear and slip, round-off can be told from all else.
+  Vector<double> ContactComplementarity::scales() const
+  {
+    const auto unit = [this](const unsigned int traction) {
+      return 1 / std::sqrt(std::abs(1 + matrix(traction, traction)));
+    };
+    Vector<double> scale(n_variables);
+    for (unsigned int i = 0; i < points.size(); ++i)
+      {
+        scale[first[i]] = unit(points[i].p);
+        if (!has_shear(points[i]))
+          continue;
+        scale[first[i] + 1] = scale[first[i] + 2] = unit(points[i].q);
+        scale[first[i] + 3]                       = 1 / unit(points[i].q);
+      }
+    return scale;
+  }
+
+
+
   bool ContactComplementarity::solve(Vector<double> &z) const
   {
     FullMatrix<double> M(n_variables, n_variables);
@@ -68,16 +92,25 @@ namespace Contact
         M(slip, p)                     = points[i].law.coulomb_coefficient;
         r[slip]                        = points[i].law.tresca_limit;
       }
+    const Vector<double> scale = scales();
+    for (unsigned int i = 0; i < n_variables; ++i)
+      {
+        r[i] *= scale[i];
+        for (unsigned int j = 0; j < n_variables; ++j)
+          M(i, j) *= scale[i] * scale[j];
+      }
     Lemke lemke(M, r);
     if (!lemke.solve())
       return false;
+    Vector<double> found = lemke.z();
+    found.scale(scale);
 
     Vector<double> t(constant.size());
     for (unsigned int i = 0; i < points.size(); ++i)
       {
-        t[points[i].p] = lemke.z()[first[i]];
+        t[points[i].p] = found[first[i]];
         if (has_shear(points[i]))
-          t[points[i].q] = lemke.z()[first[i] + 1] - lemke.z()[first[i] + 2];
+          t[points[i].q] = found[first[i] + 1] - found[first[i] + 2];
       }
     matrix.vmult(z, t);
     z.sadd(-1, 1, constant);

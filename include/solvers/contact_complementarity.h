@@ -61,6 +61,9 @@ namespace Contact
                   FullMatrix<double> &M,
                   Vector<double>     &r) const;
 
+    /// The units of the variables, and of their rows.
+    Vector<double> scales() const;
+
     const FullMatrix<double> &matrix;
     const Vector<double>     &constant;
     const std::vector<Point> &points;

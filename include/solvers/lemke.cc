@@ -25,6 +25,7 @@ namespace Contact
     : n(r.size())
     , table(n, n + 1)
     , constant(r)
+    , zero(round_off * r.linfty_norm())
     , basic(n)
     , others(n + 1)
   {
@@ -98,8 +99,8 @@ namespace Contact
             row = i;
             continue;
           }
-        const double here  = -std::max(0., constant[i]) / table(i, column);
-        const double there = -std::max(0., constant[row]) / table(row, column);
+        const double here  = -positive_part(i) / table(i, column);
+        const double there = -positive_part(row) / table(row, column);
         const double equal = round_off * std::max(here, there);
         if (here < there - equal ||
             (here <= there + equal &&

@@ -60,12 +60,19 @@ namespace Contact
                   const unsigned int j,
                   const unsigned int c) const;
 
+    /// The value of a row's variable: zero if it is no more than round-off.
+    double positive_part(const unsigned int row) const
+    {
+      return constant[row] > zero ? constant[row] : 0.;
+    }
+
     void exchange(const unsigned int row, const unsigned int column);
     void collect();
 
     const unsigned int        n;
     FullMatrix<double>        table; // basic = constant + table * others
     Vector<double>            constant;
+    const double              zero;   // what is left of zeros by round-off
     std::vector<unsigned int> basic;  // the variable of each row
     std::vector<unsigned int> others; // the variable of each column
     Vector<double>            values_of_z, values_of_w;
