@@ -13,8 +13,11 @@ namespace Contact
 {
   namespace
   {
-    // Below this share of the largest entry, an entry is what round-off left.
-    const double round_off = 1e-12;
+    // Below this share of the largest entry, an entry is what round-off left of
+    // a zero: half of all digits, for the steps are many and a body on soft
+    // springs costs digits. Too small a share is the danger: what should be
+    // zero decides which way the path goes.
+    const double round_off = 1e-8;
   } // namespace
 
 
