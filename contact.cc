@@ -658,7 +658,8 @@ namespace Contact
           throw NotConverged("Newton's method ends with the residual " +
                              brief(newton.convergence.residual()) + " after " +
                              std::to_string(step) + " steps" +
-                             newton.changes() + system->contradiction());
+                             newton.unsettled() + newton.changes() +
+                             system->contradiction());
         if (has_converged)
           {
             report.screen << "      paired anew: the surfaces have moved by "

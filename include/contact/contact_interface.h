@@ -256,6 +256,10 @@ namespace Contact
               const Linearization  &linearization,
               Rows                 &rows) const;
 
+    /// Without friction, and where its tangential row is void, a point in
+    /// contact slips.
+    bool can_stick(const ContactPoint &point) const;
+
     /// The decision of a point under trial values, after the one @p before.
     Decision decide(const ContactPoint &point,
                     const Decision     &before,
@@ -286,10 +290,6 @@ namespace Contact
     {
       return !zone(point).law.is_frictionless();
     }
-
-    /// Without friction, and where its tangential row is void, a point in
-    /// contact slips.
-    bool can_stick(const ContactPoint &point) const;
 
     struct Motion;
     Motion motion(const ContactPoint   &point,

@@ -86,6 +86,7 @@ namespace Contact
   template<class Numbers>
   VolumeRatio Elasticity::visit(const Vector<double> &u,
                                 const bool            with_tangent,
+                                const StressStiffness stress_stiffness,
                                 const Numbers        &numbers,
                                 const CellVisitor    &visitor) const
   {
@@ -102,7 +103,8 @@ namespace Contact
         forces.reinit(n);
         if (with_tangent)
           tangent.reinit(n, n);
-        const SmallestInCell of_cell = cell_forces(cell, u, wanted, forces);
+        const SmallestInCell of_cell =
+          cell_forces(cell, u, stress_stiffness, wanted, forces);
         if (of_cell.value < smallest.value)
           smallest = {of_cell.value, cell.body, cell.points[of_cell.point]};
         soft_hold.add_springs(cell, u, wanted, forces);
@@ -120,6 +122,7 @@ namespace Contact
     return visit(
       u,
       with_tangent,
+      StressStiffness::with,
       std_cxx20::ranges::iota_view<unsigned int, unsigned int>(0, n_cells()),
       visitor);
   }
@@ -131,7 +134,7 @@ namespace Contact
                                       const std::vector<unsigned int> &chosen,
                                       const CellVisitor &visitor) const
   {
-    return visit(u, with_tangent, chosen, visitor);
+    return visit(u, with_tangent, StressStiffness::with, chosen, visitor);
   }
 
 
@@ -139,7 +142,8 @@ namespace Contact
   VolumeRatio Elasticity::assemble(const Vector<double> &u,
                                    const double          load_factor,
                                    Vector<double>       &rhs,
-                                   SparseMatrix<double> *matrix) const
+                                   SparseMatrix<double> *matrix,
+                                   const StressStiffness stress_stiffness) const
   {
     const auto &constraints = discretization.constraints;
     const auto &owned       = discretization.dof_handler.locally_owned_dofs();
@@ -153,24 +157,25 @@ namespace Contact
       return VolumeRatio();
 
     Vector<double> cell_rhs;
-    return visit_cells(u,
-                       matrix != nullptr,
-                       [&](const std::vector<types::global_dof_index> &dofs,
-                           const FullMatrix<double>                   &tangent,
-                           const Vector<double>                       &forces) {
-                         cell_rhs.reinit(forces.size());
-                         cell_rhs.add(-1, forces);
-                         if (matrix == nullptr)
-                           constraints.distribute_local_to_global(cell_rhs,
-                                                                  dofs,
-                                                                  rhs);
-                         else
-                           constraints.distribute_local_to_global(tangent,
-                                                                  cell_rhs,
-                                                                  dofs,
-                                                                  *matrix,
-                                                                  rhs);
-                       });
+    return visit(
+      u,
+      matrix != nullptr,
+      stress_stiffness,
+      std_cxx20::ranges::iota_view<unsigned int, unsigned int>(0, n_cells()),
+      [&](const std::vector<types::global_dof_index> &dofs,
+          const FullMatrix<double>                   &tangent,
+          const Vector<double>                       &forces) {
+        cell_rhs.reinit(forces.size());
+        cell_rhs.add(-1, forces);
+        if (matrix == nullptr)
+          constraints.distribute_local_to_global(cell_rhs, dofs, rhs);
+        else
+          constraints.distribute_local_to_global(tangent,
+                                                 cell_rhs,
+                                                 dofs,
+                                                 *matrix,
+                                                 rhs);
+      });
   }
 
 

@@ -37,6 +37,17 @@ namespace Contact
     Point<2>           X;
   };
 
+  /**
+   * Whether the tangent knows that stresses turn with the material. Without
+   * that part it is positive semidefinite whatever the stresses, and no body
+   * yields to its own loads as it turns or buckles. Nothing in small strain.
+   */
+  enum class StressStiffness
+  {
+    with,
+    without
+  };
+
   /// The smallest of all ranks, on all of them. Collective.
   VolumeRatio smallest_of_all_ranks(const VolumeRatio &of_rank,
                                     const MPI_Comm     communicator);
@@ -119,10 +130,12 @@ namespace Contact
      * constraints eliminated. Of several ranks each adds its own part, and
      * returns the smallest volume ratio among its own cells.
      */
-    VolumeRatio assemble(const Vector<double> &u,
-                         const double          load_factor,
-                         Vector<double>       &rhs,
-                         SparseMatrix<double> *matrix) const;
+    VolumeRatio assemble(
+      const Vector<double> &u,
+      const double          load_factor,
+      Vector<double>       &rhs,
+      SparseMatrix<double> *matrix,
+      const StressStiffness stress_stiffness = StressStiffness::with) const;
 
     /**
      * The forces on all nodes, unconstrained: internal minus load. Where a
@@ -180,6 +193,7 @@ namespace Contact
     template<class Numbers>
     VolumeRatio visit(const Vector<double> &u,
                       const bool            with_tangent,
+                      const StressStiffness stress_stiffness,
                       const Numbers        &numbers,
                       const CellVisitor    &visitor) const;
 
@@ -197,6 +211,7 @@ namespace Contact
     /// Internal forces and, if @p tangent is not null, tangent of a cell.
     virtual SmallestInCell cell_forces(const CellTable      &cell,
                                        const Vector<double> &u,
+                                       const StressStiffness stress_stiffness,
                                        FullMatrix<double>   *tangent,
                                        Vector<double>       &forces) const = 0;
 

@@ -45,6 +45,7 @@ namespace Contact
 
       SmallestInCell cell_forces(const CellTable      &cell,
                                  const Vector<double> &u,
+                                 const StressStiffness stress_stiffness,
                                  FullMatrix<double>   *tangent,
                                  Vector<double>       &forces) const override;
 
@@ -72,6 +73,7 @@ namespace Contact
       template<bool with_tangent, bool projected>
       SmallestInCell assemble_cell(const CellTable      &cell,
                                    const Vector<double> &u,
+                                   const StressStiffness stress_stiffness,
                                    FullMatrix<double>   &matrix,
                                    Vector<double>       &residual) const;
 
@@ -250,10 +252,12 @@ namespace Contact
     template<class Kinematics, class Symmetry>
     template<bool with_tangent, bool projected>
     typename Solid<Kinematics, Symmetry>::SmallestInCell
-    Solid<Kinematics, Symmetry>::assemble_cell(const CellTable      &cell,
-                                               const Vector<double> &u,
-                                               FullMatrix<double>   &matrix,
-                                               Vector<double> &residual) const
+    Solid<Kinematics, Symmetry>::assemble_cell(
+      const CellTable      &cell,
+      const Vector<double> &u,
+      const StressStiffness stress_stiffness,
+      FullMatrix<double>   &matrix,
+      Vector<double>       &residual) const
     {
       const unsigned int n      = cell.n_nodes();
       const double       lambda = projected ? 0. : cell.material->lambda;
@@ -271,7 +275,7 @@ namespace Contact
       SmallestInCell smallest;
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)
         {
-          const PointState at = state_at<projected>(cell, q, u, P_tr_E);
+          PointState at = state_at<projected>(cell, q, u, P_tr_E);
           if constexpr (Kinematics::has_geometric_stiffness)
             {
               const double det_F = determinant(at.F) * at.f33;
@@ -279,6 +283,12 @@ namespace Contact
                 smallest = {det_F, q};
             }
           add_forces(at, n, residual);
+          // In the tangent stresses are in nothing else.
+          if (stress_stiffness == StressStiffness::without)
+            {
+              at.S   = 0;
+              at.S33 = 0;
+            }
           if constexpr (with_tangent)
             add_tangent(at, n, lambda, cell.material->mu, matrix);
           if constexpr (with_tangent && projected)
@@ -306,22 +316,29 @@ namespace Contact
 
     template<class Kinematics, class Symmetry>
     typename Solid<Kinematics, Symmetry>::SmallestInCell
-    Solid<Kinematics, Symmetry>::cell_forces(const CellTable      &cell,
-                                             const Vector<double> &u,
-                                             FullMatrix<double>   *tangent,
-                                             Vector<double>       &forces) const
+    Solid<Kinematics, Symmetry>::cell_forces(
+      const CellTable      &cell,
+      const Vector<double> &u,
+      const StressStiffness stress_stiffness,
+      FullMatrix<double>   *tangent,
+      Vector<double>       &forces) const
     {
       counters().large_displacement_cells += !is_linear();
-      const bool projected = !cell.modes.empty();
+      const bool projected     = !cell.modes.empty();
+      const auto assemble_with = [&](auto with_tangent, auto projected) {
+        FullMatrix<double> none;
+        return assemble_cell<with_tangent, projected>(cell,
+                                                      u,
+                                                      stress_stiffness,
+                                                      with_tangent ? *tangent
+                                                                   : none,
+                                                      forces);
+      };
+      const std::true_type  yes;
+      const std::false_type no;
       if (tangent == nullptr)
-        {
-          FullMatrix<double> no_tangent;
-          return projected
-                   ? assemble_cell<false, true>(cell, u, no_tangent, forces)
-                   : assemble_cell<false, false>(cell, u, no_tangent, forces);
-        }
-      return projected ? assemble_cell<true, true>(cell, u, *tangent, forces)
-                       : assemble_cell<true, false>(cell, u, *tangent, forces);
+        return projected ? assemble_with(no, yes) : assemble_with(no, no);
+      return projected ? assemble_with(yes, yes) : assemble_with(yes, no);
     }
 
 

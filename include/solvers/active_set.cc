@@ -11,6 +11,7 @@
 #include <set>
 
 #include "base/errors.h"
+#include "solvers/contact_complementarity.h"
 
 namespace Contact
 {
@@ -50,7 +51,8 @@ namespace Contact
     collect(solution, u_start);
     Vector<double> corrected = update;
     if (!search(update, corrected) &&
-        !(linearization.moving_bound && search_by_turns(update, corrected)))
+        !(linearization.moving_bound && search_by_turns(update, corrected)) &&
+        !search_by_pivoting(update, corrected))
       return false;
     update = corrected;
     return true;
@@ -103,7 +105,119 @@ namespace Contact
         is_found = search(update, corrected);
       }
     bounds_are_frozen = false;
-    return is_found;
+    if (!is_found || change > tolerance)
+      return false;
+
+    // A point that has opened and closed again on the way has lost its bound.
+    corrected = solve_changes(update);
+    return !decide(corrected, /*one_by_one=*/false);
+  }
+
+
+
+  bool ActiveSetSearch::search_by_pivoting(const Vector<double> &update,
+                                           Vector<double>       &corrected)
+  {
+    for (unsigned int q = 0; q < points.size(); ++q)
+      {
+        const ContactPoint &point = interface.points[q];
+        points[q].decision        = point.decision;
+        points[q].has_changed     = point.facing && !interface.zone(point).tied;
+      }
+    add_responses();
+    FullMatrix<double> matrix;
+    Vector<double>     z;
+    if (!find_trial_values(update, matrix, z))
+      return false;
+
+    // Tractions along a void row do nothing: such a point has no shear.
+    std::vector<ContactComplementarity::Point> tractions;
+    std::vector<unsigned int>                  number_of;
+    for (unsigned int i = 0; i < responses.size(); ++i)
+      {
+        const unsigned int  q     = responses[i].point;
+        const ContactPoint &point = interface.points[q];
+        if (!responses[i].tangential)
+          {
+            const FrictionLaw frozen{point.tresca_bound, 0};
+            tractions.push_back(
+              {i,
+               numbers::invalid_unsigned_int,
+               bound_moves() ? interface.zone(point).law : frozen});
+            number_of.push_back(q);
+          }
+        else if (interface.can_stick(point))
+          tractions[std::find(number_of.begin(), number_of.end(), q) -
+                    number_of.begin()]
+            .q = i;
+      }
+    const Vector<double> constant = z;
+    if (!ContactComplementarity(matrix, constant, tractions).solve(z))
+      return false;
+
+    for (unsigned int i = 0; i < number_of.size(); ++i)
+      points[number_of[i]].decision =
+        interface.decide(interface.points[number_of[i]],
+                         Decision(),
+                         z[tractions[i].p],
+                         tractions[i].q == numbers::invalid_unsigned_int
+                           ? 0.
+                           : z[tractions[i].q],
+                         bound_moves());
+    corrected = solve_changes(update);
+    return true;
+  }
+
+
+
+  // The tractions t are those of the old decisions, a + D z, and the excess
+  // eta, and z = z_0 - G eta: (1 - G D) z = z_0 + G a - G t.
+  bool ActiveSetSearch::find_trial_values(const Vector<double> &update,
+                                          FullMatrix<double>   &matrix,
+                                          Vector<double>       &constant) const
+  {
+    const unsigned int n = responses.size();
+    FullMatrix<double> G, D(n, n);
+    Vector<double>     a(n);
+    find_responses(update, constant, G);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const LinearPoint    &point = points[responses[i].point];
+        const AffineTraction &old =
+          responses[i].tangential ? point.old_q : point.old_p;
+        a[i] = old.constant;
+        for (unsigned int j = 0; j < n; ++j)
+          if (responses[j].point == responses[i].point)
+            D(i, j) = responses[j].tangential ? old.by_q : old.by_p;
+      }
+    FullMatrix<double> GD(n, n);
+    G.mmult(GD, D);
+    LAPACKFullMatrix<double> system(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        system(i, j) = (i == j ? 1 : 0) - GD(i, j);
+    G.vmult_add(constant, a);
+
+    // Singular, but for round-off, where nothing but contact holds a body.
+    const double norm = system.l1_norm();
+    try
+      {
+        system.invert();
+      }
+    catch (const LACExceptions::ExcSingular &)
+      {
+        return false;
+      }
+    if (!(norm * system.l1_norm() < 1e12))
+      return false;
+    const Vector<double> unloaded = constant;
+    system.vmult(constant, unloaded);
+    LAPACKFullMatrix<double> loads(n, n), response(n, n);
+    loads = G;
+    system.mmult(response, loads);
+    matrix.reinit(n, n);
+    matrix = response;
+    return true;
   }
 
 
@@ -171,6 +285,13 @@ namespace Contact
           interface.drop_bound(q);
       }
     return changed;
+  }
+
+
+
+  bool ActiveSetSearch::keeps_decisions() const
+  {
+    return signature() == interface.signature();
   }
 
 
@@ -263,15 +384,13 @@ namespace Contact
 
 
 
-  // With the trial values z of the points that respond, eta = eta_0 + D z:
-  //   (I + G D) z = z_0 - G eta_0,  G_qr = d_q . W_r.
-  Vector<double>
-  ActiveSetSearch::solve_changes(const Vector<double> &update) const
+  void ActiveSetSearch::find_responses(const Vector<double> &update,
+                                       Vector<double>       &z,
+                                       FullMatrix<double>   &G) const
   {
     const unsigned int n = responses.size();
-
-    FullMatrix<double> G(n, n), D(n, n), system(n, n);
-    Vector<double>     z(n), eta(n), G_eta(n);
+    z.reinit(n);
+    G.reinit(n, n);
     for (unsigned int i = 0; i < n; ++i)
       {
         const auto &[q, tangential, W] = responses[i];
@@ -281,8 +400,25 @@ namespace Contact
           (tangential ? points[q].q : points[q].p) + dot(unknowns, row, update);
         for (unsigned int j = 0; j < n; ++j)
           G(i, j) = dot(unknowns, row, responses[j].W);
+      }
+  }
 
-        const AffineTraction traction = excess(q, tangential);
+
+
+  // With the trial values z of the points that respond, eta = eta_0 + D z:
+  //   (I + G D) z = z_0 - G eta_0,  G_qr = d_q . W_r.
+  Vector<double>
+  ActiveSetSearch::solve_changes(const Vector<double> &update) const
+  {
+    const unsigned int n = responses.size();
+
+    FullMatrix<double> G, D(n, n), system(n, n);
+    Vector<double>     z, eta(n), G_eta(n);
+    find_responses(update, z, G);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const unsigned int   q        = responses[i].point;
+        const AffineTraction traction = excess(q, responses[i].tangential);
         eta[i]                        = traction.constant;
         for (unsigned int j = 0; j < n; ++j)
           if (responses[j].point == q)

@@ -34,7 +34,9 @@ namespace Contact
    * problem is not symmetric, and the iteration may cycle. Then it is run with
    * frozen bounds, which is a convex problem, and the bounds follow the
    * pressures from turn to turn: the fixed point over Tresca's problems, on
-   * the contact points alone.
+   * the contact points alone. That may fail as well, where friction is large
+   * beside what holds a body, as soft springs do. Lemke's method does not: see
+   * search_by_pivoting().
    *
    * The step that results is one of sequential quadratic programming: the
    * number of Newton steps does not grow with the number of points by which
@@ -62,6 +64,9 @@ namespace Contact
     bool correct(const Vector<double> &solution,
                  const Vector<double> &u_start,
                  Vector<double>       &update);
+
+    /// Whether the decisions found are those in the points.
+    bool keeps_decisions() const;
 
   private:
     /// A traction as a function of trial values: constant and derivatives.
@@ -99,6 +104,20 @@ namespace Contact
     bool search_by_turns(const Vector<double> &update,
                          Vector<double>       &corrected);
 
+    /**
+     * The linearised problem by Lemke's method, see ContactComplementarity,
+     * from the responses of all points. Returns whether a solution was found;
+     * not so where contact is all that holds a body.
+     */
+    bool search_by_pivoting(const Vector<double> &update,
+                            Vector<double>       &corrected);
+
+    /// Trial values of all points by what they exert: z = constant - matrix t.
+    /// Returns whether that exists.
+    bool find_trial_values(const Vector<double> &update,
+                           FullMatrix<double>   &matrix,
+                           Vector<double>       &constant) const;
+
     /// Freeze the bounds under the pressures of @p update. Returns the largest
     /// change by the largest bound.
     double freeze_bounds(const Vector<double> &update);
@@ -121,6 +140,12 @@ namespace Contact
     AffineTraction traction(const unsigned int q, const bool tangential) const;
     /// The same minus that under the old decision.
     AffineTraction excess(const unsigned int q, const bool tangential) const;
+
+    /// The trial values z of the points that respond under the @p update, and
+    /// what of them a unit of a traction takes away, G.
+    void           find_responses(const Vector<double> &update,
+                                  Vector<double>       &z,
+                                  FullMatrix<double>   &G) const;
     Vector<double> solve_changes(const Vector<double> &update) const;
 
     const Discretization                 &discretization;

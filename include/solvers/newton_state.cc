@@ -10,6 +10,7 @@
 
 #include "base/counters.h"
 #include "base/errors.h"
+#include "base/words.h"
 #include "contact/contact_results.h"
 
 namespace Contact
@@ -245,6 +246,24 @@ namespace Contact
     remember_status();
     ++n_steps;
     return n;
+  }
+
+
+
+  std::string NewtonState::unsettled() const
+  {
+    if (!convergence.has_converged() ||
+        model.discretization->update_is_prescribed())
+      return "";
+    const std::string balanced = ", which is small enough; not settled is ";
+    if (!has_converged())
+      return balanced + "the status of the points of contact";
+    return balanced + "the pairing: the surfaces are " +
+           brief(pairing.misplacement(state)) +
+           " mm from where they were paired, of " + brief(pairing.way(state)) +
+           " mm of the increment. Where a node of the slave slides over a "
+           "corner of the master it may face the edges on either side in turn: "
+           "a finer master, Mesh/Arcs, or the rule mortar";
   }
 
 

@@ -77,6 +77,10 @@ namespace Contact
 
     std::string changes() const;
 
+    /// What has not come to rest where the forces are in balance, in words;
+    /// empty where they are not.
+    std::string unsettled() const;
+
     ConvergenceTest convergence;
 
   private:

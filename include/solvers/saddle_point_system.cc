@@ -71,17 +71,65 @@ namespace Contact
                                 Vector<double>       &rhs_and_update)
   {
     if (!factorization_serves(residual, last_residual))
-      assemble_and_factorize(solution, u_start, load_factor, rhs_and_update);
-    {
-      TimerOutput::Scope scope(timer, "solution");
-      solver.solve(rhs_and_update);
-      discretization.constraints.distribute(rhs_and_update);
-    }
+      assemble_and_factorize(solution,
+                             u_start,
+                             load_factor,
+                             linearization,
+                             StressStiffness::with,
+                             rhs_and_update);
+    solve_factorized(rhs_and_update);
     if (!interface || !search)
       return true;
+
+    // A body that springs hold is far from where contact will hold it.
+    const bool stands_anyway =
+      elasticity.is_linear() && !linearization.moving_geometry;
+    if (stands_anyway || elasticity.soft_hold.held().empty())
+      {
+        TimerOutput::Scope scope(timer, "active set");
+        if (ActiveSetSearch(discretization, *interface, solver, linearization)
+              .correct(solution, u_start, rhs_and_update))
+          return true;
+      }
+    return !stands_anyway &&
+           search_standing(solution, u_start, load_factor, rhs_and_update);
+  }
+
+
+
+  // Where the decisions turn out to be those at hand, Newton's step is the one
+  // under them that knows the motion of the geometry.
+  bool SaddlePointSystem::search_standing(const Vector<double> &solution,
+                                          const Vector<double> &u_start,
+                                          const double          load_factor,
+                                          Vector<double>       &rhs_and_update)
+  {
+    const Vector<double>            newton_step = rhs_and_update;
+    ContactInterface::Linearization standing    = linearization;
+    standing.moving_geometry                    = false;
+    assemble_and_factorize(solution,
+                           u_start,
+                           load_factor,
+                           standing,
+                           StressStiffness::without,
+                           rhs_and_update);
+    solve_factorized(rhs_and_update);
+
     TimerOutput::Scope scope(timer, "active set");
-    return ActiveSetSearch(discretization, *interface, solver, linearization)
-      .correct(solution, u_start, rhs_and_update);
+    ActiveSetSearch    search(discretization, *interface, solver, standing);
+    const bool settled = search.correct(solution, u_start, rhs_and_update);
+    if (!settled || search.keeps_decisions())
+      rhs_and_update = newton_step;
+    return settled;
+  }
+
+
+
+  void SaddlePointSystem::solve_factorized(Vector<double> &rhs_and_update)
+  {
+    TimerOutput::Scope scope(timer, "solution");
+    solver.solve(rhs_and_update);
+    discretization.constraints.distribute(rhs_and_update);
   }
 
 
@@ -104,10 +152,13 @@ namespace Contact
 
   // The right-hand side is assembled anew with the matrix, because prescribed
   // displacements enter it through the matrix.
-  void SaddlePointSystem::assemble_and_factorize(const Vector<double> &solution,
-                                                 const Vector<double> &u_start,
-                                                 const double    load_factor,
-                                                 Vector<double> &rhs)
+  void SaddlePointSystem::assemble_and_factorize(
+    const Vector<double>                  &solution,
+    const Vector<double>                  &u_start,
+    const double                           load_factor,
+    const ContactInterface::Linearization &linearization,
+    const StressStiffness                  stress_stiffness,
+    Vector<double>                        &rhs)
   {
     {
       TimerOutput::Scope scope(timer, "assembly");
@@ -121,7 +172,11 @@ namespace Contact
       else
         {
           ++counters().tangents;
-          elasticity.assemble(solution, load_factor, rhs, &matrix);
+          elasticity.assemble(solution,
+                              load_factor,
+                              rhs,
+                              &matrix,
+                              stress_stiffness);
         }
       if (interface)
         interface->assemble(solution, u_start, linearization, rhs, &matrix);

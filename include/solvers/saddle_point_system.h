@@ -51,6 +51,15 @@ namespace Contact
      * one reduced the residual well: @p residual, @p last_residual [-]. With
      * @p search the active set is searched in the linearised problem; returns
      * whether that, if any, has come to an end.
+     *
+     * In large displacements and with geometry in the tangent the linearised
+     * problem need not be that of a body at rest on springs: gaps close along
+     * other directions than pressures act in, and stresses that turn with the
+     * body may let it yield to its loads. If little holds the body, there may
+     * be no active set at all, or one that is far away. So where a soft hold
+     * is at work, and where the search does not settle, projections, normals
+     * and stresses stand still for the search: then it always has a solution
+     * if something holds each body, see ContactComplementarity.
      */
     bool solve(const Vector<double> &solution,
                const Vector<double> &u_start,
@@ -63,10 +72,18 @@ namespace Contact
   private:
     bool factorization_serves(const double residual,
                               const double last_residual) const;
-    void assemble_and_factorize(const Vector<double> &solution,
-                                const Vector<double> &u_start,
-                                const double          load_factor,
+    void
+         assemble_and_factorize(const Vector<double>                  &solution,
+                                const Vector<double>                  &u_start,
+                                const double                           load_factor,
+                                const ContactInterface::Linearization &linearization,
+                                const StressStiffness stress_stiffness,
                                 Vector<double>       &rhs);
+    void solve_factorized(Vector<double> &rhs_and_update);
+    bool search_standing(const Vector<double> &solution,
+                         const Vector<double> &u_start,
+                         const double          load_factor,
+                         Vector<double>       &rhs_and_update);
     void add_tangent_of_linear_bodies(const Vector<double> &solution);
 
     const Discretization                  &discretization;

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The meshes of the hard cases, all from blocks.geo and pin.geo.
+# The meshes of the hard cases, all from blocks.geo, pin.geo and pin_whole.geo.
 # SPDX-License-Identifier: LGPL-2.1-or-later
 set -eu
 cd "$(dirname -- "$0")"
@@ -21,3 +21,5 @@ make blocks slider -setnumber left -19 -setnumber width 8 -setnumber nx 4 \
   -setnumber height 4 -setnumber ny 2 -setnumber mx 10 -setnumber my 4
 make pin pin
 make pin pin_loose -setnumber play 0.01
+make pin_play pin_whole
+make pin_tight pin_whole -setnumber play 0.001

@@ -95,6 +95,8 @@ CASES = [
     Case("pin", frictionless=True),
     Case("pin_loose", frictionless=True),
     Case("pin_friction"),
+    Case("pin_play"),
+    Case("pin_tight"),
     Case("one_element", quick=True),
     Case("cycle"),
     Case("friction_0.3", quick=True),
