@@ -114,7 +114,7 @@ namespace
     parameters.boundary.displacement_x = {{"lower left", 0}, {"upper left", 0}};
     parameters.boundary.displacement_y = {{"lower bottom", 0},
                                           {"upper top", -0.1}};
-    ContactModel         model(parameters);
+    Tests::ContactModel  model(parameters);
     const StressRecovery recovery(model.discretization);
     const std::string    name = "uniform pressure, degree " +
                              std::to_string(degree) + ", " + kinematics + ", " +
@@ -350,7 +350,7 @@ namespace
     for (const std::string side : {"upper top", "upper left", "upper right"})
       parameters.boundary.displacement_x[side] =
         parameters.boundary.displacement_y[side] = 0;
-    ContactModel         model(parameters);
+    Tests::ContactModel  model(parameters);
     const StressRecovery recovery(model.discretization);
 
     // Without lateral strain the stresses are -E u_y,y and E/2 u_x,y.
@@ -410,7 +410,7 @@ namespace
     parameters.contact.slave  = "upper bottom";
     parameters.contact.master = "lower top";
     parameters.contact.rule   = "nodal";
-    ContactModel model(parameters);
+    Tests::ContactModel model(parameters);
     for (unsigned int k = 0; k < model.interface.n_multipliers(); ++k)
       model.solution[model.interface.normal_index(k)] = 1;
 
