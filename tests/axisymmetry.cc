@@ -235,7 +235,7 @@ namespace
         const bool on_axis =
           model.discretization.is_on_axis(point.X[0]) && degree == 2;
         n_on_axis += on_axis;
-        sum += on_axis ? 0. : point.weight;
+        sum += on_axis && rule != "Gauss" ? 0. : point.weight;
         smallest = std::min(smallest, point.weight);
       }
     const std::string name = "degree " + std::to_string(degree) + ", " + rule;
