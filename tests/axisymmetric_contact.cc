@@ -43,9 +43,9 @@ namespace
 
 
 
-  // They add up to the area of the slave, and each is positive. With the nodal
-  // rule a node on the axis has a weight at degree 1; at degree 2 it has no
-  // area, but a gap, and a point of its own.
+  // They add up to the area of the slave, and each is positive. A node on the
+  // axis has a weight at degree 1; at degree 2 it has no area, but a gap, and a
+  // point of its own.
   void check_weights(const unsigned int degree, const std::string &rule)
   {
     ContactModel model(two_cylinders(degree, rule));
@@ -57,13 +57,13 @@ namespace
         const bool on_axis =
           model.discretization.is_on_axis(point.X[0]) && degree == 2;
         n_on_axis += on_axis;
-        sum += on_axis && rule == "nodal" ? 0. : point.weight;
+        sum += on_axis && rule != "Gauss" ? 0. : point.weight;
         smallest = std::min(smallest, point.weight);
       }
     const std::string name = "degree " + std::to_string(degree) + ", " + rule;
     check_small(name + ", area", std::abs(sum - 9 * numbers::PI), 1e-12);
     check(name + ", all positive", smallest > 0);
-    if (rule == "nodal" && degree == 2)
+    if (degree == 2 && rule != "Gauss")
       check(name + ", a point on the axis", n_on_axis == 1);
     if (rule == "nodal" && degree == 1)
       {
@@ -115,11 +115,13 @@ namespace
       "degree " + std::to_string(degree) + ", slave " + slave;
     check(name + ", converged", model.newton(1) > 0);
 
-    double deviation = 0;
-    for (unsigned int k = 0; k < model.interface->n_multipliers(); ++k)
+    double             deviation = 0;
+    const ContactZone &zone      = *model.interface->zones[0];
+    for (unsigned int n = 0; n < zone.slave.nodes.size(); ++n)
       deviation =
         std::max(deviation,
-                 std::abs(model.solution[model.interface->normal_index(k)] -
+                 std::abs(model.interface->pressure(zone.pressure_at(n),
+                                                    model.solution) -
                           10));
     check_small(name + ", pressure", deviation, 1e-8);
 

@@ -170,9 +170,14 @@ namespace Contact
       for (const LooseEdge &loose : of_rank)
         {
           const unsigned int none = numbers::invalid_unsigned_int;
-          Edge
-            edge{{{0, 0, 0}}, loose.body, false, false, none, none, loose.part};
-          edge.middle = loose.middle;
+          Edge               edge{{{0, 0, 0}},
+                    loose.body,
+                    false,
+                    false,
+                    none,
+                    none,
+                    loose.part,
+                    loose.middle};
           for (unsigned int a = 0; a < n_nodes_per_edge(); ++a)
             {
               const Node &node = loose.nodes[a];
