@@ -258,7 +258,7 @@ namespace Contact
     if (n_of_rule < n_of_slave)
       changed = project(part(n_of_rule, n_of_slave), u) || changed;
     if (has_corner_points())
-      changed = pair_corners(part(n_of_slave, n_points), u) || changed;
+      changed = pair_corners(points, u) || changed;
 
     // A nodal point looks from its own place, where the corner is.
     for (unsigned int q = n_of_slave; q < n_points; ++q)
@@ -272,15 +272,27 @@ namespace Contact
 
 
 
-  bool ContactZone::pair_corners(const ArrayView<ContactPoint> &corners,
+  bool ContactZone::pair_corners(const ArrayView<ContactPoint> &points,
                                  const Vector<double>          &u) const
   {
+    // Whether a node of the slave edge sees the master.
+    const auto is_seen = [&](const ContactPoint &corner) {
+      const auto &nodes = slave.edges[corner.master_edge].nodes;
+      return std::any_of(nodes.begin(),
+                         nodes.begin() + slave.n_nodes_per_edge(),
+                         [&](const unsigned int node) {
+                           const unsigned int k =
+                             multipliers.of_node[node] - first_multiplier;
+                           return k < n_of_slave && points[k].facing;
+                         });
+    };
     const SurfaceSearch search(slave, u);
     const auto          normals = master->edge_normals(u);
     bool                changed = false;
-    for (ContactPoint &corner : corners)
+    for (unsigned int q = n_of_slave; q < n_points; ++q)
       {
-        const auto old_dofs = corner.dofs;
+        ContactPoint &corner   = points[q];
+        const auto    old_dofs = corner.dofs;
         pair_corner_point(corner,
                           *master,
                           normals,
@@ -288,6 +300,9 @@ namespace Contact
                           search,
                           discretization,
                           u);
+        if (corner.facing && is_seen(corner) &&
+            lies_along_slave(corner, *master, normals))
+          corner.facing = false;
         changed = changed || corner.dofs != old_dofs;
       }
     return changed;

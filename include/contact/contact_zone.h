@@ -115,7 +115,7 @@ namespace Contact
     bool pair_all(const ArrayView<ContactPoint> &points,
                   const Vector<double>          &u,
                   const bool                     with_derivatives) const;
-    bool pair_corners(const ArrayView<ContactPoint> &corners,
+    bool pair_corners(const ArrayView<ContactPoint> &points,
                       const Vector<double>          &u) const;
 
     const Discretization           &discretization;

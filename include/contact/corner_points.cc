@@ -20,9 +20,6 @@ namespace Contact
       return (edge.begins_face && point.master_xi < -last) ||
              (edge.ends_face && point.master_xi > last);
     }
-
-
-
   } // namespace
 
 
@@ -75,6 +72,22 @@ namespace Contact
     point.facing =
       point.facing && gap > -length && !is_at_end_of_face(slave, point);
     point.foot = Point<2>(-corner_slack * length * point.normal);
+  }
+
+
+
+  bool lies_along_slave(
+    const ContactPoint                                    &corner,
+    const Surface                                         &master,
+    const std::vector<Surface::PerEdgeNode<Tensor<1, 2>>> &master_normals)
+  {
+    const unsigned int own   = corner.slave_edge;
+    const bool         first = corner.slave_xi < 0;
+    const unsigned int other =
+      first ? master.edges[own].previous : master.edges[own].next;
+    const double least = std::cos(numbers::PI / 180 * inclination);
+    return -(master_normals[own][first ? 0 : 1] * corner.normal) > least ||
+           -(master_normals[other][first ? 1 : 0] * corner.normal) > least;
   }
 
 

@@ -46,6 +46,11 @@ namespace Contact
   /// all round-off of the pairing, below all depths that matter.
   constexpr double corner_slack = 1e-8;
 
+  /// The inclination [degrees] up to which a face of the master lies along a
+  /// slave edge: over half of the edge it parts from it by less than a
+  /// twentieth of its length.
+  constexpr double inclination = 5;
+
   /**
    * Pair a corner point with the slave in the configuration @p u.
    *
@@ -61,6 +66,18 @@ namespace Contact
     const SurfaceSearch                                   &search,
     const Discretization                                  &discretization,
     const Vector<double>                                  &u);
+
+  /**
+   * Whether a face beside the corner lies along the slave edge that the corner
+   * is paired with. There is contact along the face up to the corner then, as
+   * where the surface of the master ends there: nodes of the slave edge that
+   * face the master see it, and a point of the corner's own would only take the
+   * edge for stiffer than it is.
+   */
+  bool lies_along_slave(
+    const ContactPoint                                    &corner,
+    const Surface                                         &master,
+    const std::vector<Surface::PerEdgeNode<Tensor<1, 2>>> &master_normals);
 
   /**
    * The slave node that the foot of a corner is at, closer than a hundredth of
