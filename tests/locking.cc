@@ -95,7 +95,8 @@ namespace
     SparsityPattern pattern;
     pattern.copy_from(couplings);
     SparseMatrix<double> matrix(pattern);
-    DirectSolver         solver;
+    Counters             counters;
+    DirectSolver         solver(counters);
     solver.initialize(pattern);
 
     const auto    &constraints = bodies.discretization.constraints;

@@ -192,7 +192,8 @@ namespace
     SparsityPattern pattern;
     pattern.copy_from(couplings);
     SparseMatrix<double> matrix(pattern);
-    DirectSolver         solver;
+    Counters             counters;
+    DirectSolver         solver(counters);
     solver.initialize(pattern);
 
     Vector<double> u(bodies.n_dofs());

@@ -430,7 +430,8 @@ namespace Tests
 
     SparsityPattern      pattern;
     SparseMatrix<double> matrix;
-    DirectSolver         solver;
+    Counters             counters;
+    DirectSolver         solver{counters};
   };
 } // namespace Tests
 

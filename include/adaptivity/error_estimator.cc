@@ -11,7 +11,6 @@
 #include <algorithm>
 
 #include "adaptivity/refinement.h"
-#include "base/counters.h"
 #include "contact/contact_results.h"
 
 namespace Contact
@@ -427,7 +426,7 @@ namespace Contact
                         const std::vector<SymmetricTensor<2, 3>> &stresses,
                         const Vector<double>                     &solution)
   {
-    ++counters().error_estimates;
+    ++model.discretization->counters.error_estimates;
     Mesh &mesh = *model.mesh;
     flag_cells(mesh,
                ErrorEstimator(*model.discretization,

@@ -7,14 +7,6 @@
 
 namespace Contact
 {
-  Counters &counters()
-  {
-    static Counters of_this_process;
-    return of_this_process;
-  }
-
-
-
   std::map<std::string, unsigned long> Counters::by_name() const
   {
     return {{"tangents", tangents},

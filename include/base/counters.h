@@ -14,7 +14,8 @@ namespace Contact
   /**
    * How often this process has done what costs: an effect that a scene does not
    * ask for leaves its counters at zero. Counted where the work is done, since
-   * the start of the case; every process counts its own.
+   * the start of the case: in those of the Discretization. Every process counts
+   * its own.
    */
   struct Counters
   {
@@ -46,9 +47,6 @@ namespace Contact
 
     std::map<std::string, unsigned long> by_name() const;
   };
-
-  /// Those of this process.
-  Counters &counters();
 } // namespace Contact
 
 #endif

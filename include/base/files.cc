@@ -13,7 +13,6 @@
 #include <unistd.h>
 
 #include "base/all_ranks.h"
-#include "base/counters.h"
 #include "base/errors.h"
 
 namespace Contact
@@ -41,7 +40,6 @@ namespace Contact
   void write_file(const std::filesystem::path               &file,
                   const std::function<void(std::ostream &)> &write)
   {
-    ++counters().files;
     std::filesystem::path part = file;
     part += ".part";
     std::ofstream out(part);

@@ -300,6 +300,13 @@ namespace Contact
                                 const Tensor<1, 2>   &r) const;
     Motion motion_of_change(const ContactPoint &point) const;
 
+    /// Add the motion of the loads of a point to its tangent.
+    void add_motion(const ContactPoint   &point,
+                    const Motion         &moves,
+                    const Traction       &t,
+                    FullMatrix<double>   &matrix,
+                    const Vector<double> &residual) const;
+
     void assemble_point(const ContactPoint   &point,
                         const Vector<double> &solution,
                         const Vector<double> &u_start,

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/counters.h"
 #include "contact/contact_interface.h"
 
 namespace Contact
@@ -161,7 +160,7 @@ namespace Contact
               rows.load_q[j]  = -w * point.C[a] * point.tangent[i];
             }
         }
-    counters().tangential_rows += has_friction(point);
+    discretization.counters.tangential_rows += has_friction(point);
     for (unsigned int k = 0; k < n_m; ++k)
       {
         rows.p_trial[n_u + k] = point.psi[k];
@@ -219,8 +218,7 @@ namespace Contact
       }
 
     // The constraints w psi_k (p - lambda)/c = 0 take the multipliers off.
-    const double       scale         = point.weight / point.complementarity;
-    const unsigned int n_constraints = (has_friction(point) ? 2 : 1) * n_m;
+    const double scale = point.weight / point.complementarity;
     for (unsigned int k = 0; k < n_m; ++k)
       for (unsigned int b = 0; b < (has_friction(point) ? 2 : 1); ++b)
         {
@@ -232,26 +230,37 @@ namespace Contact
               scale * point.psi[k] * point.psi[l];
         }
 
-    // The loads turn and travel with the master edge.
     const bool acts =
       point.decision.status != Status::open || !point.change.dofs.empty();
     if (linearization.moving_geometry && !zone(point).tied && acts)
+      add_motion(point, motion(point, solution, u_start), t, matrix, residual);
+  }
+
+
+
+  // The loads turn and travel with the master edge.
+  void ContactInterface::add_motion(const ContactPoint   &point,
+                                    const Motion         &moves,
+                                    const Traction       &t,
+                                    FullMatrix<double>   &matrix,
+                                    const Vector<double> &residual) const
+  {
+    const unsigned int n_u = 2 * point.n_nodes;
+    const unsigned int n_constraints =
+      (has_friction(point) ? 2 : 1) * point.n_multipliers;
+    const Tensor<1, 2> along  = t.p * point.normal + t.q * point.tangent;
+    const Tensor<1, 2> turned = t.q * point.normal - t.p * point.tangent;
+    for (unsigned int j = 0; j < moves.columns.size(); ++j)
       {
-        const Motion       moves  = motion(point, solution, u_start);
-        const Tensor<1, 2> along  = t.p * point.normal + t.q * point.tangent;
-        const Tensor<1, 2> turned = t.q * point.normal - t.p * point.tangent;
-        for (unsigned int j = 0; j < moves.columns.size(); ++j)
-          {
-            const unsigned int column = moves.columns[j];
-            for (unsigned int a = 0; a < point.n_nodes; ++a)
-              for (unsigned int i = 0; i < 2; ++i)
-                matrix(2 * a + i, column) -=
-                  point.weight *
-                  (turned[i] * point.C[a] * moves.omega[j] +
-                   along[i] * (moves.C(a, j) + point.C[a] * moves.weight[j]));
-            for (unsigned int k = n_u; k < n_u + n_constraints; ++k)
-              matrix(k, column) += moves.weight[j] * residual[k];
-          }
+        const unsigned int column = moves.columns[j];
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          for (unsigned int i = 0; i < 2; ++i)
+            matrix(2 * a + i, column) -=
+              point.weight *
+              (turned[i] * point.C[a] * moves.omega[j] +
+               along[i] * (moves.C(a, j) + point.C[a] * moves.weight[j]));
+        for (unsigned int k = n_u; k < n_u + n_constraints; ++k)
+          matrix(k, column) += moves.weight[j] * residual[k];
       }
   }
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/counters.h"
 #include "base/errors.h"
 #include "contact/corner_points.h"
 
@@ -318,7 +317,7 @@ namespace Contact
       {
         for (ContactPoint &point : points)
           pair_with_obstacle(point, *obstacle, discretization, u);
-        counters().projections += points.size();
+        discretization.counters.projections += points.size();
         return changed;
       }
 

@@ -180,11 +180,10 @@ namespace Contact
   // The pairing depends on the nodes of the edges around the slave node, of the
   // master edges that these face, and of the neighbours of both, by their
   // normals.
-  void MortarRule::differentiate(MortarGeometry<WithDerivatives>  &now,
-                                 const std::vector<MortarOverlap> &overlaps,
-                                 ContactPoint                     &point) const
+  std::array<std::set<unsigned int>, 2>
+  MortarRule::nodes_around(const unsigned int                node,
+                           const std::vector<MortarOverlap> &overlaps) const
   {
-    const unsigned int     node = slave_node(point);
     std::set<unsigned int> slave_nodes, master_nodes;
     const auto             add =
       [](const Surface &surface, const unsigned int e, auto &all) {
@@ -205,7 +204,17 @@ namespace Contact
                 master_nodes.insert(cut.master_node);
           }
       }
+    return {{slave_nodes, master_nodes}};
+  }
 
+
+
+  void MortarRule::differentiate(MortarGeometry<WithDerivatives>  &now,
+                                 const std::vector<MortarOverlap> &overlaps,
+                                 ContactPoint                     &point) const
+  {
+    const unsigned int node                = slave_node(point);
+    const auto [slave_nodes, master_nodes] = nodes_around(node, overlaps);
     now.follow(slave_nodes, master_nodes);
     MortarIntegrals<WithDerivatives> integrals(now, carries, discretization);
     for (const unsigned int e : slave.edges_of_node[node])

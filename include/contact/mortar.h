@@ -94,6 +94,11 @@ namespace Contact
     void add_nodes(const MortarPairing<double> &pairing,
                    ContactPoint                &point) const;
 
+    /// The nodes of both surfaces that move the segments around a slave node.
+    std::array<std::set<unsigned int>, 2>
+    nodes_around(const unsigned int                node,
+                 const std::vector<MortarOverlap> &overlaps) const;
+
     /// Fill in the derivatives of a point's pairing, by the segments of the
     /// edges around it.
     void differentiate(MortarGeometry<WithDerivatives>  &now,

@@ -94,6 +94,12 @@ namespace Contact
             const std::set<types::boundary_id> &boundary_ids,
             const std::string                  &name);
 
+    /// Those of the discretization.
+    Counters &counters() const
+    {
+      return discretization.counters;
+    }
+
     const unsigned int degree;
     std::vector<Node>  nodes; // along the chain, mid-sides in their place
     std::vector<Edge>  edges; // along the chain

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/counters.h"
 
 namespace Contact
 {
@@ -152,7 +151,7 @@ namespace Contact
   {
     namespace bgi = boost::geometry::index;
 
-    ++counters().projections;
+    ++surface.counters().projections;
     Projection best{numbers::invalid_unsigned_int, 0, false, false};
     double     best_distance = std::numeric_limits<double>::max();
     for (auto entry = tree.qbegin(bgi::nearest(x, surface.edges.size()));
@@ -163,7 +162,7 @@ namespace Contact
           boost::geometry::comparable_distance(x, entry->first);
         if (to_box > best_distance)
           break;
-        ++counters().candidate_pairs;
+        ++surface.counters().candidate_pairs;
         const Projection candidate = project(x, entry->second);
         const double     distance  = distance_square(x, candidate);
         if (distance < best_distance && accept(candidate) &&

@@ -5,7 +5,6 @@
 
 #include "output/postprocessor.h"
 
-#include "base/counters.h"
 #include "output/probes.h"
 
 namespace Contact
@@ -46,7 +45,7 @@ namespace Contact
       recovery = std::make_unique<StressRecovery>(*model.discretization);
     if (stresses.empty())
       {
-        ++counters().stress_recoveries;
+        ++model.discretization->counters.stress_recoveries;
         stresses = recovery->vertex_stresses(*model.elasticity, state.solution);
       }
     return stresses;

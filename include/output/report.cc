@@ -8,7 +8,6 @@
 #include <iomanip>
 #include <iostream>
 
-#include "base/counters.h"
 #include "output/ledger.h"
 #include "output/result_tables.h"
 
@@ -26,7 +25,6 @@ namespace Contact
     , prm(prm)
     , communicator(communicator)
   {
-    counters()        = Counters();
     summary.case_name = parameters.name;
     summary.mesh_file =
       std::filesystem::path(parameters.mesh.file).filename().string();
@@ -36,6 +34,7 @@ namespace Contact
 
   void Report::open_files(const Discretization &discretization)
   {
+    this->discretization = &discretization;
     result_files =
       std::make_unique<ResultFiles>(parameters.directory(), discretization);
     if (!parameters.restart)
@@ -210,7 +209,7 @@ namespace Contact
       prm.print_parameters(out, ParameterHandler::ShortPRM);
     });
     summary.time     = phase_times(timer);
-    summary.counters = counters().by_name();
+    summary.counters = discretization->counters.by_name();
     summary.peak_memory_mb =
       Utilities::MPI::sum(peak_memory_mb(), communicator);
     // This file counts, too.

@@ -98,6 +98,7 @@ namespace Contact
     const ParameterHandler      &prm;
     const MPI_Comm               communicator;
     std::unique_ptr<ResultFiles> result_files;
+    const Discretization *discretization = nullptr; // once files are open
   };
 } // namespace Contact
 

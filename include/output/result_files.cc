@@ -186,6 +186,7 @@ namespace Contact
     const std::string                         &file,
     const std::function<void(std::ostream &)> &write) const
   {
+    ++discretization.counters.files;
     write_on_first_rank(discretization.communicator, directory / file, write);
   }
 
@@ -274,6 +275,7 @@ namespace Contact
       return name + (n_ranks > 1 ? "." + Utilities::int_to_string(r, 4) : "") +
              ".vtu";
     };
+    ++discretization.counters.files;
     on_all_ranks(discretization.communicator, [&]() {
       write_file(directory / piece(rank()),
                  [&](std::ostream &out) { data.write_vtu(out); });

@@ -19,6 +19,7 @@
 #include <set>
 #include <string>
 
+#include "base/counters.h"
 #include "mesh/mesh.h"
 #include "parameters/parameters.h"
 
@@ -145,6 +146,9 @@ namespace Contact
     {
       return largest_displacement;
     }
+
+    /// The costly operations on these spaces. Counting changes nothing.
+    mutable Counters counters;
 
     /// How far a supported unknown of @p u is at most from where it has to be
     /// under @p load_factor [mm].

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 
-#include "base/counters.h"
 #include "base/errors.h"
 
 namespace Contact
@@ -96,8 +95,8 @@ namespace Contact
     VolumeRatio         smallest;
     for (const unsigned int number : numbers)
       {
-        ++counters().cell_forces;
-        counters().cell_tangents += with_tangent;
+        ++discretization.counters.cell_forces;
+        discretization.counters.cell_tangents += with_tangent;
         const CellTable   &cell = tables.own[number];
         const unsigned int n    = cell.dofs.size();
         forces.reinit(n);

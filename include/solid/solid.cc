@@ -5,7 +5,6 @@
 
 // The integrals over a cell of class Elasticity.
 
-#include "base/counters.h"
 #include "solid/elasticity.h"
 #include "solid/symmetry.h"
 
@@ -68,6 +67,12 @@ namespace Contact
         SymmetricTensor<2, 2>     S;
         double                    S33;
         std::array<StrainRows, 9> B;
+
+        void drop_stresses()
+        {
+          S   = 0;
+          S33 = 0;
+        }
       };
 
       template<bool with_tangent, bool projected>
@@ -285,10 +290,7 @@ namespace Contact
           add_forces(at, n, residual);
           // In the tangent stresses are in nothing else.
           if (stress_stiffness == StressStiffness::without)
-            {
-              at.S   = 0;
-              at.S33 = 0;
-            }
+            at.drop_stresses();
           if constexpr (with_tangent)
             add_tangent(at, n, lambda, cell.material->mu, matrix);
           if constexpr (with_tangent && projected)
@@ -323,7 +325,7 @@ namespace Contact
       FullMatrix<double>   *tangent,
       Vector<double>       &forces) const
     {
-      counters().large_displacement_cells += !is_linear();
+      discretization.counters.large_displacement_cells += !is_linear();
       const bool projected     = !cell.modes.empty();
       const auto assemble_with = [&](auto with_tangent, auto projected) {
         FullMatrix<double> none;

@@ -12,7 +12,6 @@
 #include <Epetra_CrsMatrix.h>
 #include <algorithm>
 
-#include "base/counters.h"
 #include "solvers/rigid_rotation.h"
 
 namespace Contact
@@ -275,12 +274,14 @@ namespace Contact
     Solver    &of_kind = solvers[kind ? 0 : 1];
     if (!of_kind.solver)
       {
-        const auto modes = solver_kind == Parameters::SolverKind::amg
-                             ? rigid_modes(discretization)
-                             : DefiniteSolver::Modes();
+        const auto modes    = solver_kind == Parameters::SolverKind::amg
+                                ? rigid_modes(discretization)
+                                : DefiniteSolver::Modes();
+        Counters  &counters = discretization.counters;
         of_kind.solver =
-          kind ? DefiniteSolver::create(solver_kind, modes)
-               : DefiniteSolver::create_unsymmetric(solver_kind, modes);
+          kind
+            ? DefiniteSolver::create(solver_kind, modes, counters)
+            : DefiniteSolver::create_unsymmetric(solver_kind, modes, counters);
       }
     of_kind.solver->set_matrix(matrix, of_kind.pattern_is_new);
     of_kind.pattern_is_new = false;
@@ -358,7 +359,7 @@ namespace Contact
   // their sum.
   void CondensedSystem::assemble_tangents(const Vector<double> &solution)
   {
-    ++counters().tangents;
+    ++discretization.counters.tangents;
     const auto &base = discretization.constraints;
     matrix           = 0;
     elasticity.visit_cells(solution,

@@ -8,7 +8,6 @@
 #include <limits>
 #include <sstream>
 
-#include "base/counters.h"
 #include "base/errors.h"
 #include "solvers/multiplier_recovery.h"
 
@@ -145,7 +144,7 @@ namespace Contact
   {
     if (point.decision.status == Status::stick)
       {
-        ++counters().tangential_rows;
+        ++discretization.counters.tangential_rows;
         for (unsigned int i = 0; i < 2; ++i)
           {
             const Row row = equation(point,

@@ -19,7 +19,6 @@
 #include <sstream>
 #include <umfpack.h>
 
-#include "base/counters.h"
 #include "base/errors.h"
 
 namespace Contact
@@ -56,7 +55,8 @@ namespace Contact
     class Cholmod : public DefiniteSolver
     {
     public:
-      Cholmod()
+      explicit Cholmod(Counters &counters)
+        : DefiniteSolver(counters)
       {
         cholmod_start(&common);
         common.supernodal                 = CHOLMOD_SUPERNODAL;
@@ -89,11 +89,11 @@ namespace Contact
 
         if (factor == nullptr || new_pattern)
           {
-            ++counters().symbolic_factorizations;
+            ++counters.symbolic_factorizations;
             cholmod_free_factor(&factor, &common);
             factor = cholmod_analyze(&view, &common);
           }
-        ++counters().numeric_factorizations;
+        ++counters.numeric_factorizations;
         cholmod_factorize(&view, factor, &common);
         if (common.status == CHOLMOD_NOT_POSDEF)
           throw NotConverged(not_definite);
@@ -111,7 +111,7 @@ namespace Contact
 
       unsigned int solve(const Vector &b, const double, Vector &x) override
       {
-        ++counters().linear_solves;
+        ++counters.linear_solves;
         cholmod_dense view{};
         view.nrow  = b.size();
         view.ncol  = 1;
@@ -140,7 +140,8 @@ namespace Contact
     class Umfpack : public DefiniteSolver
     {
     public:
-      Umfpack()
+      explicit Umfpack(Counters &counters)
+        : DefiniteSolver(counters)
       {
         umfpack_di_defaults(control.data());
         // Newton's method corrects what round-off leaves.
@@ -153,7 +154,7 @@ namespace Contact
         int status = UMFPACK_OK;
         if (symbolic == nullptr || new_pattern)
           {
-            ++counters().symbolic_factorizations;
+            ++counters.symbolic_factorizations;
             void *handle = nullptr;
             status       = umfpack_di_symbolic(columns->n,
                                          columns->n,
@@ -169,7 +170,7 @@ namespace Contact
         numeric.reset();
         if (status == UMFPACK_OK)
           {
-            ++counters().numeric_factorizations;
+            ++counters.numeric_factorizations;
             void *handle = nullptr;
             status       = umfpack_di_numeric(columns->starts,
                                         columns->rows,
@@ -197,7 +198,7 @@ namespace Contact
 
       unsigned int solve(const Vector &b, const double, Vector &x) override
       {
-        ++counters().linear_solves;
+        ++counters.linear_solves;
         umfpack_di_solve(UMFPACK_At,
                          columns->starts,
                          columns->rows,
@@ -225,11 +226,13 @@ namespace Contact
     class Mumps : public DefiniteSolver
     {
     public:
+      using DefiniteSolver::DefiniteSolver;
+
       void set_matrix(const Matrix &matrix, const bool) override
       {
         // It does both with every matrix.
-        ++counters().symbolic_factorizations;
-        ++counters().numeric_factorizations;
+        ++counters.symbolic_factorizations;
+        ++counters.numeric_factorizations;
         solver = std::make_unique<TrilinosWrappers::SolverDirect>(
           control,
           TrilinosWrappers::SolverDirect::AdditionalData(false,
@@ -252,7 +255,7 @@ namespace Contact
 
       unsigned int solve(const Vector &b, const double, Vector &x) override
       {
-        ++counters().linear_solves;
+        ++counters.linear_solves;
         solver->solve(x, b);
         return 1;
       }
@@ -274,8 +277,9 @@ namespace Contact
     class Multigrid : public DefiniteSolver
     {
     public:
-      Multigrid(const Modes &modes, const bool symmetric)
-        : modes(modes)
+      Multigrid(const Modes &modes, const bool symmetric, Counters &counters)
+        : DefiniteSolver(counters)
+        , modes(modes)
         , symmetric(symmetric)
       {
       }
@@ -331,7 +335,7 @@ namespace Contact
     private:
       void iterate(SolverControl &control, const Vector &b, Vector &x) const
       {
-        ++counters().linear_solves;
+        ++counters.linear_solves;
         x = 0;
         if (symmetric)
           SolverCG<Vector>(control).solve(*matrix, x, b, preconditioner);
@@ -345,8 +349,8 @@ namespace Contact
 
       void build()
       {
-        ++counters().symbolic_factorizations;
-        ++counters().numeric_factorizations;
+        ++counters.symbolic_factorizations;
+        ++counters.numeric_factorizations;
         preconditioner.clear();
         TrilinosWrappers::PreconditionAMG::AdditionalData data;
         data.elliptic              = true;
@@ -383,26 +387,51 @@ namespace Contact
 
 
   std::unique_ptr<DefiniteSolver>
-  DefiniteSolver::create(const Parameters::SolverKind kind, const Modes &modes)
+  DefiniteSolver::create(const Parameters::SolverKind kind,
+                         const Modes                 &modes,
+                         Counters                    &counters)
   {
-    if (kind == Parameters::SolverKind::cholmod)
-      return std::make_unique<Cholmod>();
-    if (kind == Parameters::SolverKind::mumps)
-      return std::make_unique<Mumps>();
-    return std::make_unique<Multigrid>(modes, /*symmetric=*/true);
+    switch (kind)
+      {
+        case Parameters::SolverKind::cholmod:
+          return std::make_unique<Cholmod>(counters);
+        case Parameters::SolverKind::mumps:
+          return std::make_unique<Mumps>(counters);
+        case Parameters::SolverKind::amg:
+          return std::make_unique<Multigrid>(modes,
+                                             /*symmetric=*/true,
+                                             counters);
+        case Parameters::SolverKind::automatic:
+        case Parameters::SolverKind::umfpack:
+          break;
+      }
+    AssertThrow(false, ExcInternalError());
+    return nullptr;
   }
 
 
 
   std::unique_ptr<DefiniteSolver>
   DefiniteSolver::create_unsymmetric(const Parameters::SolverKind kind,
-                                     const Modes                 &modes)
+                                     const Modes                 &modes,
+                                     Counters                    &counters)
   {
-    if (kind == Parameters::SolverKind::cholmod)
-      return std::make_unique<Umfpack>();
-    if (kind == Parameters::SolverKind::mumps)
-      return std::make_unique<Mumps>();
-    return std::make_unique<Multigrid>(modes, /*symmetric=*/false);
+    switch (kind)
+      {
+        case Parameters::SolverKind::cholmod:
+          return std::make_unique<Umfpack>(counters);
+        case Parameters::SolverKind::mumps:
+          return std::make_unique<Mumps>(counters);
+        case Parameters::SolverKind::amg:
+          return std::make_unique<Multigrid>(modes,
+                                             /*symmetric=*/false,
+                                             counters);
+        case Parameters::SolverKind::automatic:
+        case Parameters::SolverKind::umfpack:
+          break;
+      }
+    AssertThrow(false, ExcInternalError());
+    return nullptr;
   }
 
 

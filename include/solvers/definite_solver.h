@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/counters.h"
 #include "parameters/choices.h"
 
 namespace Contact
@@ -36,10 +37,12 @@ namespace Contact
     /**
      * CHOLMOD (one rank), MUMPS, or AMG: conjugate gradients with Trilinos'
      * smoothed aggregation, which takes the @p modes as near null space, and
-     * alone needs them.
+     * alone needs them. Operations are counted by @p counters.
      */
     static std::unique_ptr<DefiniteSolver>
-    create(const Parameters::SolverKind kind, const Modes &modes);
+    create(const Parameters::SolverKind kind,
+           const Modes                 &modes,
+           Counters                    &counters);
 
     /**
      * The counterpart for unsymmetric matrices: UMFPACK for "CHOLMOD", "MUMPS",
@@ -47,7 +50,9 @@ namespace Contact
      * rows at the interface are unsymmetric.
      */
     static std::unique_ptr<DefiniteSolver>
-    create_unsymmetric(const Parameters::SolverKind kind, const Modes &modes);
+    create_unsymmetric(const Parameters::SolverKind kind,
+                       const Modes                 &modes,
+                       Counters                    &counters);
 
     /**
      * What "automatic" stands for. In two dimensions CHOLMOD is as fast as AMG
@@ -56,6 +61,11 @@ namespace Contact
      */
     static Parameters::SolverKind choose(const std::size_t  n_unknowns,
                                          const unsigned int n_ranks);
+
+    explicit DefiniteSolver(Counters &counters)
+      : counters(counters)
+    {
+    }
 
     virtual ~DefiniteSolver() = default;
 
@@ -76,6 +86,9 @@ namespace Contact
      */
     virtual unsigned int
     solve(const Vector &b, const double tolerance, Vector &x) = 0;
+
+  protected:
+    Counters &counters;
   };
 } // namespace Contact
 

@@ -10,7 +10,6 @@
 #include <numeric>
 #include <umfpack.h>
 
-#include "base/counters.h"
 #include "base/errors.h"
 
 namespace Contact
@@ -56,7 +55,7 @@ namespace Contact
     int       status = UMFPACK_OK;
     if (symbolic == nullptr)
       {
-        ++counters().symbolic_factorizations;
+        ++counters.symbolic_factorizations;
         void *handle = nullptr;
         status       = umfpack_di_symbolic(n,
                                      n,
@@ -71,7 +70,7 @@ namespace Contact
       }
     if (status == UMFPACK_OK)
       {
-        ++counters().numeric_factorizations;
+        ++counters.numeric_factorizations;
         void *handle = nullptr;
         status       = umfpack_di_numeric(row_starts.data(),
                                     columns.data(),
@@ -94,7 +93,7 @@ namespace Contact
 
   void DirectSolver::solve(Vector<double> &b) const
   {
-    ++counters().linear_solves;
+    ++counters.linear_solves;
     const Vector<double> rhs(b);
     // Newton's method corrects what round-off leaves better than iterative
     // refinement would.

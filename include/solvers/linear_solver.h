@@ -12,6 +12,8 @@
 #include <memory>
 #include <vector>
 
+#include "base/counters.h"
+
 namespace Contact
 {
   using namespace dealii;
@@ -24,6 +26,12 @@ namespace Contact
   class DirectSolver
   {
   public:
+    /// Operations are counted by @p counters.
+    explicit DirectSolver(Counters &counters)
+      : counters(counters)
+    {
+    }
+
     /// Announce the pattern of the matrices to come.
     void initialize(const SparsityPattern &pattern);
 
@@ -40,6 +48,8 @@ namespace Contact
     void solve(Vector<double> &b) const;
 
   private:
+    Counters &counters;
+
     using Handle = std::unique_ptr<void, void (*)(void *)>;
 
     // Compressed rows with sorted columns, and the place in them of each value

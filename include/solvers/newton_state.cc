@@ -8,7 +8,6 @@
 #include <limits>
 #include <sstream>
 
-#include "base/counters.h"
 #include "base/errors.h"
 #include "base/words.h"
 #include "contact/contact_results.h"
@@ -112,7 +111,7 @@ namespace Contact
                            moving_bound,
                            /*keep=*/after_a_step && !single_changes);
     if (after_a_step && n > 0)
-      ++counters().active_set_changes;
+      ++model.discretization->counters.active_set_changes;
     // As the search does. Without it the points go on from step to step, and
     // that would begin each turn of the friction loop anew.
     if (system->has_multipliers() && after_a_step && !moving_bound)

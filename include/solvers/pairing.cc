@@ -5,7 +5,6 @@
 
 #include "solvers/pairing.h"
 
-#include "base/counters.h"
 
 namespace Contact
 {
@@ -62,9 +61,9 @@ namespace Contact
     timer.enter_subsection("search");
     paired_at = configuration;
     if (model.interface)
-      ++counters().pairings;
+      ++model.discretization->counters.pairings;
     if (follows() && !configuration.all_zero())
-      ++counters().geometry_updates;
+      ++model.discretization->counters.geometry_updates;
     const bool is_undeformed =
       parameters.solution.geometry == GeometryLoop::undeformed;
     const bool changed =

@@ -7,7 +7,6 @@
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
-#include "base/counters.h"
 #include "solvers/active_set.h"
 
 namespace Contact
@@ -27,6 +26,7 @@ namespace Contact
     , geometry_follows(geometry_follows)
     , keeps_factorization(keeps_factorization)
     , timer(timer)
+    , solver(discretization.counters)
   {
   }
 
@@ -171,7 +171,7 @@ namespace Contact
         }
       else
         {
-          ++counters().tangents;
+          ++discretization.counters.tangents;
           elasticity.assemble(solution,
                               load_factor,
                               rhs,
@@ -208,7 +208,7 @@ namespace Contact
     if (bodies_tangent.empty() ||
         bodies_version != elasticity.tangent_version())
       {
-        ++counters().tangents;
+        ++discretization.counters.tangents;
         const auto             n = discretization.dof_handler.n_dofs();
         DynamicSparsityPattern couplings(n, n);
         elasticity.add_couplings(couplings);

@@ -13,6 +13,8 @@ namespace Contact
 {
   using namespace dealii;
 
+  struct Worst;
+
   /**
    * What has to hold between bodies in contact, whatever the mesh: how far it
    * does not. All ranks get the same numbers.
@@ -145,11 +147,45 @@ namespace Contact
                        ContactInvariants &found) const;
     void check_depth(const ContactZone &zone, ContactInvariants &found) const;
 
+    /// The forces of a zone on both bodies together; the moment is about the
+    /// middle of the slave, whose size [mm] is that of its box.
+    struct Resultant
+    {
+      Tensor<1, 2> force;
+      double       moment = 0, magnitude = 0, size = 0;
+    };
+
+    Resultant resultant(const ContactZone &zone) const;
+
+    /// The moment that the discretization of contact leaves.
+    double   moment_of_rule(const ContactZone &zone) const;
+    Point<2> position(const Surface &surface, const unsigned int node) const;
+
     /// Whether a node of a slave edge is pushed.
     bool carries_force(const ContactZone &zone,
                        const unsigned int slave_edge) const;
     void check_normal(const Slack &slack, ContactInvariants &found) const;
+    void check_penalty(ContactInvariants &found) const;
     void check_tangential(const Slack &slack, ContactInvariants &found) const;
+    void add_normal_condition(const unsigned int k,
+                              const Slack       &slack,
+                              Worst             &worst) const;
+    void add_tangential_condition(const unsigned int k,
+                                  const Slack       &slack,
+                                  Worst             &cone,
+                                  Worst             &slip) const;
+
+    /// The weak conditions, by multiplier: what is left of them [mm^2], the
+    /// stiffness at a point, the part that the slack of the bounds may have,
+    /// and one of the points.
+    struct WeakConditions
+    {
+      std::vector<double>       defect, stiffness, allowed;
+      std::vector<unsigned int> point;
+    };
+
+    WeakConditions weak_conditions(const bool   tangential,
+                                   const Slack &slack) const;
 
     /// Where a point is, in a sentence.
     std::string at(const ContactPoint &point) const;

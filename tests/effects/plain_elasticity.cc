@@ -169,9 +169,11 @@ int main(int argc, char **argv)
         }
       DefiniteSolver::Vector b(all, MPI_COMM_WORLD), x(all, MPI_COMM_WORLD);
       std::copy(rhs.begin(), rhs.end(), b.begin());
-      const auto definite = DefiniteSolver::create(
+      Contact::Counters counters;
+      const auto        definite = DefiniteSolver::create(
         Contact::Parameters::Choice<Contact::Parameters::SolverKind>(solver),
-        modes);
+        modes,
+        counters);
       definite->set_matrix(matrix, true);
       // The load is 1 N/mm; the contact program solves to the same.
       definite->solve(b, 1e-9, x);

@@ -1,0 +1,238 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The part of ContactCheck on pressures and gaps, shears and slips.
+
+#include <cmath>
+
+#include "verification/contact_check.h"
+#include "verification/worst_condition.h"
+
+namespace Contact
+{
+  namespace
+  {
+    const std::string wrong_set =
+      "Do not use this increment: the active set is not that of this state; "
+      "try smaller increments, or 'Solution/Geometry = Newton'.";
+  } // namespace
+
+
+
+  // The sums over the points of w psi_k (p - lambda)/c, of either direction.
+  ContactCheck::WeakConditions
+  ContactCheck::weak_conditions(const bool tangential, const Slack &slack) const
+  {
+    const unsigned int n = interface.n_normal_multipliers();
+    WeakConditions     weak{std::vector<double>(n),
+                        std::vector<double>(n),
+                        std::vector<double>(n),
+                        std::vector<unsigned int>(n)};
+    for (unsigned int k = 0; k < interface.points.size(); ++k)
+      {
+        const ContactPoint &point = interface.points[k];
+        const ContactZone  &zone  = interface.zone(point);
+        if (tangential && (zone.tied || zone.law.is_frictionless()))
+          continue;
+        const double difference = tangential
+                                    ? tractions[k].q - states[k].lambda_t
+                                    : tractions[k].p - states[k].lambda_n;
+        for (unsigned int m = 0; m < point.n_multipliers; ++m)
+          {
+            const unsigned int l     = point.multipliers[m];
+            const double       share = point.weight * point.psi[m];
+            weak.defect[l] += share * difference / point.complementarity;
+            if (tangential && point.decision.status == Status::slip)
+              weak.allowed[l] += std::abs(share) * slack.shear;
+            weak.stiffness[l] = zone.stiffness(point);
+            weak.point[l]     = k;
+          }
+      }
+    return weak;
+  }
+
+
+
+  void ContactCheck::add_normal_condition(const unsigned int k,
+                                          const Slack       &slack,
+                                          Worst             &worst) const
+  {
+    const ContactPoint &point = interface.points[k];
+    const ContactState &now   = states[k];
+    const ContactZone  &zone  = interface.zone(point);
+    if (point.decision.status != Status::open)
+      worst.add(-point.weight * tractions[k].p, 0, [&]() {
+        return "the pressure in contact is " + brief(tractions[k].p) + " MPa" +
+               at(point);
+      });
+    else if (zone.has_point_per_multiplier())
+      worst.add(-point.weight * zone.stiffness(point) * now.gap,
+                slack.force,
+                [&]() {
+                  return "where it is open, the gap is " + brief(now.gap) +
+                         " mm" + at(point);
+                });
+  }
+
+
+
+  // The conditions in the normal direction: weak ones by multiplier, signs by
+  // point.
+  void ContactCheck::check_normal(const Slack       &slack,
+                                  ContactInvariants &found) const
+  {
+    Worst worst;
+    for (unsigned int k = 0; k < interface.points.size(); ++k)
+      {
+        const ContactPoint &point = interface.points[k];
+        const ContactZone  &zone  = interface.zone(point);
+        if (zone.tied || !point.facing)
+          continue;
+        add_normal_condition(k, slack, worst);
+        const double penetration = -states[k].gap;
+        if (penetration > found.penetration)
+          {
+            found.penetration          = penetration;
+            found.relative_penetration = penetration / zone.edge_length(point);
+            found.deepest              = zone.place(point);
+          }
+      }
+    const WeakConditions weak = weak_conditions(/*tangential=*/false, slack);
+    for (unsigned int l = 0; l < weak.defect.size(); ++l)
+      worst.add(weak.stiffness[l] * std::abs(weak.defect[l]),
+                slack.force,
+                [&]() {
+                  return "the condition p = max(0, lambda - c g) fails by the "
+                         "force " +
+                         brief(weak.stiffness[l] * weak.defect[l]) + " N" +
+                         discretization.per_thickness() +
+                         at(interface.points[weak.point[l]]);
+                });
+
+    check_penalty(found);
+    found.complementarity = worst.value / slack.reference;
+    if (worst.is_violated())
+      found.judge("complementarity",
+                  worst.value / slack.reference,
+                  (worst.value - worst.excess) / slack.reference,
+                  worst.sentence,
+                  wrong_set);
+  }
+
+
+
+  // With c far below the stiffness of the bodies, what is penalty instead of
+  // multiplier is no pressure: see the header.
+  void ContactCheck::check_penalty(ContactInvariants &found) const
+  {
+    double       largest_pressure = 0, largest_penalty = 0;
+    unsigned int worst = 0;
+    for (unsigned int k = 0; k < interface.points.size(); ++k)
+      {
+        const ContactPoint &point = interface.points[k];
+        const ContactZone  &zone  = interface.zone(point);
+        if (point.decision.status == Status::open || zone.tied ||
+            zone.has_point_per_multiplier())
+          continue;
+        largest_pressure = std::max(largest_pressure, tractions[k].p);
+        if (const double penalty = tractions[k].p - states[k].lambda_n;
+            penalty > largest_penalty)
+          {
+            largest_penalty = penalty;
+            worst           = k;
+          }
+      }
+    if (largest_pressure > 0)
+      found.judge(
+        "penetration",
+        largest_penalty / largest_pressure,
+        0.5,
+        "of the largest pressure " + brief(largest_pressure) + " MPa, " +
+          brief(largest_penalty) + " MPa come from a penetration of " +
+          brief(-states[worst].gap) + " mm" + at(interface.points[worst]),
+        "An edge of the slave faces the master with a part of its points "
+        "only: take the other surface as the slave, or another rule.");
+  }
+
+
+
+  void ContactCheck::add_tangential_condition(const unsigned int k,
+                                              const Slack       &slack,
+                                              Worst             &cone,
+                                              Worst             &slip) const
+  {
+    const ContactPoint &point = interface.points[k];
+    const ContactZone  &zone  = interface.zone(point);
+    const double        q     = tractions[k].q;
+    const double        bound = zone.law.bound(tractions[k].p);
+    cone.add(std::abs(q) - bound,
+             slack.shear + slack.relative * largest_bound,
+             [&]() {
+               return "the shear is " + brief(q) + " MPa under a bound of " +
+                      brief(bound) + " MPa" + at(point);
+             });
+    if (point.decision.status != Status::slip || q == 0 ||
+        !zone.has_point_per_multiplier())
+      return;
+    const double s            = states[k].slip;
+    const double per_traction = zone.stiffness(point) / point.complementarity;
+    slip.add(point.weight * zone.stiffness(point) * std::copysign(s, s * q),
+             slack.force + point.weight * per_traction * slack.shear,
+             [&]() {
+               return "the slip is " + brief(s) + " mm along the shear of " +
+                      brief(q) + " MPa" + at(point);
+             });
+  }
+
+
+
+  // The same in the tangential direction.
+  void ContactCheck::check_tangential(const Slack       &slack,
+                                      ContactInvariants &found) const
+  {
+    if (!interface.has_friction())
+      return;
+    Worst cone, slip;
+    for (unsigned int k = 0; k < interface.points.size(); ++k)
+      {
+        const ContactPoint &point = interface.points[k];
+        const ContactZone  &zone  = interface.zone(point);
+        if (!zone.tied && !zone.law.is_frictionless() &&
+            point.decision.status != Status::open)
+          add_tangential_condition(k, slack, cone, slip);
+      }
+    const WeakConditions weak = weak_conditions(/*tangential=*/true, slack);
+    for (unsigned int l = 0; l < weak.defect.size(); ++l)
+      {
+        const ContactPoint &point = interface.points[weak.point[l]];
+        slip.add(weak.stiffness[l] * std::abs(weak.defect[l]),
+                 slack.force +
+                   weak.stiffness[l] * weak.allowed[l] / point.complementarity,
+                 [&]() {
+                   return "the slip law q = projection of lambda - c s fails "
+                          "by the force " +
+                          brief(weak.stiffness[l] * weak.defect[l]) + " N" +
+                          discretization.per_thickness() + at(point);
+                 });
+      }
+
+    found.cone = largest_bound > 0 ? cone.value / largest_bound : cone.value;
+    found.slip = slip.value / slack.reference;
+    if (cone.is_violated())
+      found.judge(
+        "friction cone",
+        found.cone,
+        found.cone * (1 - cone.excess / cone.value),
+        cone.sentence,
+        "Lower 'Solution/Friction tolerance', or set 'Solution/Friction = "
+        "Newton'.");
+    if (slip.is_violated())
+      found.judge("slip",
+                  slip.value / slack.reference,
+                  (slip.value - slip.excess) / slack.reference,
+                  slip.sentence,
+                  wrong_set);
+  }
+} // namespace Contact
