@@ -66,7 +66,7 @@ namespace Contact
 
 
 
-  void ContactPoint::add_node(const Surface::Node &node,
+  void PointPairing::add_node(const Surface::Node &node,
                               const double         c,
                               const double         c1,
                               const double         c2)
@@ -81,7 +81,7 @@ namespace Contact
 
 
 
-  void ContactPoint::keep_nodes(const unsigned int n)
+  void PointPairing::keep_nodes(const unsigned int n)
   {
     n_nodes = n;
     dofs.resize(n);
@@ -92,7 +92,7 @@ namespace Contact
 
 
 
-  void ContactPoint::remove_node(const unsigned int n)
+  void PointPairing::remove_node(const unsigned int n)
   {
     --n_nodes;
     dofs.erase(dofs.begin() + n);

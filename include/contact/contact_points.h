@@ -75,30 +75,10 @@ namespace Contact
 
 
 
-  /**
-   * The contact point, the idea that carries this program: a place on the
-   * slave surface with a weight, the place on the master surface that it
-   * faces, and the multipliers that act there.
-   *
-   * With the nodes of the slave edge (coefficient +N) and of the master edge
-   * (coefficient -N) in one list, all that contact needs are sums over it:
-   *   gap             g = n . sum_a C_a x_a          (negative: penetration)
-   *                   (minus the place on the obstacle, if that is the master)
-   *   slip            s = t . sum_a C_a (u_a - u_a at the increment's start)
-   *   force on node a     w (p n + q t) C_a
-   * Sign conventions, stated here once: n is the unit normal of the master
-   * edge, out of the master body; t its unit tangent, n turned by +90 degrees;
-   * the pressure p is positive in compression; q is the component along t of
-   * the traction on the slave.
-   */
-  struct ContactPoint
+  /// The place of a contact point on the slave, the same during the whole run.
+  struct PointPlace
   {
     static constexpr unsigned int max_multipliers = 3;
-
-    /// Something of each node. Six are two quadratic edges; the mortar rule,
-    /// where a slave node may face many master edges, can have more.
-    template<typename T>
-    using PerNode = boost::container::small_vector<T, 6>;
 
     // The zone that the point belongs to.
     unsigned int zone = 0;
@@ -107,7 +87,6 @@ namespace Contact
     // that follows, see corner_points.h.
     bool is_master_corner = false;
 
-    // The slave side, the same during the whole run.
     unsigned int slave_edge = 0; // in the slave surface
     double       slave_xi   = 0;
     double       weight     = 0; // undeformed length it stands for [mm];
@@ -118,8 +97,18 @@ namespace Contact
     unsigned int                              n_multipliers = 0;
     std::array<unsigned int, max_multipliers> multipliers{};
     std::array<double, max_multipliers>       psi{};
+  };
 
-    // The pairing with the master.
+
+
+  /// The pairing of a contact point with the master.
+  struct PointPairing
+  {
+    /// Something of each node. Six are two quadratic edges; the mortar rule,
+    /// where a slave node may face many master edges, can have more.
+    template<typename T>
+    using PerNode = boost::container::small_vector<T, 6>;
+
     bool         facing      = false; // false: off the end, nothing to touch
     unsigned int master_edge = 0;
     double       master_xi   = 0;
@@ -145,12 +134,6 @@ namespace Contact
     /// Forget one node.
     void remove_node(const unsigned int n);
 
-    /// Whether the node @p a of the list is one of the slave.
-    bool is_on_slave(const unsigned int a) const
-    {
-      return (a < n_slave_nodes) != is_master_corner;
-    }
-
     Tensor<1, 2> normal, tangent;
     double       metric = 1; // |d x_m / d xi| [mm]
 
@@ -168,11 +151,40 @@ namespace Contact
     // A tangential row that says no more than the normal one is dropped: so
     // at a slave node on a symmetry line.
     bool tangential_row_is_void = false;
+  };
 
+
+
+  /**
+   * The contact point, the idea that carries this program: a place on the
+   * slave surface with a weight, the place on the master surface that it
+   * faces, and the multipliers that act there.
+   *
+   * With the nodes of the slave edge (coefficient +N) and of the master edge
+   * (coefficient -N) in one list, all that contact needs are sums over it:
+   *   gap             g = n . sum_a C_a x_a          (negative: penetration)
+   *                   (minus the place on the obstacle, if that is the master)
+   *   slip            s = t . sum_a C_a (u_a - u_a at the increment's start)
+   *   force on node a     w (p n + q t) C_a
+   * Sign conventions, stated here once: n is the unit normal of the master
+   * edge, out of the master body; t its unit tangent, n turned by +90 degrees;
+   * the pressure p is positive in compression; q is the component along t of
+   * the traction on the slave.
+   */
+  struct ContactPoint
+    : public PointPlace
+    , public PointPairing
+  {
     Decision decision;
 
     // Bound of the shear traction while a Tresca problem is solved [MPa].
     double tresca_bound = 0;
+
+    /// Whether the node @p a of the list is one of the slave.
+    bool is_on_slave(const unsigned int a) const
+    {
+      return (a < n_slave_nodes) != is_master_corner;
+    }
   };
 
 
