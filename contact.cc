@@ -23,10 +23,10 @@
 //
 // lambda_n = p and lambda_t = q being the Lagrange multipliers of the gap g and
 // of the slip s. Their semismooth Newton method is the primal-dual active set
-// method of step-41 and step-42: every point of contact makes a decision (open,
+// method of step-41 and step-42: every point of contact has a status (open,
 // stick or slip) from the signs of these expressions, a linear system is
-// solved under all decisions, and when no point changes its mind we are done.
-// Here the search for the decisions happens inside the linear problem of one
+// solved under all statuses, and when no point changes its status we are done.
+// Here the search for the statuses happens inside the linear problem of one
 // Newton step, see ActiveSetSearch, so that few steps are needed.
 //
 // Around Newton's method there are up to five loops, and each is there only if
@@ -36,7 +36,7 @@
 //                          start on the next finer one;
 //     load increments      because friction depends on the history; cut in
 //                          half and tried again if they do not converge;
-//       soft hold          of a body that nothing holds before it touches;
+//       stabilization          of a body that nothing holds before it touches;
 //       geometry loop      which master edge faces which slave point, and with
 //                          what normal; absent if Newton's method does it;
 //         friction loop    the bound mu p is frozen: a problem of Tresca's
@@ -46,13 +46,13 @@
 //
 // The linear system of a Newton step comes in two forms. With the multipliers
 // it is a saddle point, solved by a sparse direct solver on one process: every
-// contact rule can have it. Where the points of contact belong to one slave
-// node each (nodal and mortar rule), the active ones can be eliminated instead,
-// in the manner of step-42: CondensedSystem, symmetric and positive definite
-// (but for friction by Newton's method), for conjugate gradients with algebraic
-// multigrid, many unknowns and several processes. There the active set of
-// step-41 and step-42 is searched from step to step, which is cheap because a
-// level starts where the one before ended.
+// contact discretization can have it. Where the points of contact belong to one
+// slave node each (nodal and mortar discretization), the active ones can be
+// eliminated instead, in the manner of step-42: CondensedSystem, symmetric and
+// positive definite (but for friction by Newton's method), for conjugate
+// gradients with algebraic multigrid, many unknowns and several processes.
+// There the active set of step-41 and step-42 is searched from step to step,
+// which is cheap because a level starts where the one before ended.
 //
 // With several processes each has a part of the mesh and of the matrix. The
 // vectors of the solution and the surfaces are small beside these, and every
@@ -61,8 +61,8 @@
 //
 // The classes behind this file, from the bottom up: Parameters, Mesh,
 // Discretization, Elasticity (the bodies), Surface and ContactPoint (where they
-// meet; MortarRule), ContactInterface (the equations of contact), LinearSystem
-// (SaddlePointSystem with ActiveSetSearch, or CondensedSystem with
+// meet; MortarDiscretization), ContactInterface (the equations of contact),
+// LinearSystem (SaddlePointSystem with ActiveSetSearch, or CondensedSystem with
 // ContactElimination), NewtonState and Pairing (Newton's method),
 // RigidBodyStabilization; then ErrorEstimator, InvariantCheck, and for the
 // results Postprocessor and Report.
@@ -88,7 +88,7 @@
 #include "adaptivity/refinement.h"
 #include "base/errors.h"
 #include "base/interruption.h"
-#include "base/words.h"
+#include "base/string_utilities.h"
 #include "output/application.h"
 #include "output/checkpoint.h"
 #include "output/postprocessor.h"
@@ -144,7 +144,7 @@ namespace Contact
     void refine();
     bool is_last_level() const;
 
-    // What has to hold.
+    // The invariants.
     void check_invariants(const Vector<double> &springs);
 
     const MPI_Comm        communicator = MPI_COMM_WORLD;
@@ -273,11 +273,11 @@ namespace Contact
       TimerOutput::Scope scope(report.timer, "setup");
       model.elasticity =
         Elasticity::create(*model.discretization, parameters.solids);
-      if (const auto zones = parameters.zones(); !zones.empty())
+      if (const auto pairs = parameters.pairs(); !pairs.empty())
         model.interface =
           std::make_unique<ContactInterface>(*model.discretization,
                                              *model.elasticity,
-                                             zones);
+                                             pairs);
       state.reinit(model.n_unknowns());
       invariants = std::make_unique<InvariantCheck>(*model.discretization,
                                                     *model.elasticity,
@@ -385,7 +385,7 @@ namespace Contact
     else
       model.discretization->constrain_update(state.solution, state.load_factor);
     if (model.interface) // supports alone do not change
-      stabilization.hold_free_pieces(model.interface.get());
+      stabilization.stabilize_free_pieces(model.interface.get());
     stabilization.begin_increment();
 
     solve_with_stabilization();
@@ -393,7 +393,7 @@ namespace Contact
     // No equation determines the place of a body that has lost its contact: it
     // could have gone anywhere on the way.
     if (model.interface &&
-        stabilization.hold_free_pieces(model.interface.get()))
+        stabilization.stabilize_free_pieces(model.interface.get()))
       throw NotConverged("a body has lost the contact that held it");
     postprocessor.record_increment();
     newton.convergence.accept();
@@ -436,7 +436,7 @@ namespace Contact
   // held, too. Else the load is applied in smaller steps.
   bool ContactProblem::try_again(LoadSteps &steps, const LoadSteps::Step &step)
   {
-    stabilization.hold_free_pieces(nullptr);
+    stabilization.stabilize_free_pieces(nullptr);
     if (stabilization.has_grown())
       return true;
     if (steps.cut())
@@ -461,7 +461,7 @@ namespace Contact
   {
     if (!steps.next().starts_increment || !model.has_friction() ||
         model.interface->count().active > 0 ||
-        free_motions(*model.discretization, nullptr).empty())
+        rigid_body_modes(*model.discretization, nullptr).empty())
       return;
     bool is_cut = false;
     while (steps.cut())
@@ -495,14 +495,14 @@ namespace Contact
         if (model.interface)
           {
             pairing.pair(state.solution);
-            model.interface->close_nearest(state.solution);
+            model.interface->activate_nearest(state.solution);
           }
         solve_with_geometry_loop();
 
         const auto   hold   = stabilization.work(state.solution);
         const double energy = model.elasticity->strain_energy(state.solution);
         report.increment().hold_work = hold.work;
-        report.screen << "  soft hold, turn " << turn << ": its work "
+        report.screen << "  stabilization, turn " << turn << ": its work "
                       << hold.work << " N mm"
                       << model.discretization->per_thickness()
                       << ", strain energy " << energy << " N mm"
@@ -548,10 +548,10 @@ namespace Contact
       if (n == 1)
         pairing.pair(state.solution);
       else if (!system->has_multipliers())
-        model.interface->open_parted(state.solution);
+        model.interface->release_parted(state.solution);
       solve_with_friction_loop();
 
-      // How far the bodies are from where they were paired.
+      // The way of the bodies since they were paired.
       const double moved =
         level > 0 ? model.interface->largest_change(state.solution,
                                                     pairing.configuration())
@@ -595,7 +595,7 @@ namespace Contact
       }
 
     ContactInterface &interface = *model.interface;
-    if (!free_motions(*model.discretization, &interface, Tangents::free)
+    if (!rigid_body_modes(*model.discretization, &interface, Tangents::free)
            .empty())
       interface.raise_unknown_bounds();
 
@@ -713,9 +713,9 @@ namespace Contact
       invariants.reset();
       model.interface.reset();
       model.elasticity.reset();
-      refine_and_carry_over(*model.mesh,
-                            *model.discretization,
-                            coarser.solutions);
+      refine_and_transfer(*model.mesh,
+                          *model.discretization,
+                          coarser.solutions);
     }
     ++level;
     setup_level();
@@ -753,7 +753,7 @@ namespace Contact
         "pairing: closest points jump between two places for good; the gaps of "
         "the one under the other are within the geometry tolerance, " +
         brief(parameters.solution.geometry_tolerance) +
-        " of the way of the surfaces. A finer master, the rule mortar, or "
+        " of the way of the surfaces. A finer master, the mortar discretization, or "
         "'Geometry = fixed point' may come to rest.");
     report.record(found);
   }

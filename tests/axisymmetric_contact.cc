@@ -9,13 +9,13 @@
 // pressure between two tubes is Lame's.
 
 #include "condensed_model.h"
-#include "solvers/free_motions.h"
+#include "solvers/rigid_body_modes.h"
 
 using namespace Tests;
 
 namespace
 {
-  const double young = 1000, poisson = 0.3;
+  const double youngs_modulus = 1000, poisson = 0.3;
 
 
 
@@ -30,12 +30,12 @@ namespace
                                       {"lower", "upper"},
                                       degree,
                                       "small strain",
-                                      young,
+                                      youngs_modulus,
                                       poisson);
     parameters.solids.symmetry         = "axisymmetric";
     parameters.contact.slave           = "upper bottom";
     parameters.contact.master          = "lower top";
-    parameters.contact.rule            = rule;
+    parameters.contact.discretization  = rule;
     parameters.boundary.displacement_y = {{"lower bottom", 0}};
     parameters.boundary.pressure       = {{"upper top", "10"}};
     return parameters;
@@ -81,8 +81,8 @@ namespace
     const auto print = [](const std::string &name, const auto &parameters) {
       const Bodies bodies(parameters);
       std::cout << "  " << name << ':';
-      for (const FreeMotion &motion :
-           free_motions(bodies.discretization, nullptr))
+      for (const RigidBodyMode &motion :
+           rigid_body_modes(bodies.discretization, nullptr))
         std::cout << ' '
                   << bodies.mesh.body_name(
                        bodies.mesh.pieces[motion.piece].body)
@@ -115,12 +115,12 @@ namespace
       "degree " + std::to_string(degree) + ", slave " + slave;
     check(name + ", converged", model.newton(1) > 0);
 
-    double             deviation = 0;
-    const ContactZone &zone      = *model.interface->zones[0];
-    for (unsigned int n = 0; n < zone.slave.nodes.size(); ++n)
+    double             deviation    = 0;
+    const ContactPair &contact_pair = *model.interface->pairs[0];
+    for (unsigned int n = 0; n < contact_pair.slave.nodes.size(); ++n)
       deviation =
         std::max(deviation,
-                 std::abs(model.interface->pressure(zone.pressure_at(n),
+                 std::abs(model.interface->pressure(contact_pair.pressure_at(n),
                                                     model.solution) -
                           10));
     check_small(name + ", pressure", deviation, 1e-8);
@@ -161,23 +161,23 @@ namespace
     MeshText mesh;
     mesh.block("inner", n, 2, rectangle({20, 0}, {50, 5}));
     mesh.block("outer", n, 3, rectangle({50, 0}, {100, 5}));
-    auto parameters                    = make_parameters(mesh,
+    auto parameters                           = make_parameters(mesh,
                                       {"inner", "outer"},
                                       degree,
                                       "small strain",
                                       1000,
                                       0.3);
-    parameters.solids.symmetry         = "axisymmetric";
-    parameters.solids.young["outer"]   = 2000;
-    parameters.solids.poisson["outer"] = 0.25;
-    parameters.contact.slave           = "outer left";
-    parameters.contact.master          = "inner right";
-    parameters.contact.rule            = "mortar";
-    parameters.boundary.pressure       = {{"inner left", "100"}};
-    parameters.boundary.displacement_y = {{"inner bottom", 0},
-                                          {"inner top", 0},
-                                          {"outer bottom", 0},
-                                          {"outer top", 0}};
+    parameters.solids.symmetry                = "axisymmetric";
+    parameters.solids.youngs_modulus["outer"] = 2000;
+    parameters.solids.poisson["outer"]        = 0.25;
+    parameters.contact.slave                  = "outer left";
+    parameters.contact.master                 = "inner right";
+    parameters.contact.discretization         = "mortar";
+    parameters.boundary.pressure              = {{"inner left", "100"}};
+    parameters.boundary.displacement_y        = {{"inner bottom", 0},
+                                                 {"inner top", 0},
+                                                 {"outer bottom", 0},
+                                                 {"outer top", 0}};
 
     CondensedModel model(parameters);
     model.start = model.solution;

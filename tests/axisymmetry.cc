@@ -15,7 +15,7 @@ using namespace Tests;
 
 namespace
 {
-  const double young = 1000, poisson = 0.3;
+  const double youngs_modulus = 1000, poisson = 0.3;
 
   const MeshText::Choice mixed =
     [](const unsigned int i, const unsigned int j) { return i == 1 && j == 1; };
@@ -40,7 +40,7 @@ namespace
       },
       mixed);
     auto parameters =
-      make_parameters(mesh, {"body"}, degree, kinematics, young, nu);
+      make_parameters(mesh, {"body"}, degree, kinematics, youngs_modulus, nu);
     parameters.solids.symmetry = "axisymmetric";
     return parameters;
   }
@@ -100,11 +100,12 @@ namespace
 
     const auto   e = [&](const double h) { return small ? h : h + h * h / 2; };
     const auto   f = [&](const double h) { return small ? 1. : 1 + h; };
-    const double lambda = young * poisson / ((1 + poisson) * (1 - 2 * poisson));
-    const double mu     = young / (2 * (1 + poisson));
-    const double tr     = 2 * e(a) + e(b);
-    const double Px     = f(a) * (lambda * tr + 2 * mu * e(a));
-    const double Py     = f(b) * (lambda * tr + 2 * mu * e(b));
+    const double lambda =
+      youngs_modulus * poisson / ((1 + poisson) * (1 - 2 * poisson));
+    const double mu = youngs_modulus / (2 * (1 + poisson));
+    const double tr = 2 * e(a) + e(b);
+    const double Px = f(a) * (lambda * tr + 2 * mu * e(a));
+    const double Py = f(b) * (lambda * tr + 2 * mu * e(b));
 
     auto parameters                = cylinder(bore, degree, kinematics);
     parameters.solids.dilatation   = dilatation;
@@ -167,7 +168,7 @@ namespace
     const std::string name = "degree " + std::to_string(degree) + ", ";
     check_small(name + "spread force",
                 std::abs(load([](auto &b) {
-                           b.spread_force_y = {{"body top", 7}};
+                           b.resultant_force_y = {{"body top", 7}};
                          }) -
                          7),
                 1e-12);
@@ -193,7 +194,7 @@ namespace
 
 
 
-  // What is left of the axis, or moved off it, is no ring.
+  // A mesh left of the axis, or moved off it, is no ring.
   void check_errors()
   {
     const auto refused = [](const Parameters::All &parameters) {

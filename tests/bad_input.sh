@@ -136,7 +136,7 @@ expect_entry "Mesh/Scale" "Mesh/Scale=0"
 expect_entry "shift of the mesh" "Mesh/Shift=1"
 expect_entry "move of 'Cylinder'" "Mesh/Move=Cylinder: 1"
 expect_entry "no body 'Ball'" "Mesh/Move=Ball: 0, 1"
-expect_entry "Contact/Complementarity" "Contact/Complementarity=0"
+expect_entry "Contact/Augmentation parameter" "Contact/Augmentation parameter=0"
 
 # What does not go together with a linear system
 gauss=$parameters/ssnp154_a.prm
@@ -158,19 +158,19 @@ expect "There is a master and an obstacle" "$good" \
   --set "Contact/Obstacle=half plane: 0, 0, 0, 1"
 expect "is no obstacle with these numbers" "$good" --set Contact/Master= \
   --set "Contact/Obstacle=circle: 0, 0"
-expect "A zone has no surfaces" "$good" --set "Contact second/Rule=nodal"
+expect "A zone has no surfaces" "$good" --set "Contact second/Discretization=nodal"
 expect "no pressure of contact at the point 'Force': it is on no slave" "$good" \
   --set "Probes/Probes=p: pressure, Force" --set Probes/References= \
   --set Probes/Tolerances=
 expect "where:  Probes/Probes, 'p'" "$good" \
   --set "Probes/Probes=p: pressure, Force" --set Probes/References= \
   --set Probes/Tolerances=
-expect "projections move" "$good" --set Contact/Rule=mortar \
+expect "projections move" "$good" --set Contact/Discretization=mortar \
   --set "$condensed" --set Solution/Geometry=Newton
 expect "projections move" "$good" --set "$condensed" \
   --set Solution/Geometry=Newton
 expect "in a loop or in the tangent" "$friction" --set "$saddle" \
-  --set "Solution/Friction=each step"
+  --set "Solution/Friction=lagged bound"
 
 # Loads, geometry and theories
 expect_entry "is no formula in t" "Boundary conditions/Histories=Force y: 2*"
@@ -197,7 +197,7 @@ expect "section in x and y" "$good" --set Solids/Symmetry=axisymmetric \
 expect_entry "is no formula in x,y" "Boundary conditions/Traction y=Top_B: z"
 expect_entry "is no formula in x,y" "Boundary conditions/Body force x=Block: z"
 expect "no area" "$parameters/verification/sphere_on_plane.prm" \
-  --set "Boundary conditions/Spread force y=Axis: -1"
+  --set "Boundary conditions/Resultant force y=Axis: -1"
 expect "glued in nodes" "$parameters/ssnp154_a.prm" --set Contact/Tied=true
 expect_entry "no body" "Boundary conditions/Body force y=Top_B: 1"
 

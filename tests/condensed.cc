@@ -16,9 +16,9 @@ using namespace Tests;
 
 namespace
 {
-  const double young = 1000;
+  const double youngs_modulus = 1000;
 
-  /// What is pressed: a block with a convex bottom onto one with other nodes.
+  /// A block with a convex bottom, pressed onto one with other nodes.
   struct Case
   {
     std::string  rule;
@@ -49,17 +49,20 @@ namespace
     MeshText mesh;
     mesh.block("lower", 9, 2, c.lower);
     mesh.block("upper", 7, 2, convex(c.symmetry ? 0 : 1, c.rise, c.symmetry));
-    Parameters::All parameters =
-      make_parameters(mesh, {"lower", "upper"}, c.degree, c.kinematics, young);
-    parameters.solids.young["lower"]        = 2 * young;
-    parameters.contact.slave                = "upper bottom";
-    parameters.contact.master               = "lower top";
-    parameters.contact.rule                 = c.rule;
-    parameters.contact.friction_coefficient = c.coulomb;
-    parameters.contact.tresca_limit         = c.tresca;
-    parameters.boundary.displacement_x      = {{"lower bottom", 0}};
-    parameters.boundary.displacement_y      = {{"lower bottom", 0},
-                                               {"upper top", -0.03}};
+    Parameters::All parameters                = make_parameters(mesh,
+                                                 {"lower", "upper"},
+                                                 c.degree,
+                                                 c.kinematics,
+                                                 youngs_modulus);
+    parameters.solids.youngs_modulus["lower"] = 2 * youngs_modulus;
+    parameters.contact.slave                  = "upper bottom";
+    parameters.contact.master                 = "lower top";
+    parameters.contact.discretization         = c.rule;
+    parameters.contact.friction_coefficient   = c.coulomb;
+    parameters.contact.tresca_limit           = c.tresca;
+    parameters.boundary.displacement_x        = {{"lower bottom", 0}};
+    parameters.boundary.displacement_y        = {{"lower bottom", 0},
+                                                 {"upper top", -0.03}};
     if (c.symmetry)
       parameters.boundary.displacement_x = {
         {c.lower_is_free ? "lower bottom" : "lower left", 0},
@@ -280,7 +283,7 @@ namespace
                       difference(reference, model.update, 0, reference.size()),
                       1e-9);
 
-        // The same decisions: only the right-hand side is another one.
+        // The same statuses: only the right-hand side is another one.
         Vector<double> again(model.update.size());
         model.condensed->solve(model.solution,
                                model.start,
@@ -295,7 +298,7 @@ namespace
 
 
 
-  // Other decisions on the same system: what is kept of the matrix serves.
+  // Other statuses on the same system: what is kept of the matrix serves.
   void other_decisions(const Case &c)
   {
     const Parameters::All parameters = make_case(c);
@@ -306,10 +309,10 @@ namespace
 
     // With every third point in another state, and back again.
     const auto old_decisions = [&]() {
-      std::vector<Decision> decisions;
+      std::vector<PointStatus> statuses;
       for (const ContactPoint &point : model.interface->points)
-        decisions.push_back(point.decision);
-      return decisions;
+        statuses.push_back(point.status);
+      return statuses;
     }();
     double worst = 0;
     for (unsigned int round = 0; round < 4; ++round)
@@ -317,13 +320,13 @@ namespace
         for (unsigned int q = 0; q < old_decisions.size(); ++q)
           {
             ContactPoint &point = model.interface->points[q];
-            point.decision      = old_decisions[q];
+            point.status        = old_decisions[q];
             if (q % 3 != round || !point.facing)
               continue;
-            if (point.decision.status == Status::slip)
-              point.decision = Decision();
+            if (point.status.kind == Status::slip)
+              point.status = PointStatus();
             else
-              point.decision = {Status::slip, round == 0 ? 1 : -1};
+              point.status = {Status::slip, round == 0 ? 1 : -1};
           }
         model.assemble(1, false);
         model.condensed->solve(model.solution,
@@ -367,10 +370,10 @@ namespace
                       {"lower", "upper"},
                       degree,
                       shear ? "large displacement" : "small strain",
-                      young);
+                      youngs_modulus);
     parameters.contact.slave           = "upper bottom";
     parameters.contact.master          = "lower top";
-    parameters.contact.rule            = rule;
+    parameters.contact.discretization  = rule;
     parameters.contact.tied            = true;
     parameters.boundary.displacement_y = {{"lower bottom", 0},
                                           {"upper top", 0.02}};
@@ -417,7 +420,7 @@ namespace
       return;
 
     double       deviation = 0;
-    const double stress    = young / (1 - 0.09) * 0.01;
+    const double stress    = youngs_modulus / (1 - 0.09) * 0.01;
     for (const auto &cell : model.elasticity->stresses(model.solution))
       for (const auto &s : cell)
         deviation = std::max({deviation,

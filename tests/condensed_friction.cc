@@ -5,7 +5,7 @@
 
 // Friction by Newton's method without multipliers: proves that the unsymmetric
 // matrix is the derivative of the condensed forces, by differences of these;
-// that linear bodies under decisions that stay need one step, and others
+// that linear bodies under statuses that stay need one step, and others
 // converge quadratically; that the solution is the one with multipliers; and
 // that UMFPACK, MUMPS and AMG in GMRES agree.
 
@@ -15,7 +15,7 @@ using namespace Tests;
 
 namespace
 {
-  const double young = 1000;
+  const double youngs_modulus = 1000;
 
   /// A block is pressed onto another one and pushed to the right until it
   /// slides; the interface is inclined.
@@ -34,11 +34,14 @@ namespace
     MeshText mesh;
     mesh.block("lower", 7, 2, inclined({-0.6, -1}, {2.7, 0}));
     mesh.block("upper", 5, 2, inclined({0, 0}, {2, 1}));
-    Parameters::All parameters =
-      make_parameters(mesh, {"lower", "upper"}, degree, kinematics, young);
+    Parameters::All parameters              = make_parameters(mesh,
+                                                 {"lower", "upper"},
+                                                 degree,
+                                                 kinematics,
+                                                 youngs_modulus);
     parameters.contact.slave                = "upper bottom";
     parameters.contact.master               = "lower top";
-    parameters.contact.rule                 = rule;
+    parameters.contact.discretization       = rule;
     parameters.contact.friction_coefficient = 0.5;
     parameters.boundary.displacement_x      = {{"lower bottom", 0},
                                                {"upper top", 0.08}};
@@ -66,7 +69,7 @@ namespace
 
 
   /// The norms of the residuals, relative to the forces, after each step to the
-  /// load factor 1 under the decisions of now, until round-off is left.
+  /// load factor 1 under the statuses of now, until round-off is left.
   std::vector<double> residuals(CondensedModel &model)
   {
     model.start = model.solution;
@@ -168,7 +171,7 @@ namespace
 
 
 
-  // Under decisions that stay the eliminated forces are a function F of the
+  // Under statuses that stay the eliminated forces are a function F of the
   // free unknowns y alone: F(y) is what condense() makes of the forces of the
   // bodies in u + T y. The matrix is -dF/dy.
   void derivative(const std::string &rule)

@@ -22,7 +22,7 @@ namespace Tests
       , moving_bound(moving_bound)
       , interface(std::make_unique<ContactInterface>(discretization,
                                                      *elasticity,
-                                                     parameters.zones()))
+                                                     parameters.pairs()))
       , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
       , solution(n_dofs() + interface->n_multipliers())
       , start(solution)
@@ -56,7 +56,7 @@ namespace Tests
       elasticity = Elasticity::create(discretization, parameters.solids);
       interface  = std::make_unique<ContactInterface>(discretization,
                                                      *elasticity,
-                                                     parameters.zones());
+                                                     parameters.pairs());
       solution.reinit(n_dofs() + interface->n_multipliers());
       start.reinit(solution.size());
       rhs.reinit(solution.size());
@@ -71,8 +71,9 @@ namespace Tests
       condensed->update_pattern();
     }
 
-    /// Minus the residual under the decisions of now, after a step under those
-    /// that the multipliers ask for. Returns how many points change their mind.
+    /// Minus the residual under the statuses of now, after a step under those
+    /// that the multipliers ask for. Returns how many points change their
+    /// status.
     unsigned int assemble(const double load_factor, const bool after_a_step)
     {
       rhs = 0;
@@ -83,7 +84,7 @@ namespace Tests
           elimination->recover_shears(rhs, solution);
         }
       const unsigned int n_changes =
-        interface->decide_all(solution, start, moving_bound, after_a_step);
+        interface->update_statuses(solution, start, moving_bound, after_a_step);
       interface->assemble(solution, start, {false, moving_bound}, rhs, nullptr);
       return n_changes;
     }

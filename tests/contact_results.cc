@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// Forces, largest tractions and the ends of the zones of contact and stick,
-// from contact points that are told what to do.
+// Forces, largest tractions and the ends of the contact pairs of contact and
+// stick, from contact points that are told what to do.
 
 #include "contact/contact_results.h"
 
@@ -32,7 +32,7 @@ namespace
       interface.pair(solution);
       for (unsigned int k = 0; k < interface.n_multipliers(); ++k)
         solution[interface.normal_index(k)] = 1;
-      for (const auto &node : interface.zones[0]->slave.nodes)
+      for (const auto &node : interface.pairs[0]->slave.nodes)
         start[node.dofs[0]] = -1;
     }
 
@@ -46,15 +46,15 @@ namespace
         make_parameters(mesh, {"lower", "upper"}, degree, "small strain");
       parameters.contact.slave                = "upper bottom";
       parameters.contact.master               = "lower top";
-      parameters.contact.rule                 = rule;
+      parameters.contact.discretization       = rule;
       parameters.contact.friction_coefficient = 0.5;
       return parameters;
     }
 
-    // Where a point is.
+    // The place of a point.
     double x(const ContactPoint &point) const
     {
-      const auto     &slave = interface.zones[0]->slave;
+      const auto     &slave = interface.pairs[0]->slave;
       const EdgeShape shape(slave.degree, point.slave_xi);
       double          x = 0;
       for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
@@ -70,20 +70,20 @@ namespace
       for (ContactPoint &point : interface.points)
         {
           const double p = pressure(x(point)), s = slip(x(point));
-          point.decision = {p <= 0   ? Status::open
-                            : s == 0 ? Status::stick
-                                     : Status::slip,
-                            p <= 0 || s == 0 ? 0 : (s > 0 ? 1 : -1)};
+          point.status = {p <= 0   ? Status::open
+                          : s == 0 ? Status::stick
+                                   : Status::slip,
+                          p <= 0 || s == 0 ? 0 : (s > 0 ? 1 : -1)};
           point.psi.fill(0);
-          point.psi[0]       = std::max(0., p);
-          point.tresca_bound = bound;
+          point.psi[0]         = std::max(0., p);
+          point.friction_bound = bound;
           point.tangent *= s / point.tangent.norm();
         }
     }
 
     ContactResults results() const
     {
-      return contact_results(interface, *interface.zones[0], solution, start);
+      return contact_results(interface, *interface.pairs[0], solution, start);
     }
   };
 
@@ -215,9 +215,9 @@ namespace
 
 
   // Proves, for points in the nodes, what is done where nothing can be
-  // extrapolated: zones end half way if there is one point only or the pressure
-  // grows towards the end; a point in contact that is held and does not slip
-  // ends sticking; and a gap inside of a zone does not count.
+  // extrapolated: contact pairs end half way if there is one point only or the
+  // pressure grows towards the end; a point in contact that is held and does
+  // not slip ends sticking; and a gap inside of a contact pair does not count.
   void check_special_cases(Model &model)
   {
     const double  h    = 0.3;
@@ -252,7 +252,7 @@ namespace
             return near(x, 0) ? slip : (x < 2.5 * h ? 0. : 1.);
           },
           1);
-        model.interface.points[0].decision               = {Status::slip, 0};
+        model.interface.points[0].status                 = {Status::slip, 0};
         model.interface.points[0].tangential_row_is_void = true;
         check_small("held point",
                     std::abs(model.results().stick_width - 2.5 * h),

@@ -5,12 +5,12 @@
 
 // Proves that a corner of the master is seen inside of a slave edge: gap, slip
 // and coefficients by hand on one element; that a tip pressed into an edge
-// gives what the nodal rule gives with the roles exchanged, where the tip is a
-// slave node, in both linear systems, with friction too; that the forces of
-// both bodies balance, and the results hold the force of the corner; that flat
-// faces with a slave beyond the corner, whose condition follows from those of
-// the nodes, are no singular system; and that there are no such points where
-// there is no corner.
+// gives what the nodal discretization gives with the roles exchanged, where the
+// tip is a slave node, in both linear systems, with friction too; that the
+// forces of both bodies balance, and the results hold the force of the corner;
+// that flat faces with a slave beyond the corner, whose condition follows from
+// those of the nodes, are no singular system; and that there are no such points
+// where there is no corner.
 
 #include "condensed_model.h"
 #include "contact/contact_results.h"
@@ -39,9 +39,9 @@ namespace
   {
     Parameters::All parameters =
       make_parameters(make_tip(), {"low", "tip"}, degree, "small strain");
-    parameters.contact.slave  = exchanged ? "tip bottom" : "low top";
-    parameters.contact.master = exchanged ? "low top" : "tip bottom";
-    parameters.contact.rule   = rule;
+    parameters.contact.slave          = exchanged ? "tip bottom" : "low top";
+    parameters.contact.master         = exchanged ? "low top" : "tip bottom";
+    parameters.contact.discretization = rule;
     parameters.contact.friction_coefficient = friction;
     parameters.boundary.displacement_x = {{"low bottom", 0}, {"tip top", 0.02}};
     parameters.boundary.displacement_y = {{"low bottom", 0},
@@ -56,7 +56,7 @@ namespace
     headline("signs, degree " + std::to_string(degree) + ", rule " + rule);
     ContactModel model(make_case(degree, rule, 0.3));
     const double up = 0.1, sideways = 0.2;
-    for (const auto &node : model.interface.zones[0]->master->nodes)
+    for (const auto &node : model.interface.pairs[0]->master->nodes)
       {
         model.solution[node.dofs[0]] = sideways;
         model.solution[node.dofs[1]] = up;
@@ -122,7 +122,7 @@ namespace
 
     const ContactPoint &corner = model.interface.points.back();
     check("the corner is in contact, and nothing else",
-          corner.decision.status != Status::open &&
+          corner.status.kind != Status::open &&
             model.interface.count().active == 1);
     check_small("displacements of both ways",
                 difference(model.solution, exchanged.solution, model.n_dofs()),
@@ -135,15 +135,18 @@ namespace
         for (unsigned int i = 0; i < 2; ++i)
           sum[i] += forces[node.dofs[i]];
     };
-    const ContactZone &zone = *model.interface.zones[0];
-    add(zone.slave, on_slave);
-    add(*zone.master, on_master);
+    const ContactPair &contact_pair = *model.interface.pairs[0];
+    add(contact_pair.slave, on_slave);
+    add(*contact_pair.master, on_master);
     check("the tip is pushed up", on_master[1] > 0.1);
     check_small("the bodies push each other",
                 (on_slave + on_master).norm() / on_master.norm(),
                 1e-12);
-    const auto results =
-      contact_results(model.interface, zone, model.solution, model.start, true);
+    const auto results = contact_results(model.interface,
+                                         contact_pair,
+                                         model.solution,
+                                         model.start,
+                                         true);
     check_small("it is the normal force of the results",
                 std::abs(results.normal_force / on_master.norm() *
                            std::hypot(1, friction) -
@@ -183,7 +186,8 @@ namespace
     MeshText mesh;
     mesh.block("low", n_low, 2, rectangle({-2, -1}, {2, 0}));
     mesh.block("up", 6, 1, [](const double s, const double t) {
-      // Its bottom goes down the left side, along the foot, up the right side.
+      // Its bottom goes down the left side, along the projection, up the right
+      // side.
       const Point<2> skin(std::min(0.9, std::max(-0.9, 5.4 * (s - 0.5))),
                           std::max(0., 2.4 * std::abs(2 * s - 1) - 0.8));
       return skin + t * (Point<2>(1.2 * s - 0.6, 2) - skin);
@@ -192,7 +196,7 @@ namespace
       make_parameters(mesh, {"low", "up"}, degree, "small strain");
     parameters.contact.slave           = "low top";
     parameters.contact.master          = "up bottom";
-    parameters.contact.rule            = rule;
+    parameters.contact.discretization  = rule;
     parameters.boundary.displacement_x = {{"low bottom", 0}, {"up top", 0}};
     parameters.boundary.displacement_y = {{"low bottom", 0}, {"up top", -0.01}};
     ContactModel model(parameters);
@@ -226,7 +230,7 @@ int main()
         check_tip(degree, rule, 0);
         check_tip(degree, rule, 0.1);
         // The plain active set of this loop, all points at once, cycles with
-        // the nodal rule at degree 2.
+        // the nodal discretization at degree 2.
         if (degree == 1 || rule == "mortar")
           for (const unsigned int n_low : {1, 3, 4, 7})
             check_flat(degree, rule, n_low);
@@ -235,10 +239,10 @@ int main()
   headline("the Gauss rule, and no corner");
   check("none with the Gauss rule",
         !ContactModel(make_case(1, "Gauss", 0))
-           .interface.zones[0]
+           .interface.pairs[0]
            ->has_corner_points());
   check("none of a flat master",
         !ContactModel(make_case(1, "mortar", 0, true))
-           .interface.zones[0]
+           .interface.pairs[0]
            ->has_corner_points());
 }

@@ -54,9 +54,9 @@ namespace
 
     std::vector<ContactPoint> mortar() const
     {
-      MultiplierSpace  multipliers;
-      const MortarRule rule(slave, master, discretization, {});
-      auto             points = rule.make_points(multipliers);
+      MultiplierSpace            multipliers;
+      const MortarDiscretization rule(slave, master, discretization, {});
+      auto                       points = rule.make_points(multipliers);
       rule.pair(points, u);
       return points;
     }
@@ -106,8 +106,8 @@ namespace
 
 
 
-  /// What points say, by the place of their slave node: the coefficients by the
-  /// places of the nodes.
+  /// The data of the points, by the place of their slave node: the coefficients
+  /// by the places of the nodes.
   using Place = std::pair<long, long>;
   using Facts = std::map<Place, std::map<Place, double>>;
 
@@ -248,8 +248,8 @@ namespace
 
 
 
-  /// Two feet over one line; the hole is within one edge of it, and edges end
-  /// in it, too.
+  /// Two projections over one line; the hole is within one edge of it, and
+  /// edges end in it, too.
   void feet(const unsigned int degree)
   {
     headline("a master of two pieces, degree " + std::to_string(degree));
@@ -432,10 +432,10 @@ $Elements
 $EndElements
 )";
     Parameters::All parameters;
-    parameters.mesh.file         = "test.msh";
-    parameters.solids.kinematics = "small strain";
-    parameters.solids.young      = {{"A", 1000}, {"B", 1000}};
-    parameters.solids.poisson    = {{"A", 0.3}, {"B", 0.3}};
+    parameters.mesh.file             = "test.msh";
+    parameters.solids.kinematics     = "small strain";
+    parameters.solids.youngs_modulus = {{"A", 1000}, {"B", 1000}};
+    parameters.solids.poisson        = {{"A", 0.3}, {"B", 0.3}};
     refused("both", "ground", {parameters});
     refused("ground", "both", {parameters});
     refused("sole", "ground", {parameters});

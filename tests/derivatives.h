@@ -10,7 +10,7 @@
 
 namespace Tests
 {
-  /// How far forces and tangent of bodies are from being derivatives.
+  /// The distance of forces and tangent of bodies from being derivatives.
   struct Deviations
   {
     double forces    = 0; // from those of the energy, by the largest force

@@ -3,10 +3,11 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// Proves that the quadrangle with a bound centre is the 8-node serendipity
-// element: residual and stiffness of a distorted, curved cell equal those that
-// are integrated here from the explicit shape functions. And that all elements
-// reproduce a linear displacement on a distorted mesh, and feel no rotation.
+// Proves that the quadrangle with a serendipity constraint is the 8-node
+// serendipity element: residual and stiffness of a distorted, curved cell equal
+// those that are integrated here from the explicit shape functions. And that
+// all elements reproduce a linear displacement on a distorted mesh, and feel no
+// rotation.
 
 #include "tests.h"
 
@@ -14,7 +15,7 @@ using namespace Tests;
 
 namespace
 {
-  const double young = 1000, poisson = 0.3;
+  const double youngs_modulus = 1000, poisson = 0.3;
 
   // Corners counterclockwise, then the mid-sides that follow them.
   const std::array<Point<2>, 8> unit_nodes{
@@ -45,8 +46,9 @@ namespace
                     const unsigned int k,
                     const unsigned int l)
   {
-    const double lambda = young * poisson / ((1 + poisson) * (1 - 2 * poisson));
-    const double mu     = young / (2 * (1 + poisson));
+    const double lambda =
+      youngs_modulus * poisson / ((1 + poisson) * (1 - 2 * poisson));
+    const double mu = youngs_modulus / (2 * (1 + poisson));
     return lambda * (i == j) * (k == l) +
            mu * ((i == k) * (j == l) + (i == l) * (j == k));
   }
@@ -153,7 +155,7 @@ namespace
       return t == 0 ? (s == 0 ? X[0] : X[1]) : (s == 0 ? X[3] : X[2]);
     });
     Parameters::All parameters =
-      make_parameters(mesh, {"block"}, 2, kinematics, young, poisson);
+      make_parameters(mesh, {"block"}, 2, kinematics, youngs_modulus, poisson);
     parameters.mesh.arcs["block bottom"] = {center[0], center[1], radius};
     const Bodies bodies(parameters);
 
@@ -237,8 +239,12 @@ namespace
       [](const unsigned int i, const unsigned int j) {
         return i == 1 && j == 1;
       });
-    Parameters::All parameters =
-      make_parameters(mesh, {"block"}, degree, kinematics, young, poisson);
+    Parameters::All parameters           = make_parameters(mesh,
+                                                 {"block"},
+                                                 degree,
+                                                 kinematics,
+                                                 youngs_modulus,
+                                                 poisson);
     parameters.element.centre_node       = centre_node;
     parameters.mesh.arcs["block bottom"] = {center[0], center[1], radius};
     const Bodies bodies(parameters);
@@ -266,14 +272,14 @@ namespace
           for (const auto &stress : cell)
             scatter = std::max(scatter, (stress - first).norm());
         check_small(name + ", forces inside over Young's modulus",
-                    interior / young,
+                    interior / youngs_modulus,
                     1e-13);
         check_small(name + ", scatter of the stress over Young's modulus",
-                    scatter / young,
+                    scatter / youngs_modulus,
                     1e-13);
         if (is_rigid)
           check_small(name + ", stress over Young's modulus",
-                      first.norm() / young,
+                      first.norm() / youngs_modulus,
                       1e-13);
         else
           std::cout << "  " << name << ", stress " << first[0][0] << ' '

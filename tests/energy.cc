@@ -101,9 +101,9 @@ namespace
 
 
 
-  // What has the same dilatation everywhere, or at degree 2 a linear one on
-  // quadrangles that are parallelograms, is projected onto itself; what has
-  // more is not, and loses energy. Triangles of degree 1 have the same
+  // A displacement with the same dilatation everywhere, or at degree 2 a linear
+  // one on quadrangles that are parallelograms, is projected onto itself; what
+  // has more is not, and loses energy. Triangles of degree 1 have the same
   // everywhere.
   void projection(const unsigned int degree)
   {

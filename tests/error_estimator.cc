@@ -22,7 +22,7 @@ using namespace Tests;
 
 namespace
 {
-  const double young = 1000;
+  const double youngs_modulus = 1000;
 
   const MeshText::Choice none = [](unsigned int, unsigned int) {
     return false;
@@ -89,7 +89,7 @@ namespace
     const ErrorEstimator estimator(bodies.discretization,
                                    *bodies.elasticity,
                                    recovery);
-    const double         energy = young * E11 * E11 * 2;
+    const double         energy = youngs_modulus * E11 * E11 * 2;
     check_small("uniform tension, degree " + std::to_string(degree) + ", " +
                   kinematics,
                 sum(estimator.indicators(nullptr, u)) / energy,
@@ -106,11 +106,14 @@ namespace
     MeshText mesh;
     mesh.block("lower", 3, 2, rectangle({0, -1}, {2, 0}));
     mesh.block("upper", 3, 2, rectangle({0, 0}, {2, 1}));
-    auto parameters =
-      make_parameters(mesh, {"lower", "upper"}, degree, kinematics, young);
+    auto parameters                    = make_parameters(mesh,
+                                      {"lower", "upper"},
+                                      degree,
+                                      kinematics,
+                                      youngs_modulus);
     parameters.contact.slave           = "upper bottom";
     parameters.contact.master          = "lower top";
-    parameters.contact.rule            = rule;
+    parameters.contact.discretization  = rule;
     parameters.boundary.displacement_x = {{"lower left", 0}, {"upper left", 0}};
     parameters.boundary.displacement_y = {{"lower bottom", 0},
                                           {"upper top", -0.1}};
@@ -127,7 +130,7 @@ namespace
     const auto           estimate = [&](const ContactInterface *interface) {
       return sum(estimator.indicators(interface, model.solution));
     };
-    const double energy = young * 0.05 * 0.05 * 4;
+    const double energy = youngs_modulus * 0.05 * 0.05 * 4;
     check_small(name, estimate(&model.interface) / energy, 1e-18);
     check("without the pressure it does not vanish",
           estimate(nullptr) / energy > 0.1);
@@ -166,7 +169,7 @@ namespace
                                  update_gradients | update_JxW_values |
                                    update_quadrature_points);
 
-    const Material            material(young, 0.3);
+    const Material            material(youngs_modulus, 0.3);
     std::vector<Tensor<2, 2>> gradients;
     double                    square = 0;
     for (const auto &cell :
@@ -258,16 +261,20 @@ namespace
 
   // A block under uniform pressure and shear. Its bottom is held, its sides in
   // y and its top in x, where the shear acts: the pressure remains on the top,
-  // but not in the cell at the nodal force, nor in those it is refined to.
-  // Where a spread force acts, the top is left out.
+  // but not in the cell at the nodal force, nor in those it is refined to. The
+  // top is left out if a resultant force acts there.
   void check_free_edges(const unsigned int degree,
                         const unsigned int refinements,
                         const bool         spread)
   {
     MeshText mesh;
     mesh.block("block", 3, 2, rectangle({0, 0}, {2, 1}));
-    auto parameters =
-      make_parameters(mesh, {"block"}, degree, "small strain", young, 0);
+    auto parameters                    = make_parameters(mesh,
+                                      {"block"},
+                                      degree,
+                                      "small strain",
+                                      youngs_modulus,
+                                      0);
     parameters.mesh.refinements        = refinements;
     parameters.boundary.displacement_x = {{"block bottom", 0},
                                           {"block top", 0}};
@@ -275,7 +282,7 @@ namespace
                                           {"block left", 0},
                                           {"block right", 0}};
     if (spread)
-      parameters.boundary.spread_force_y = {{"block top", -1}};
+      parameters.boundary.resultant_force_y = {{"block top", -1}};
     else
       parameters.boundary.force_x = {{"block top left", 1}};
     const Bodies         bodies(parameters);
@@ -286,11 +293,11 @@ namespace
 
     const double         pressure = 3;
     const Vector<double> u        = bodies.displacement([=](const Point<2> &X) {
-      return X + X[1] * Point<2>(0.002, -pressure / young);
+      return X + X[1] * Point<2>(0.002, -pressure / youngs_modulus);
     });
     const auto           indicators = estimator.indicators(nullptr, u);
     const unsigned int   n          = std::pow(2, refinements);
-    const double         edge = std::pow(pressure * 2 / (3 * n), 2) / young;
+    const double edge = std::pow(pressure * 2 / (3 * n), 2) / youngs_modulus;
 
     const std::string name =
       "degree " + std::to_string(degree) + (refinements > 0 ? ", refined" : "");
@@ -337,12 +344,12 @@ namespace
                                       {"lower", "upper"},
                                       degree,
                                       "small strain",
-                                      young,
+                                      youngs_modulus,
                                       0);
-    parameters.solids.young                 = moduli;
+    parameters.solids.youngs_modulus        = moduli;
     parameters.contact.slave                = "upper bottom";
     parameters.contact.master               = "lower top";
-    parameters.contact.rule                 = rule;
+    parameters.contact.discretization       = rule;
     parameters.contact.friction_coefficient = 1;
     for (const std::string side : {"lower bottom", "lower left", "lower right"})
       parameters.boundary.displacement_x[side] =
@@ -360,11 +367,11 @@ namespace
     });
     std::copy(u.begin(), u.end(), model.solution.begin());
     const auto &interface = model.interface;
-    for (unsigned int i = 0; i < interface.zones[0]->slave.nodes.size(); ++i)
+    for (unsigned int i = 0; i < interface.pairs[0]->slave.nodes.size(); ++i)
       {
-        const unsigned int k = interface.zones[0]->multipliers.of_node[i];
+        const unsigned int k = interface.pairs[0]->multipliers.of_node[i];
         model.solution[interface.normal_index(k)] =
-          P + a * interface.zones[0]->slave.nodes[i].X[0];
+          P + a * interface.pairs[0]->slave.nodes[i].X[0];
         model.solution[interface.tangential_index(k)] = T + b;
       }
 
@@ -407,9 +414,9 @@ namespace
                         const std::vector<double> &slave,
                         const std::vector<double> &master)
   {
-    parameters.contact.slave  = "upper bottom";
-    parameters.contact.master = "lower top";
-    parameters.contact.rule   = "nodal";
+    parameters.contact.slave          = "upper bottom";
+    parameters.contact.master         = "lower top";
+    parameters.contact.discretization = "nodal";
     Tests::ContactModel model(parameters);
     for (unsigned int k = 0; k < model.interface.n_multipliers(); ++k)
       model.solution[model.interface.normal_index(k)] = 1;
@@ -425,7 +432,7 @@ namespace
       const auto  &X = model.surface(side).nodes;
       const double h = X[0].X.distance(X[1].X);
       for (double &value : values)
-        value *= h * h / young;
+        value *= h * h / youngs_modulus;
       check_edges(name + ", " + side,
                   along_boundary(model, side, indicators),
                   values);
@@ -444,7 +451,7 @@ namespace
                                      {"lower", "upper"},
                                      1,
                                      "small strain",
-                                     young),
+                                     youngs_modulus),
                      {1, 1, 1},
                      {0, 1, 1, 0});
   }
@@ -459,7 +466,7 @@ namespace
                                       {"lower", "upper"},
                                       1,
                                       "small strain",
-                                      young);
+                                      youngs_modulus);
     parameters.contact.excluded_points = {"upper bottom left"};
     parameters.boundary.tied_y = {{"upper bottom left", "lower top left"}};
     check_unstressed("tie", parameters, {0, 1, 1}, {0, 0.5, 1, 1});

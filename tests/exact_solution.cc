@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// What theory is asked for, and the errors against it: of fields that are
+// The theory that is asked for, and the errors against it: of fields that are
 // interpolated, so that nothing has to be solved.
 
 #include "verification/exact_solution.h"
@@ -36,15 +36,15 @@ namespace
     mesh.block("outer", 3 * n, n, ring(50, 100), some);
     auto parameters =
       make_parameters(mesh, {"inner", "outer"}, degree, "small strain");
-    parameters.solids.young   = {{"inner", 1000}, {"outer", 2000}};
-    parameters.solids.poisson = {{"inner", 0.3}, {"outer", 0.25}};
-    parameters.mesh.arcs      = {{"inner bottom", {0, 0, 20}},
-                                 {"inner top", {0, 0, 50}},
-                                 {"outer bottom", {0, 0, 50}},
-                                 {"outer top", {0, 0, 100}}};
-    parameters.contact.slave  = swapped ? "inner top" : "outer bottom";
-    parameters.contact.master = swapped ? "outer bottom" : "inner top";
-    parameters.contact.rule   = "nodal";
+    parameters.solids.youngs_modulus  = {{"inner", 1000}, {"outer", 2000}};
+    parameters.solids.poisson         = {{"inner", 0.3}, {"outer", 0.25}};
+    parameters.mesh.arcs              = {{"inner bottom", {0, 0, 20}},
+                                         {"inner top", {0, 0, 50}},
+                                         {"outer bottom", {0, 0, 50}},
+                                         {"outer top", {0, 0, 100}}};
+    parameters.contact.slave          = swapped ? "inner top" : "outer bottom";
+    parameters.contact.master         = swapped ? "outer bottom" : "inner top";
+    parameters.contact.discretization = "nodal";
     parameters.probes.concentric_cylinders = {20, 50, 100, 100, 20};
     return parameters;
   }
@@ -57,7 +57,7 @@ namespace
   {
     return *make_exact_solution(parameters,
                                 model.discretization,
-                                *model.interface.zones[0],
+                                *model.interface.pairs[0],
                                 results);
   }
 
@@ -81,10 +81,10 @@ namespace
             factor * exact.displacement(X[i], cell->material_id())[c[i]];
       }
     const auto &interface = model.interface;
-    for (unsigned int n = 0; n < interface.zones[0]->slave.nodes.size(); ++n)
+    for (unsigned int n = 0; n < interface.pairs[0]->slave.nodes.size(); ++n)
       model.solution[interface.normal_index(
-        interface.zones[0]->multipliers.of_node[n])] =
-        factor * exact.pressure(interface.zones[0]->slave.nodes[n].X);
+        interface.pairs[0]->multipliers.of_node[n])] =
+        factor * exact.pressure(interface.pairs[0]->slave.nodes[n].X);
   }
 
 
@@ -96,7 +96,7 @@ namespace
                            model.discretization,
                            *model.elasticity,
                            model.interface,
-                           *model.interface.zones[0],
+                           *model.interface.pairs[0],
                            model.solution);
   }
 
@@ -140,10 +140,10 @@ namespace
     mesh.block("upper", 3, 2, rectangle({0, 0}, {2, 1}), some);
     auto parameters =
       make_parameters(mesh, {"lower", "upper"}, degree, "small strain");
-    parameters.solids.young                 = {{"lower", 1000}, {"upper", 300}};
+    parameters.solids.youngs_modulus        = {{"lower", 1000}, {"upper", 300}};
     parameters.contact.slave                = "upper bottom";
     parameters.contact.master               = "lower top";
-    parameters.contact.rule                 = "nodal";
+    parameters.contact.discretization       = "nodal";
     parameters.contact.friction_coefficient = 0.3;
     return parameters;
   }
@@ -178,11 +178,11 @@ namespace
       {
         interpolate(exact, factor, model);
         const auto &interface = model.interface;
-        for (unsigned int n = 0; n < interface.zones[0]->slave.nodes.size();
+        for (unsigned int n = 0; n < interface.pairs[0]->slave.nodes.size();
              ++n)
           model.solution[interface.tangential_index(
-            interface.zones[0]->multipliers.of_node[n])] =
-            factor * exact.shear(interface.zones[0]->slave.nodes[n].X);
+            interface.pairs[0]->multipliers.of_node[n])] =
+            factor * exact.shear(interface.pairs[0]->slave.nodes[n].X);
         for (const auto &[name, error] : errors(exact, model))
           check_small("degree " + std::to_string(degree) + ", " + name + ", " +
                         two_digits(factor) + " of the solution",
@@ -278,10 +278,10 @@ namespace
     mesh.block("upper", 6, 2, upper);
     auto parameters =
       make_parameters(mesh, {"lower", "upper"}, 1, "small strain");
-    parameters.solids.young["upper"] = young_upper;
+    parameters.solids.youngs_modulus["upper"] = young_upper;
     parameters.contact.slave  = upper_is_slave ? "upper bottom" : "lower top";
     parameters.contact.master = upper_is_slave ? "lower top" : "upper bottom";
-    parameters.contact.rule   = "nodal";
+    parameters.contact.discretization       = "nodal";
     parameters.contact.friction_coefficient = friction;
     parameters.solution.n_increments        = 1;
     parameters.probes.hertz                 = {5, 100};
@@ -329,7 +329,7 @@ namespace
     check("nothing to compare with",
           !make_exact_solution(parameters,
                                model.discretization,
-                               *model.interface.zones[0],
+                               *model.interface.pairs[0],
                                results));
   }
 
@@ -367,13 +367,13 @@ namespace
     interface.pair(model.solution);
     for (ContactPoint &point : interface.points)
       {
-        point.decision = {Status::stick, 0};
+        point.status = {Status::stick, 0};
         for (unsigned int k = 0; k < point.n_multipliers; ++k)
           model.solution[interface.tangential_index(point.multipliers[k])] =
             (upper_is_slave ? sign : -sign) * (point.tangent[0] > 0 ? 1 : -1);
       }
     const auto        results = contact_results(interface,
-                                         *interface.zones[0],
+                                         *interface.pairs[0],
                                          model.solution,
                                          model.start);
     const auto        exact   = exact_solution(parameters, model, results);

@@ -8,11 +8,11 @@
 // supports balance each other and the loads, at large displacement with
 // friction on a curved surface. The forces of contact have no moment together
 // where the gap is zero in every point that carries a force, so with the nodal
-// rule; with the Gauss rule the gap is zero in the mean only, and the shear
-// leaves a small moment. With the mortar rule it is the weighted gap that is
-// zero, while the surfaces are apart or overlap between the nodes; that the
-// moment vanishes all the same is because the feet of a node are shifted such
-// that its weighted gap vector is parallel to its normal.
+// rule; with the Gauss-point discretization the gap is zero in the mean only,
+// and the shear leaves a small moment. With the mortar discretization it is the
+// weighted gap that is zero, while the surfaces are apart or overlap between
+// the nodes; that the moment vanishes all the same is because the feet of a
+// node are shifted such that its weighted gap vector is parallel to its normal.
 
 #include "tests.h"
 
@@ -79,7 +79,7 @@ namespace
 
 
 
-  /// What the supports exert; and what is left elsewhere has to vanish.
+  /// The reactions of the supports; the forces elsewhere have to vanish.
   Vector<double> reactions(const ContactModel &model, const double magnitude)
   {
     Vector<double> reactions = model.elasticity->forces(model.solution, 1);
@@ -114,7 +114,7 @@ namespace
 
 
 
-  /// Where the points of contact are.
+  /// The places of the points of contact.
   struct Rule
   {
     std::string name;
@@ -152,7 +152,7 @@ namespace
     parameters.contact.master            = "lower top";
     if (rule.flat_is_slave)
       std::swap(parameters.contact.slave, parameters.contact.master);
-    parameters.contact.rule                            = rule.name;
+    parameters.contact.discretization                  = rule.name;
     parameters.contact.n_gauss_points                  = 3;
     parameters.contact.friction_coefficient            = 0.3;
     parameters.boundary.displacement_x["lower bottom"] = 0;
@@ -162,8 +162,8 @@ namespace
 
 
 
-  // As ContactModel::solve(), but the tangent of the mortar rule keeps the
-  // pairing; that is repeated in each step, and moves less and less.
+  // As ContactModel::solve(), but the tangent of the mortar discretization
+  // keeps the pairing; that is repeated in each step, and moves less and less.
   bool solve(ContactModel &model, const Rule &rule, const double load_factor)
   {
     if (rule.name != "mortar")
@@ -177,7 +177,7 @@ namespace
     for (unsigned int iteration = 0; iteration < 100; ++iteration)
       {
         model.pair();
-        const bool changed = iteration == 0 || model.decide();
+        const bool changed = iteration == 0 || model.updated_status();
         model.matrix       = 0;
         rhs                = 0;
         model.elasticity->assemble(model.solution,
@@ -215,7 +215,7 @@ namespace
   {
     double largest_gap = 0;
     for (const ContactPoint &point : model.interface.points)
-      if (point.decision.status != Status::open)
+      if (point.status.kind != Status::open)
         largest_gap = std::max(
           largest_gap,
           std::abs(
@@ -242,8 +242,8 @@ namespace
     print_contact(model);
 
     const Vector<double> forces = model.elasticity->forces(model.solution, 1);
-    const auto           slave  = unknowns_of(model.interface.zones[0]->slave);
-    const auto master = unknowns_of((*model.interface.zones[0]->master));
+    const auto           slave  = unknowns_of(model.interface.pairs[0]->slave);
+    const auto master = unknowns_of((*model.interface.pairs[0]->master));
 
     const auto on = [&](const auto &surface) {
       return sum(model, forces, [&](const unsigned int i) {

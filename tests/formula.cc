@@ -163,7 +163,7 @@ namespace
     report_boundary({{"Top", "table(0 0, 1 1)"}}, {});
     report_boundary({}, {{"Histories", "t"}});
     Map all;
-    for (const std::string entry : {"Displacement", "Force", "Spread force"})
+    for (const std::string entry : {"Displacement", "Force", "Resultant force"})
       for (const std::string component : {" x", " y"})
         all[entry + component] = "t^2";
     all["Pressure"] = "1 - t";

@@ -5,10 +5,11 @@
 
 // Proves that any active points can be eliminated: that Gauss' elimination of
 // sparse rows solves them, in time that does not double with each; that a
-// master narrower than two edges of its slave, zones with common nodes, a slave
-// that is the master of another one, and slave nodes that supports hold have
-// the solution of the system with multipliers; that points which say the same
-// twice share the pressure; and that what supports press together is refused.
+// master narrower than two edges of its slave, contact pairs with common nodes,
+// a slave that is the master of another one, and slave nodes that supports hold
+// have the solution of the system with multipliers; that points which say the
+// same twice share the pressure; and that what supports press together is
+// refused.
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -18,7 +19,7 @@ using namespace Tests;
 
 namespace
 {
-  const double young = 1000;
+  const double youngs_modulus = 1000;
 
   /// Each row sees all unknowns: the worst that a chain can become.
   void rows()
@@ -130,11 +131,14 @@ namespace
     MeshText mesh;
     mesh.block("lower", 6, 2, rectangle({0.3, -1}, {1.7, 0}));
     mesh.block("upper", 2, 2, rectangle({0, 0}, {2, 1}));
-    Parameters::All parameters =
-      make_parameters(mesh, {"lower", "upper"}, degree, "small strain", young);
+    Parameters::All parameters              = make_parameters(mesh,
+                                                 {"lower", "upper"},
+                                                 degree,
+                                                 "small strain",
+                                                 youngs_modulus);
     parameters.contact.slave                = "upper bottom";
     parameters.contact.master               = "lower top";
-    parameters.contact.rule                 = "mortar";
+    parameters.contact.discretization       = "mortar";
     parameters.contact.friction_coefficient = coulomb;
     parameters.boundary.displacement_x      = {{"lower bottom", 0},
                                                {"upper top", 0.004}};
@@ -147,7 +151,7 @@ namespace
 
 
 
-  /// A block in a corner: one slave node has the normals of two zones.
+  /// A block in a corner: one slave node has the normals of two contact pairs.
   Parameters::All corner(const std::string &rule, const double coulomb)
   {
     MeshText mesh;
@@ -158,23 +162,23 @@ namespace
                                                  {"block", "floor", "wall"},
                                                  1,
                                                  "small strain",
-                                                 young);
+                                                 youngs_modulus);
     Parameters::Contact wall;
-    wall.name                 = "wall";
-    parameters.contact.slave  = "block bottom";
-    parameters.contact.master = "floor top";
-    wall.slave                = "block left";
-    wall.master               = "wall right";
-    parameters.contact.rule = wall.rule     = rule;
-    parameters.contact.friction_coefficient = coulomb;
-    wall.friction_coefficient               = coulomb;
-    parameters.further_contacts["wall"]     = wall;
-    parameters.boundary.displacement_x      = {{"floor bottom", 0},
-                                               {"wall left", 0},
-                                               {"block right", -0.02}};
-    parameters.boundary.displacement_y      = {{"floor bottom", 0},
-                                               {"wall left", 0},
-                                               {"block top", -0.03}};
+    wall.name                         = "wall";
+    parameters.contact.slave          = "block bottom";
+    parameters.contact.master         = "floor top";
+    wall.slave                        = "block left";
+    wall.master                       = "wall right";
+    parameters.contact.discretization = wall.discretization = rule;
+    parameters.contact.friction_coefficient                 = coulomb;
+    wall.friction_coefficient                               = coulomb;
+    parameters.further_contacts["wall"]                     = wall;
+    parameters.boundary.displacement_x = {{"floor bottom", 0},
+                                          {"wall left", 0},
+                                          {"block right", -0.02}};
+    parameters.boundary.displacement_y = {{"floor bottom", 0},
+                                          {"wall left", 0},
+                                          {"block top", -0.03}};
     return parameters;
   }
 
@@ -192,21 +196,21 @@ namespace
                                                  {"upper", "left", "right"},
                                                  1,
                                                  "small strain",
-                                                 young);
+                                                 youngs_modulus);
     Parameters::Contact other;
-    other.name                = "other";
-    parameters.contact.slave  = "upper bottom";
-    parameters.contact.master = "left top";
-    other.slave               = "right top";
-    other.master              = "upper bottom";
-    parameters.contact.rule = other.rule = rule;
-    parameters.further_contacts["other"] = other;
-    parameters.boundary.displacement_x   = {{"left bottom", 0},
-                                            {"right bottom", 0},
-                                            {"upper top", 0}};
-    parameters.boundary.displacement_y   = {{"left bottom", 0},
-                                            {"right bottom", 0},
-                                            {"upper top", -0.03}};
+    other.name                        = "other";
+    parameters.contact.slave          = "upper bottom";
+    parameters.contact.master         = "left top";
+    other.slave                       = "right top";
+    other.master                      = "upper bottom";
+    parameters.contact.discretization = other.discretization = rule;
+    parameters.further_contacts["other"]                     = other;
+    parameters.boundary.displacement_x = {{"left bottom", 0},
+                                          {"right bottom", 0},
+                                          {"upper top", 0}};
+    parameters.boundary.displacement_y = {{"left bottom", 0},
+                                          {"right bottom", 0},
+                                          {"upper top", -0.03}};
     return parameters;
   }
 
@@ -219,11 +223,14 @@ namespace
     MeshText mesh;
     mesh.block("lower", 9, 4, rectangle({-0.2, -1}, {2.2, 0}));
     mesh.block("upper", 4, 1, rectangle({0, 0}, {2, 1}));
-    Parameters::All parameters =
-      make_parameters(mesh, {"lower", "upper"}, 1, "small strain", young);
+    Parameters::All parameters              = make_parameters(mesh,
+                                                 {"lower", "upper"},
+                                                 1,
+                                                 "small strain",
+                                                 youngs_modulus);
     parameters.contact.slave                = "upper bottom";
     parameters.contact.master               = "lower top";
-    parameters.contact.rule                 = "nodal";
+    parameters.contact.discretization       = "nodal";
     parameters.contact.friction_coefficient = coulomb;
     parameters.boundary.displacement_x      = {{"lower bottom", 0},
                                                {"upper bottom", 0.004}};
@@ -236,18 +243,21 @@ namespace
 
 
 
-  /// The same zone twice: everything is said twice.
+  /// The same contact pair twice: everything is said twice.
   void twice()
   {
     headline("the same zone twice");
     MeshText mesh;
     mesh.block("lower", 7, 2, rectangle({-0.2, -1}, {2.3, 0}));
     mesh.block("upper", 5, 2, rectangle({0, 0}, {2, 1}));
-    Parameters::All parameters =
-      make_parameters(mesh, {"lower", "upper"}, 1, "small strain", young);
+    Parameters::All parameters         = make_parameters(mesh,
+                                                 {"lower", "upper"},
+                                                 1,
+                                                 "small strain",
+                                                 youngs_modulus);
     parameters.contact.slave           = "upper bottom";
     parameters.contact.master          = "lower top";
-    parameters.contact.rule            = "nodal";
+    parameters.contact.discretization  = "nodal";
     parameters.boundary.displacement_x = {{"lower bottom", 0},
                                           {"upper top", 0}};
     parameters.boundary.displacement_y = {{"lower bottom", 0},
@@ -282,11 +292,14 @@ namespace
     MeshText mesh;
     mesh.block("lower", 2, 2, rectangle({0, -1}, {2, 0}));
     mesh.block("upper", 2, 2, rectangle({0, -0.03}, {2, 1}));
-    Parameters::All parameters =
-      make_parameters(mesh, {"lower", "upper"}, 1, "small strain", young);
+    Parameters::All parameters         = make_parameters(mesh,
+                                                 {"lower", "upper"},
+                                                 1,
+                                                 "small strain",
+                                                 youngs_modulus);
     parameters.contact.slave           = "upper bottom";
     parameters.contact.master          = "lower top";
-    parameters.contact.rule            = "nodal";
+    parameters.contact.discretization  = "nodal";
     parameters.boundary.displacement_x = {{"lower top", 0},
                                           {"upper bottom", 0}};
     parameters.boundary.displacement_y = {{"lower top", 0},

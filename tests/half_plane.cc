@@ -4,7 +4,8 @@
  * --------------------------------------------------------------------- */
 
 // The frictional contact of half planes against Hertz, the force balance,
-// friction's law, closed forms of the stick zone and known stick zones.
+// friction's law, closed forms of the stick contact pair and known stick
+// contact pairs.
 
 #include "verification/half_plane.h"
 

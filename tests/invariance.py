@@ -50,7 +50,7 @@ subsection Boundary conditions
   set Pressure       = Top_B: 10
 end
 subsection Contact
-  set Rule                 = mortar
+  set Discretization                 = mortar
   set Friction coefficient = 0.15
 end
 subsection Solution
@@ -124,15 +124,15 @@ def difference(run, base, length=1.0, force=1.0, stress=1.0):
 
 
 # Every rule with a system it can have, and the loop of friction for that.
-FORMS = [("nodal", "condensed", "each step"),
-         ("mortar", "condensed", "each step"),
+FORMS = [("nodal", "condensed", "lagged bound"),
+         ("mortar", "condensed", "lagged bound"),
          ("nodal", "saddle point", "Newton"),
          ("mortar", "saddle point", "Newton"),
          ("Gauss", "saddle point", "Newton")]
 
 
 def form_entries(form):
-    return {"Contact_Rule": form[0], "Solution_System": form[1],
+    return {"Contact_Discretization": form[0], "Solution_System": form[1],
             "Solution_Friction": form[2]}
 
 
@@ -140,11 +140,11 @@ def check_complementarity(runs):
     print("Parameter c by E/h, largest relative difference to 1e-3; Gauss: of "
           "probes, forces and the rest")
     for form in FORMS:
-        base = runs(**form_entries(form), Contact_Complementarity=1e-3)
+        base = runs(**form_entries(form), Contact_Augmentation_parameter=1e-3)
         # Below, the saddle point of the rule Gauss loses digits.
         for c in (1e-7,) * (form[0] != "Gauss") + (1e-6, 1e-5, 1e-4, 1e-2,
                                                    1e-1, 1):
-            run = runs(**form_entries(form), Contact_Complementarity=c)
+            run = runs(**form_entries(form), Contact_Augmentation_parameter=c)
             if not run or not base:
                 continue
             what = "{}, {} at {:.0e}".format(form[0], form[1], c)

@@ -53,7 +53,7 @@ namespace
       make_parameters(mesh, {"lower", "upper"}, c.degree, c.kinematics);
     parameters.contact.slave                    = "upper bottom";
     parameters.contact.master                   = "lower top";
-    parameters.contact.rule                     = c.rule;
+    parameters.contact.discretization           = c.rule;
     parameters.contact.friction_coefficient     = c.friction;
     parameters.boundary.displacement_x          = {{"lower bottom", 0},
                                                    {"upper top", 0.01}};
@@ -81,14 +81,14 @@ namespace
     {
     }
 
-    // One increment, paired in each step; the tangent of the mortar rule keeps
-    // the pairing. Until round-off is left.
+    // One increment, paired in each step; the tangent of the mortar
+    // discretization keeps the pairing. Until round-off is left.
     bool solve(const double load)
     {
       load_factor = load;
       return ContactModel::solve(load,
-                                 parameters.contact.rule !=
-                                   Parameters::Rule::mortar,
+                                 parameters.contact.discretization !=
+                                   Parameters::ContactDiscretization::mortar,
                                  /*pairs_anew=*/true,
                                  force) > 0;
     }
@@ -98,7 +98,7 @@ namespace
       return invariants.check(solution, load_factor, tolerance, force);
     }
 
-    // Which invariants are violated.
+    // The invariants that are violated.
     std::string alarms()
     {
       std::string names;
@@ -111,8 +111,8 @@ namespace
     ContactPoint *find(const Status status)
     {
       for (ContactPoint &point : interface.points)
-        if (point.decision.status == status && point.facing &&
-            (status != Status::slip || point.decision.slip_direction != 0))
+        if (point.status.kind == status && point.facing &&
+            (status != Status::slip || point.status.slip_direction != 0))
           return &point;
       return nullptr;
     }
@@ -160,7 +160,7 @@ namespace
              std::initializer_list<double Invariants::*>{
                &Invariants::force_imbalance,
                &Invariants::moment_imbalance,
-               &Invariants::complementarity,
+               &Invariants::augmentation_parameter,
                &Invariants::cone,
                &Invariants::slip,
                &Invariants::penetration,
@@ -182,7 +182,7 @@ namespace
     check_small("forces of contact", worst.force_imbalance, 1e-10);
     if (c.rule != "Gauss")
       check_small("their moment", worst.moment_imbalance, 1e-10);
-    check_small("complementarity", worst.complementarity, 1e-8);
+    check_small("complementarity", worst.augmentation_parameter, 1e-8);
     check_small("friction cone", worst.cone, 1e-12);
     check_small("slip law", worst.slip, 1e-8);
     if (c.rule != "Gauss")
@@ -211,7 +211,7 @@ namespace
   {
     const Vector<double> forces = model.contact_forces();
     Tensor<1, 2>         on_slave;
-    for (const Surface::Node &node : model.interface.zones[0]->slave.nodes)
+    for (const Surface::Node &node : model.interface.pairs[0]->slave.nodes)
       for (unsigned int c = 0; c < 2; ++c)
         on_slave[c] += forces[node.dofs[c]];
     const auto &upper = found.reactions.at("upper top");
@@ -245,7 +245,7 @@ namespace
       make_parameters(mesh, {"lower", "upper"}, 1, "small strain");
     parameters.contact.slave                = "upper bottom";
     parameters.contact.master               = "lower top";
-    parameters.contact.rule                 = "nodal";
+    parameters.contact.discretization       = "nodal";
     parameters.contact.friction_coefficient = 0.1;
     parameters.boundary.displacement_x      = {{"lower bottom", 0},
                                                {"upper top", 0.05}};
@@ -275,7 +275,7 @@ namespace
     bool             slips = true;
     for (const ContactPoint &point : model.interface.points)
       {
-        slips = slips && point.decision.status == Status::slip;
+        slips = slips && point.status.kind == Status::slip;
         // Along x, from which the surface turns away by a little.
         double slip = 0;
         for (unsigned int a = 0; a < point.n_nodes; ++a)
@@ -332,13 +332,13 @@ namespace
     {"the sign of a shear",
      [](Checked &m) {
        ContactPoint &point = *m.find(Status::slip);
-       point.decision.slip_direction *= -1;
+       point.status.slip_direction *= -1;
        m.lambda_t(point) *= -1;
      }},
     {"a point in contact left out",
      [](Checked &m) {
        ContactPoint &point = *m.find(Status::stick);
-       point.decision      = {Status::open, 0};
+       point.status        = {Status::open, 0};
        m.lambda_n(point) = m.lambda_t(point) = 0;
      }},
     {"a force on the slave alone",
@@ -481,7 +481,7 @@ namespace
                                                     model.tolerance,
                                                     model.force,
                                                     &holds)));
-    holds[model.interface.zones[0]->slave.nodes[3].dofs[1]] += 1e-3;
+    holds[model.interface.pairs[0]->slave.nodes[3].dofs[1]] += 1e-3;
     check("but where no support acts they raise an alarm",
           model.invariants
               .check(model.solution,

@@ -3,14 +3,14 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// What keeps a run going: the steps of the load factor, cut and grown again;
-// the guard of Newton's method; the relaxation of fixed points.
+// Measures that keep a run going: the steps of the load factor, cut and grown
+// again; the guard of Newton's method; the relaxation of fixed points.
 
 #include "solvers/load_steps.h"
 
 #include <cmath>
 
-#include "solvers/newton_guard.h"
+#include "solvers/newton_globalization.h"
 #include "solvers/relaxation.h"
 #include "tests.h"
 
@@ -98,7 +98,7 @@ namespace
   void check_guard()
   {
     headline("guard of Newton's method");
-    NewtonGuard guard;
+    NewtonGlobalization guard;
     check("anything to begin with", guard.accepts(1e30));
     check("but a number", !guard.accepts(std::nan("")));
     guard.advance(1);

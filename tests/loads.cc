@@ -221,10 +221,10 @@ namespace
   {
     const std::string text = (round ? "arc, " : "straight, ") + name +
                              ", degree " + std::to_string(degree);
-    auto parameters                    = body(degree, round, split);
-    parameters.boundary.spread_force_x = {{"body top", 7}};
-    parameters.boundary.spread_force_y = {{"body top", -100},
-                                          {"body bottom", 30}};
+    auto parameters                       = body(degree, round, split);
+    parameters.boundary.resultant_force_x = {{"body top", 7}};
+    parameters.boundary.resultant_force_y = {{"body top", -100},
+                                             {"body bottom", 30}};
     const Bodies bodies(parameters);
     const auto   found = resultant(bodies, bodies.elasticity->dead_loads.at(1));
     check_small(text + ": force",
@@ -311,10 +311,10 @@ namespace
       boundary.force_x = {{"body top left", 3}};
     if (wanted("Force y"))
       boundary.force_y = {{"body top left", 5}, {"body top right", -1}};
-    if (wanted("Spread force x"))
-      boundary.spread_force_x = {{"body left", -4}};
-    if (wanted("Spread force y"))
-      boundary.spread_force_y = {{"body top", -9}};
+    if (wanted("Resultant force x"))
+      boundary.resultant_force_x = {{"body left", -4}};
+    if (wanted("Resultant force y"))
+      boundary.resultant_force_y = {{"body top", -9}};
     if (wanted("Pressure"))
       boundary.pressure = {{"body top", "2 + x"}, {"body right", "y"}};
     if (wanted("Traction x"))
@@ -338,7 +338,7 @@ namespace
       return std::min(1., 2 * t);
     if (entry == "Pressure" || entry == "Body force y")
       return t * t;
-    if (entry == "Spread force y" || entry == "Traction x")
+    if (entry == "Resultant force y" || entry == "Traction x")
       return 1;
     if (entry == "Displacement x")
       return std::max(0., 2 * t - 1);
@@ -348,7 +348,7 @@ namespace
   const std::map<std::string, std::string> histories = {
     {"Force y", "min(1, 2*t)"},
     {"Pressure", "t^2"},
-    {"Spread force y", "1"},
+    {"Resultant force y", "1"},
     {"Traction x", "1"},
     {"Body force y", "t^2"},
     {"Displacement x", "max(0, 2*t - 1)"},
@@ -370,8 +370,8 @@ namespace
     double                                whole = 0;
     for (const std::string entry : {"Force x",
                                     "Force y",
-                                    "Spread force x",
-                                    "Spread force y",
+                                    "Resultant force x",
+                                    "Resultant force y",
                                     "Pressure",
                                     "Traction x",
                                     "Traction y",

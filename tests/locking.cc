@@ -20,7 +20,7 @@ using namespace Tests;
 
 namespace
 {
-  const double a = 1, b = 2, p = 10, young = 1000;
+  const double a = 1, b = 2, p = 10, youngs_modulus = 1000;
 
   struct Element
   {
@@ -77,7 +77,7 @@ namespace
                                                  {"tube"},
                                                  element.degree,
                                                  "small strain",
-                                                 young,
+                                                 youngs_modulus,
                                                  nu);
     parameters.element.centre_node                    = element.centre_node;
     parameters.solids.dilatation                      = dilatation;
@@ -142,7 +142,7 @@ namespace
             const Point<2>    &X = fields.quadrature_point(q);
             const double       r = X.norm();
             const Tensor<1, 2> exact =
-              (1 + nu) / young * ((1 - 2 * nu) * A + B / (r * r)) * X;
+              (1 + nu) / youngs_modulus * ((1 - 2 * nu) * A + B / (r * r)) * X;
             difference += fields.JxW(q) * (values[q] - exact).norm_square();
             square += fields.JxW(q) * exact.norm_square();
           }

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// What is wrong with a mesh file, or with the groups asked for, is said: of
-// each message the first line, of two the whole.
+// Faults of a mesh file, or of the groups asked for, are reported: of each
+// message the first line, of two the whole.
 
 #include <functional>
 #include <iostream>
@@ -42,7 +42,7 @@ replaced(std::string text, const std::string &piece, const std::string &by)
 
 
 
-// What is wrong in a file is said, and where.
+// A fault of a file is reported with its place.
 void test_file_errors()
 {
   std::cout << "Errors in files" << std::endl;

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// What the tests of the mesh measure on a mesh, with the mappings of degree 2
-// that the program uses on quadrangles and triangles.
+// The quantities that the tests measure on a mesh, with the mappings of degree
+// 2 that the program uses on quadrangles and triangles.
 
 #ifndef contact_tests_mesh_facts_h
 #define contact_tests_mesh_facts_h

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// Where the mesh of a file is put: bodies are moved first, then everything is
-// scaled, turned and shifted, and arcs go with their bodies.
+// The placement of the mesh of a file: bodies are moved first, then everything
+// is scaled, turned and shifted, and arcs go with their bodies.
 
 #include <cmath>
 

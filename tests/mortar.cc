@@ -3,14 +3,14 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// Proves what the mortar rule claims of its points: of the slave side only the
-// node itself is in a point; a rigid shift is no gap, and the weights sum up to
-// the length that both surfaces share; where the surfaces coincide, node pairs
-// are found if the nodes match, and a uniform pressure gives every node of the
-// master its integral in any case; all weights are positive, however little of
-// an edge faces the master; the tangential offset is zero also across a gap;
-// turning everything changes no coefficient; the rows are the derivatives of
-// gap and slip.
+// Proves what the mortar discretization claims of its points: of the slave side
+// only the node itself is in a point; a rigid shift is no gap, and the weights
+// sum up to the length that both surfaces share; where the surfaces coincide,
+// node pairs are found if the nodes match, and a uniform pressure gives every
+// node of the master its integral in any case; all weights are positive,
+// however little of an edge faces the master; the tangential offset is zero
+// also across a gap; turning everything changes no coefficient; the rows are
+// the derivatives of gap and slip.
 
 #include "contact/mortar.h"
 
@@ -57,15 +57,15 @@ namespace
     mesh.block("upper", slave.size() - 1, 1, strip(slave, gap));
     Parameters::All parameters =
       make_parameters(mesh, {"lower", "upper"}, degree, "large displacement");
-    parameters.contact.slave  = "upper bottom";
-    parameters.contact.master = "lower top";
-    parameters.contact.rule   = "mortar";
+    parameters.contact.slave          = "upper bottom";
+    parameters.contact.master         = "lower top";
+    parameters.contact.discretization = "mortar";
     return parameters;
   }
 
 
 
-  /// The points of the mortar rule in a configuration.
+  /// The points of the mortar discretization in a configuration.
   struct Pairing : public Bodies
   {
     Pairing(const Parameters::All        &parameters,
@@ -76,7 +76,7 @@ namespace
       , master(surface(parameters.contact.master))
       , u(displacement(move))
     {
-      const MortarRule rule(slave, master, discretization, excluded);
+      const MortarDiscretization rule(slave, master, discretization, excluded);
       points = rule.make_points(multipliers);
       rule.pair(points, u);
     }
@@ -148,7 +148,7 @@ namespace
 
 
 
-  /// What holds for every pairing.
+  /// The properties of every pairing.
   void check_points(const Pairing &pairing, const double length)
   {
     check_small("sum of the coefficients",
@@ -171,7 +171,7 @@ namespace
 
 
 
-  /// What lies above y = 0.05 on a circle from above, the rest on another one.
+  /// The points above y = 0.05 on a circle from above, the rest on another one.
   Point<2> bend(const Point<2> &X)
   {
     const bool     is_slave = X[1] > 0.05;
@@ -203,7 +203,7 @@ namespace
 
 
 
-  // Nodes that face each other: what the nodal rule would find.
+  // Nodes that face each other: what the nodal discretization would find.
   void matching(const unsigned int degree)
   {
     headline("nodes that match, degree " + std::to_string(degree));
@@ -242,7 +242,7 @@ namespace
 
 
   /// By how much these differ from the integrals of the shape functions, the
-  /// weights of the nodal rule, relative to them.
+  /// weights of the nodal discretization, relative to them.
   double error_of_loads(const Pairing &pairing)
   {
     auto            loads = loads_on_master(pairing);

@@ -43,7 +43,7 @@ row() {
   "$contact" "$here/parameters/nested.prm" --quiet \
     --set "Mesh/File=$here/meshes/$1.msh" --set "Mesh/Refinements=$2" \
     --set "Element/Degree=$4" --set "Element/Centre node=$5" \
-    --set "Contact/Rule=$6" --set "Contact/Slave=$slave" \
+    --set "Contact/Discretization=$6" --set "Contact/Slave=$slave" \
     --set "Contact/Master=$master" --set Refinement/Levels=0 \
     --set Probes/References= --set Probes/Tolerances= \
     --set Output/Profile=true --set Output/Screen=table >messages 2>&1 || status=$?

@@ -20,7 +20,7 @@ const std::filesystem::path parameters =
 
 
 
-// What distinguishes the modelings; the rest is common to all of them.
+// The differences of the modelings; the rest is common to all of them.
 void print_case(const std::string &name)
 {
   Contact::Parameters::All p;
@@ -28,7 +28,7 @@ void print_case(const std::string &name)
   Contact::read_parameters(parameters / (name + ".prm"), {}, prm, p);
 
   std::cout << p.name << ": degree " << p.element.degree << ", "
-            << p.contact.rule.name() << ", friction "
+            << p.contact.discretization.name() << ", friction "
             << p.contact.friction_coefficient << ", "
             << p.contact.excluded_points.size() << " excluded, "
             << p.boundary.tied_y.size() << " tied, mesh "

@@ -20,7 +20,7 @@ namespace
 {
   using Names = std::vector<std::string>;
 
-  // What every case needs. Tests set more after it.
+  // The entries that every case needs. Tests set more after it.
   const std::string base = "subsection Mesh\n"
                            "  set File = a.msh\n"
                            "end\n"
@@ -107,14 +107,15 @@ namespace
                 << arc[2] << '\n';
     std::cout << "element: " << p.element.degree << ' '
               << p.element.centre_node.name()
-              << "\nsolids: " << p.solids.young.at("Block") << ' '
+              << "\nsolids: " << p.solids.youngs_modulus.at("Block") << ' '
               << p.solids.poisson.at("Block") << ' '
               << p.solids.kinematics.name()
               << "\nboundary: " << p.boundary.displacement_x.at("Encast") << ' '
               << p.boundary.tied_y.at("C") << ' ' << p.boundary.force_y.size()
               << "\ncontact: " << p.contact.slave << ' ' << p.contact.master
-              << ' ' << p.contact.rule.name() << ' ' << p.contact.n_gauss_points
-              << ' ' << p.contact.excluded_points.at(1) << ' '
+              << ' ' << p.contact.discretization.name() << ' '
+              << p.contact.n_gauss_points << ' '
+              << p.contact.excluded_points.at(1) << ' '
               << p.contact.friction_coefficient << ' ' << p.contact.tresca_limit
               << "\nsolution: " << p.solution.n_increments << ' '
               << p.solution.geometry.name() << ' '
@@ -152,7 +153,7 @@ namespace
                  "subsection Contact\n"
                  "  set Slave = S\n"
                  "  set Master = M\n"
-                 "  set Rule = nodal\n"
+                 "  set Discretization = nodal\n"
                  "  set Excluded points = C, D\n"
                  "  set Friction coefficient = 0.1\n"
                  "end\n"
@@ -374,7 +375,7 @@ namespace
     report_lines(section, "set Displacement y = A: 0\nset Force y = A: 1");
     report_lines(section, "set Displacement x = A: 0\nset Force y = A: 1");
     report_lines(section,
-                 "set Displacement y = A: 0\nset Spread force y = A: 1");
+                 "set Displacement y = A: 0\nset Resultant force y = A: 1");
     report_lines(section, "set Displacement x = A: 0\nset Traction x = A: 1");
     report_lines(section, "set Displacement y = C: 0\nset Tied y = C: B");
     report_lines(section, "set Displacement y = B: 0\nset Tied y = C: B");
@@ -399,12 +400,12 @@ namespace
     report_lines("Contact", "set Tresca limit = 1");
     report_lines("Contact",
                  pair + "set Friction coefficient = 0.1\nset Tresca limit = 1");
-    report_lines("Contact", "set Rule = nodal\nset Excluded points = C");
-    report_lines("Contact", pair + "set Rule = Gauss\nset Excluded points = C");
+    report_lines("Contact", "set Discretization = nodal\nset Excluded points = C");
+    report_lines("Contact", pair + "set Discretization = Gauss\nset Excluded points = C");
     report_lines("Contact",
-                 pair + "set Rule = nodal\nset Excluded points = C, C");
+                 pair + "set Discretization = nodal\nset Excluded points = C, C");
     report_lines("Contact",
-                 pair + "set Rule = nodal\nset Excluded points = C, , D");
+                 pair + "set Discretization = nodal\nset Excluded points = C, , D");
     report_lines("Probes", "set Hertz = 50, 35000");
   }
 
@@ -529,8 +530,8 @@ namespace
     const Case result("values.json");
     std::cout << result.error;
     print_values(result);
-    for (const auto &zone : result.parameters.zones())
-      std::cout << zone.section() << ": " << zone.slave << '\n';
+    for (const auto &contact_pair : result.parameters.pairs())
+      std::cout << contact_pair.section() << ": " << contact_pair.slave << '\n';
 
     // A body may have the name of something else.
     write("value.json",
@@ -538,8 +539,8 @@ namespace
               "Solids": {"Young's modulus": {"value": 1, "Block": 2},
                          "Poisson's ratio": {"value": 0, "Block": 0}}})json");
     const Case value("value.json");
-    std::cout << value.error << value.parameters.solids.young.at("value")
-              << '\n';
+    std::cout << value.error
+              << value.parameters.solids.youngs_modulus.at("value") << '\n';
   }
 
 

@@ -4,13 +4,14 @@
  * --------------------------------------------------------------------- */
 
 // A uniform pressure through the interface of two blocks. Proves that the
-// nodal and the Gauss rule transmit it exactly where the nodes of the surfaces
-// match, and states what is known to happen where they do not: the nodal rule
-// puts the force of a slave node on the master nodes beside it, which is not
-// how a uniform pressure is distributed, and fails; the Gauss rule misses the
-// uniform pressure by the error of its quadrature over the kinks of the
-// master's shape functions, which only many points make small. Proves that the
-// mortar rule transmits it exactly for any meshes, with either side as slave.
+// nodal and the Gauss-point discretization transmit it exactly where the nodes
+// of the surfaces match, and states what is known to happen where they do not:
+// the nodal discretization puts the force of a slave node on the master nodes
+// beside it, which is not how a uniform pressure is distributed, and fails; the
+// Gauss-point discretization misses the uniform pressure by the error of its
+// quadrature over the kinks of the master's shape functions, which only many
+// points make small. Proves that the mortar discretization transmits it exactly
+// for any meshes, with either side as slave.
 
 #include "tests.h"
 
@@ -18,9 +19,9 @@ using namespace Tests;
 
 namespace
 {
-  const double young = 1000, shortening = 0.01;
+  const double youngs_modulus = 1000, shortening = 0.01;
 
-  // What is pressed.
+  // The blocks that are pressed.
   struct Case
   {
     unsigned int degree;
@@ -46,13 +47,13 @@ namespace
                                                  {"lower", "upper"},
                                                  c.degree,
                                                  "small strain",
-                                                 young,
+                                                 youngs_modulus,
                                                  c.poisson);
     parameters.contact.slave   = "upper bottom";
     parameters.contact.master  = "lower top";
     if (c.lower_is_slave)
       std::swap(parameters.contact.slave, parameters.contact.master);
-    parameters.contact.rule            = c.rule;
+    parameters.contact.discretization  = c.rule;
     parameters.contact.n_gauss_points  = c.n_points;
     parameters.boundary.displacement_x = {{"lower left", 0}, {"upper left", 0}};
     parameters.boundary.displacement_y = {{"lower bottom", 0},
@@ -64,7 +65,7 @@ namespace
 
   double exact_pressure(const double poisson)
   {
-    return young / (1 - poisson * poisson) * shortening / 2;
+    return youngs_modulus / (1 - poisson * poisson) * shortening / 2;
   }
 
 
@@ -110,7 +111,7 @@ namespace
     for (const ContactPoint &point : model.interface.points)
       {
         result.all_in_contact =
-          result.all_in_contact && point.decision.status == Status::slip;
+          result.all_in_contact && point.status.kind == Status::slip;
         result.deviation_of_pressure = std::max(
           result.deviation_of_pressure,
           std::abs(
@@ -409,7 +410,7 @@ namespace
     const bool   converged = model.solve(1, false) > 0;
 
     const double pressure =
-      young * shortening / 2 / ((1 + poisson) * (1 - 2 * poisson));
+      youngs_modulus * shortening / 2 / ((1 + poisson) * (1 - 2 * poisson));
     SymmetricTensor<2, 3> exact;
     exact[0][0] = exact[1][1] = -pressure;
     exact[2][2]               = -2 * poisson * pressure;

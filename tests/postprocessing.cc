@@ -50,9 +50,9 @@ namespace
 
     auto parameters =
       make_parameters(mesh, {"lower", "upper"}, degree, "small strain");
-    parameters.contact.slave  = "upper bottom";
-    parameters.contact.master = "lower top";
-    parameters.contact.rule   = rule;
+    parameters.contact.slave          = "upper bottom";
+    parameters.contact.master         = "lower top";
+    parameters.contact.discretization = rule;
     return parameters;
   }
 
@@ -87,7 +87,7 @@ namespace
   {
     const auto &disc  = model.discretization;
     const Rows  slave = slave_profile(model.interface,
-                                     *model.interface.zones[0],
+                                     *model.interface.pairs[0],
                                      disc,
                                      stresses,
                                      model.solution,
@@ -95,7 +95,7 @@ namespace
                                      exact);
     return {{slave,
              master_profile(model.interface,
-                            *model.interface.zones[0],
+                            *model.interface.pairs[0],
                             disc,
                             stresses,
                             model.solution,
@@ -174,12 +174,12 @@ namespace
     PlacedModel model(parameters, stay);
 
     const auto &interface = model.interface;
-    for (unsigned int n = 0; n < interface.zones[0]->slave.nodes.size(); ++n)
+    for (unsigned int n = 0; n < interface.pairs[0]->slave.nodes.size(); ++n)
       {
-        const unsigned int k = interface.zones[0]->multipliers.of_node[n];
+        const unsigned int k = interface.pairs[0]->multipliers.of_node[n];
         if (k != numbers::invalid_unsigned_int)
           model.solution[interface.normal_index(k)] =
-            2 - interface.zones[0]->slave.nodes[n].X[0];
+            2 - interface.pairs[0]->slave.nodes[n].X[0];
       }
 
     const auto [slave, master] =
@@ -211,9 +211,9 @@ namespace
     const auto        exact =
       make_exact_solution(parameters,
                           model.discretization,
-                          *model.interface.zones[0],
+                          *model.interface.pairs[0],
                           contact_results(model.interface,
-                                          *model.interface.zones[0],
+                                          *model.interface.pairs[0],
                                           model.solution,
                                           model.start));
     for (const Rows &rows : profiles(model, stresses, exact))
@@ -290,7 +290,7 @@ namespace
 
 
 
-  // How far the mid-sides and centres of quadratic cells are from where VTK
+  // The distance of the mid-sides and centres of quadratic cells from where VTK
   // wants them: behind the corners, in the order of these pairs of corners.
   double misplaced(const std::vector<Point<2>> &cell)
   {
@@ -355,15 +355,15 @@ namespace
     const Stresses    stresses(model.mesh.triangulation.n_vertices());
     const auto [slave, master] = profiles(model, stresses);
 
-    const std::vector<ZoneProfile> zones{
-      {"", &model.interface.zones[0]->slave, slave, master}};
+    const std::vector<PairProfile> pairs{
+      {"", &model.interface.pairs[0]->slave, slave, master}};
 
     const std::filesystem::path directory = "files/nested";
     ResultFiles                 files(directory, model.discretization);
     for (unsigned int k = 1; k <= 2; ++k)
       {
         files.write_bodies(k, 0.5 * k, stresses, model.solution);
-        files.write_contact(k, 0.5 * k, zones);
+        files.write_contact(k, 0.5 * k, pairs);
         for (const std::string name : {"bodies", "contact"})
           {
             const std::string pvd = contents(directory / (name + ".pvd"));
@@ -377,7 +377,7 @@ namespace
     check_cells(directory / "bodies_0002.vtu");
     check_cells(directory / "contact_0002.vtu");
 
-    files.write_profile(zones);
+    files.write_profile(pairs);
     std::ifstream            csv(directory / "profile.csv");
     std::string              line;
     std::map<long, unsigned> n_lines;

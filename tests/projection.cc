@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// Proves that the closest point of an edge is the foot of the normal where
-// there is one, on straight and on parabolic edges; that the ends of the
+// Proves that the closest point of an edge is the projection of the normal
+// where there is one, on straight and on parabolic edges; that the ends of the
 // surface reach as far as the documented overhang and no further; and that at
 // a corner the corner is found.
 
@@ -93,8 +93,8 @@ namespace
 
 
 
-  // The foot on y = k x^2 is a root of x - a + 2 k x (k x^2 - b), found by
-  // bisection: on the side of the point where it lies beyond the center of
+  // The projection on y = k x^2 is a root of x - a + 2 k x (k x^2 - b), found
+  // by bisection: on the side of the point where it lies beyond the center of
   // curvature, and everywhere else the only one.
   double foot_on_parabola(const double k, const Point<2> &p)
   {
@@ -134,22 +134,22 @@ namespace
     for (unsigned int i = 0; i < 2000; ++i)
       {
         // The far ones lie beyond the center of curvature of the vertex, where
-        // there are up to three feet.
+        // there are up to three projections.
         const bool       is_far = i % 4 == 0;
         const Point<2>   p(random(-1.6, 1.6),
                          is_far ? random(1.05, 3) / (2 * k)
                                   : random(-2, 0.95 / (2 * k)));
-        const double     foot  = foot_on_parabola(k, p);
-        const Projection found = search.closest_point(Point<2>(R * p));
-        const double     reach = 1 + SurfaceSearch::overhang;
+        const double     projection = foot_on_parabola(k, p);
+        const Projection found      = search.closest_point(Point<2>(R * p));
+        const double     reach      = 1 + SurfaceSearch::overhang;
         const double     error =
-          std::abs(found.xi - std::max(-reach, std::min(reach, foot)));
+          std::abs(found.xi - std::max(-reach, std::min(reach, projection)));
         (is_far ? far : near) = std::max(is_far ? far : near, error);
 
         ends_right =
-          ends_right && found.off_the_end == (std::abs(foot) > reach);
+          ends_right && found.off_the_end == (std::abs(projection) > reach);
         n_off += found.off_the_end;
-        n_over += !found.off_the_end && std::abs(foot) > 1;
+        n_over += !found.off_the_end && std::abs(projection) > 1;
       }
     check_small("coordinate of the foot", near, 1e-10);
     check_small("the same beyond the center of curvature", far, 1e-10);
@@ -189,7 +189,7 @@ namespace
     bool face_found = true;
     for (const double a : {-0.5, -0.1, 0.1, 0.5})
       {
-        // A point at height 1: its foot on the nearer face.
+        // A point at height 1: its projection on the nearer face.
         const Projection found = search.closest_point(Point<2>(a, 1));
         const double     x     = (std::abs(a) + 1) / 2;
         face_found =

@@ -81,12 +81,12 @@ solver=AMG
 processes='1 2 3'
 compare "uniform levels, friction" nested_friction.prm \
   --set Refinement/Levels=2 --set Element/Degree=1 \
-  --set "Element/Centre node=bound"
+  --set "Element/Centre node=serendipity"
 compare "adaptive levels, friction" nested_friction.prm \
   --set Refinement/Levels=5 --set Refinement/Strategy=adaptive
 compare "adaptive levels, degree 1, large displacement" nested.prm \
   --set Refinement/Levels=4 --set Refinement/Strategy=adaptive \
-  --set Element/Degree=1 --set "Element/Centre node=bound" \
+  --set Element/Degree=1 --set "Element/Centre node=serendipity" \
   --set "Solids/Kinematics=large displacement"
 compare "8 nodes, body forces, three zones" verification/stack.prm \
   --set Element/Degree=2 --set Mesh/Refinements=2 \

@@ -4,12 +4,12 @@
  * --------------------------------------------------------------------- */
 
 // Proves of nested iteration: displacements that both meshes can represent are
-// carried over as they are, hanging nodes and supports included; arcs stay
+// transferred as they are, hanging nodes and supports included; arcs stay
 // round where they are refined; the marked cells are the fewest that have their
 // share of the error; the slave follows the master where that is asked for;
 // meshes with triangles are refused; a uniform pressure
-// passes through the mortar rule between meshes with hanging nodes at both
-// surfaces; and what the points know reaches the points of the finer mesh.
+// passes through the mortar discretization between meshes with hanging nodes at
+// both surfaces; and what the points know reaches the points of the finer mesh.
 
 #include "adaptivity/refinement.h"
 
@@ -60,7 +60,7 @@ namespace
     for (const auto &cell : bodies.mesh.triangulation.active_cell_iterators())
       if (choose(cell->center()))
         cell->set_refine_flag();
-    refine_and_carry_over(bodies.mesh, bodies.discretization, solutions);
+    refine_and_transfer(bodies.mesh, bodies.discretization, solutions);
   }
 
 
@@ -88,7 +88,8 @@ namespace
         double value = 0;
         for (const auto &[dof, coefficient] : line.entries)
           value += coefficient * u[dof];
-        // What a support moves is in no entry, hence only without one.
+        // An unknown that a support moves is in no entry, hence only without
+        // one.
         if (!line.entries.empty())
           worst = std::max(worst, std::abs(u[line.index] - value));
       }
@@ -99,12 +100,12 @@ namespace
 
   // Two fields at once, the second of which is twice the first one; behind the
   // displacements are numbers that do not count.
-  void carry_over(const std::string &name,
-                  const Chart       &chart,
-                  const Field       &field,
-                  const bool         with_support,
-                  unsigned int       degree,
-                  bool               free)
+  void transfer(const std::string &name,
+                const Chart       &chart,
+                const Field       &field,
+                const bool         with_support,
+                unsigned int       degree,
+                bool               free)
   {
     MeshText mesh;
     mesh.block("block", 4, 3, chart);
@@ -155,7 +156,7 @@ namespace
 
 
 
-  void carry_over_all()
+  void transfer_all()
   {
     headline("displacements carried over");
     const Chart square    = rectangle({0, 0}, {2, 1});
@@ -175,10 +176,10 @@ namespace
     };
     for_elements([&](const unsigned int degree, const bool free) {
       const std::string name = element_name(degree, free);
-      carry_over(name + ", linear", distorted, linear, false, degree, free);
-      carry_over(name + ", support", square, lifted, true, degree, free);
+      transfer(name + ", linear", distorted, linear, false, degree, free);
+      transfer(name + ", support", square, lifted, true, degree, free);
       if (degree == 2)
-        carry_over(name + ", quadratic", square, quadratic, false, 2, free);
+        transfer(name + ", quadratic", square, quadratic, false, 2, free);
     });
   }
 
@@ -322,7 +323,7 @@ namespace
     });
     check("slaves beside it", flagged() == Centers({{5, 0.5}, {7, 0.5}}));
     std::vector<Vector<double>> none;
-    refine_and_carry_over(bodies.mesh, bodies.discretization, none);
+    refine_and_transfer(bodies.mesh, bodies.discretization, none);
 
     // Now there is 1 mm on both sides from 4 to 8, but for the refined edge.
     choose([](const Point<2>) { return false; });
@@ -378,7 +379,7 @@ namespace
   void
   patch(const unsigned int degree, const bool free, const bool lower_is_slave)
   {
-    const double young = 1000, poisson = 0.3, shortening = 0.01;
+    const double youngs_modulus = 1000, poisson = 0.3, shortening = 0.01;
     MeshText     mesh;
     mesh.block("lower", 4, 2, rectangle({0, -1}, {2, 0}));
     mesh.block("upper", 3, 2, rectangle({0, 0}, {2, 1}));
@@ -386,22 +387,23 @@ namespace
                                                              {"lower", "upper"},
                                                              degree,
                                                              "small strain",
-                                                             young,
+                                                             youngs_modulus,
                                                              poisson),
                                              free);
     parameters.contact.slave   = "upper bottom";
     parameters.contact.master  = "lower top";
     if (lower_is_slave)
       std::swap(parameters.contact.slave, parameters.contact.master);
-    parameters.contact.rule            = "mortar";
+    parameters.contact.discretization  = "mortar";
     parameters.boundary.displacement_x = {{"lower left", 0}, {"upper left", 0}};
     parameters.boundary.displacement_y = {{"lower bottom", 0},
                                           {"upper top", -shortening}};
 
     CondensedModel model(parameters);
-    const double   pressure  = young / (1 - poisson * poisson) * shortening / 2;
-    double         deviation = 0;
-    bool           converged = true, in_contact = true, hanging = true;
+    const double   pressure =
+      youngs_modulus / (1 - poisson * poisson) * shortening / 2;
+    double deviation = 0;
+    bool   converged = true, in_contact = true, hanging = true;
     for (unsigned int level = 0; level < 3; ++level)
       {
         if (level > 0)
@@ -422,7 +424,7 @@ namespace
                   (level == 0 || model.mesh.triangulation.has_hanging_nodes());
         for (const ContactPoint &point : model.interface->points)
           {
-            in_contact = in_contact && point.decision.status == Status::slip;
+            in_contact = in_contact && point.status.kind == Status::slip;
             deviation  = std::max(
               deviation,
               std::abs(
@@ -441,8 +443,8 @@ namespace
 
     // Do nodes hang on slave nodes?
     unsigned int n_hanging = 0;
-    for (const Surface *surface : {&model.interface->zones[0]->slave,
-                                   &*model.interface->zones[0]->master})
+    for (const Surface *surface : {&model.interface->pairs[0]->slave,
+                                   &*model.interface->pairs[0]->master})
       {
         std::set<types::global_dof_index> dofs;
         for (const auto &node : surface->nodes)
@@ -478,7 +480,7 @@ namespace
     {
       interface = std::make_unique<ContactInterface>(discretization,
                                                      *elasticity,
-                                                     parameters.zones());
+                                                     parameters.pairs());
       solution.reinit(n_dofs() + interface->n_multipliers());
       interface->pair(solution);
     }
@@ -488,7 +490,7 @@ namespace
       interface.reset();
       std::vector<Vector<double>> none;
       flag_all_cells(mesh);
-      refine_and_carry_over(mesh, discretization, none);
+      refine_and_transfer(mesh, discretization, none);
       elasticity = Elasticity::create(discretization, parameters.solids);
       make_interface();
     }
@@ -521,7 +523,7 @@ namespace
       make_parameters(mesh, {"lower", "upper"}, degree, "small strain");
     parameters.contact.slave                = "upper bottom";
     parameters.contact.master               = "lower top";
-    parameters.contact.rule                 = rule;
+    parameters.contact.discretization       = rule;
     parameters.contact.friction_coefficient = 0.2;
     return parameters;
   }
@@ -538,9 +540,9 @@ namespace
         const double x         = point.X[0][0];
         strips.pressure(point) = p(x);
         strips.shear(point)    = -0.1 * p(x);
-        point.tresca_bound     = 0.2 * p(x);
-        point.decision =
-          x < -0.1 ? Decision{Status::slip, -1} : Decision{Status::stick, 0};
+        point.friction_bound   = 0.2 * p(x);
+        point.status           = x < -0.1 ? PointStatus{Status::slip, -1}
+                                          : PointStatus{Status::stick, 0};
       }
     const auto state = strips.interface->save(strips.solution);
     strips.refine_all();
@@ -554,12 +556,12 @@ namespace
         error          = std::max({error,
                                    std::abs(strips.pressure(point) - p(x)),
                                    std::abs(strips.shear(point) + 0.1 * p(x)),
-                                   std::abs(point.tresca_bound - 0.2 * p(x))});
+                                   std::abs(point.friction_bound - 0.2 * p(x))});
         // The nearer of two points decides, which ends within a third.
         if (x < -0.34)
-          right = right && point.decision == Decision{Status::slip, -1};
+          right = right && point.status == PointStatus{Status::slip, -1};
         if (x > 0.01)
-          right = right && point.decision == Decision{Status::stick, 0};
+          right = right && point.status == PointStatus{Status::stick, 0};
       }
     const std::string name =
       rule + " rule, degree " + std::to_string(degree) + ", linear state";
@@ -586,8 +588,8 @@ namespace
             const double x = point.X[0][0] - center;
             strips.pressure(point) =
               inside(point) ? std::sqrt(a * a - x * x) : 0.;
-            point.decision =
-              inside(point) ? Decision{Status::slip, 1} : Decision();
+            point.status =
+              inside(point) ? PointStatus{Status::slip, 1} : PointStatus();
           }
         const auto state = strips.interface->save(strips.solution);
         strips.refine_all();
@@ -597,7 +599,7 @@ namespace
         for (const ContactPoint &point : strips.interface->points)
           {
             const bool wrong =
-              inside(point) != (point.decision.status == Status::slip);
+              inside(point) != (point.status.kind == Status::slip);
             (point.X[0][0] < center ? wrong_left : wrong_right) += wrong;
           }
         worst = std::max({worst, wrong_left, wrong_right});
@@ -616,7 +618,7 @@ namespace
 
 int main()
 {
-  carry_over_all();
+  transfer_all();
   headline("arcs");
   for_elements(arcs);
   marking();

@@ -38,7 +38,7 @@ def pieces():
                "Boundary conditions/Displacement y": "Base: 0, Head: -0.1",
                "Boundary conditions/Body force y": "A: -7.7e-5",
                "Contact/Slave": "Sole", "Contact/Master": "Ground",
-               "Contact/Rule": "mortar"}
+               "Contact/Discretization": "mortar"}
     place = ("nothing holds the piece of the body 'A' from (20, 20) to "
              "(23, 22) mm against: displacement in x, displacement in y and "
              "rotation")
@@ -60,7 +60,7 @@ def pieces():
     falls["Boundary conditions/Displacement x"] += ", Loose: 0"
     falls["Contact fall/Slave"] = "Loose"
     falls["Contact fall/Obstacle"] = "half plane: 0, 19.5, 0, 1"
-    falls["Contact fall/Rule"] = "nodal"
+    falls["Contact fall/Discretization"] = "nodal"
     falls["Output/Nodes"] = "true"
     for ranks in (1, 2):
         status, said, _ = run("pieces_fall", falls, ranks)
@@ -123,7 +123,7 @@ def rings():
         mesh.write("rings")
         for rule in ("mortar", "nodal", "Gauss"):
             name = f"rings_{n}_{rule}"
-            status, said, _ = run(name, {**entries, "Contact/Rule": rule})
+            status, said, _ = run(name, {**entries, "Contact/Discretization": rule})
             check(f"{name} converges", status == 0, said[:300])
             if status != 0:
                 continue
@@ -150,7 +150,7 @@ def lever():
                "Boundary conditions/Displacement x": "Pin: 0",
                "Boundary conditions/Displacement y": "Pin: 0",
                "Boundary conditions/Body force y": "A: -1e-4",
-               "Contact/Slave": "Sole", "Contact/Rule": "nodal",
+               "Contact/Slave": "Sole", "Contact/Discretization": "nodal",
                "Contact/Obstacle": "half plane: 0, -3, 0, 1",
                "Solution/Increments": "1"}
     status, said, _ = run("lever_small",
@@ -178,7 +178,7 @@ def patches():
         "Solids/Kinematics": "small strain",
         "Boundary conditions/Displacement x": "Head: 0",
         "Boundary conditions/Displacement y": "Head: -0.01",
-        "Contact/Slave": "Feet", "Contact/Rule": "nodal",
+        "Contact/Slave": "Feet", "Contact/Discretization": "nodal",
         "Contact/Obstacle": "half plane: 0, -1, 0, 1"})
     check("two feet converge", status == 0, said[:500])
     if status == 0:

@@ -16,9 +16,10 @@ using namespace Tests;
 
 namespace
 {
-  const double young = 1000, poisson = 0.3;
-  const double lambda = young * poisson / ((1 + poisson) * (1 - 2 * poisson));
-  const double mu     = young / (2 * (1 + poisson));
+  const double youngs_modulus = 1000, poisson = 0.3;
+  const double lambda =
+    youngs_modulus * poisson / ((1 + poisson) * (1 - 2 * poisson));
+  const double mu = youngs_modulus / (2 * (1 + poisson));
 
 
 
@@ -55,8 +56,12 @@ namespace
   {
     MeshText mesh;
     mesh.block("block", 3, 3, chart, split);
-    Parameters::All parameters =
-      make_parameters(mesh, {"block"}, 2, "small strain", young, poisson);
+    Parameters::All parameters     = make_parameters(mesh,
+                                                 {"block"},
+                                                 2,
+                                                 "small strain",
+                                                 youngs_modulus,
+                                                 poisson);
     parameters.element.centre_node = centre_node;
     const Bodies         bodies(parameters);
     const StressRecovery recovery(bodies.discretization);
@@ -86,8 +91,12 @@ namespace
                1,
                rectangle({0, 0}, {1, 1}),
                [](unsigned int, unsigned int) { return true; });
-    const Bodies bodies(
-      make_parameters(mesh, {"block"}, 1, "small strain", young, poisson));
+    const Bodies         bodies(make_parameters(mesh,
+                                        {"block"},
+                                        1,
+                                        "small strain",
+                                        youngs_modulus,
+                                        poisson));
     const StressRecovery recovery(bodies.discretization);
 
     // Only the corner (1, 0) moves, by 0.01 to the right: of the triangles
@@ -110,7 +119,7 @@ namespace
         error = std::max(error, (stresses[v] - exact).norm());
       }
     check_small("constants of two triangles and their mean",
-                error / young,
+                error / youngs_modulus,
                 1e-15);
   }
 
@@ -125,7 +134,7 @@ namespace
                                         {"block"},
                                         1,
                                         "large displacement",
-                                        young,
+                                        youngs_modulus,
                                         poisson));
     const Vector<double> u = bodies.displacement([](const Point<2> &X) {
       return Point<2>(1.1 * X[0] + 0.2 * X[1], 0.9 * X[1]);
@@ -146,7 +155,9 @@ namespace
     for (const auto &stress : StressRecovery(bodies.discretization)
                                 .vertex_stresses(*bodies.elasticity, u))
       error = std::max(error, (stress - exact).norm());
-    check_small("Cauchy stress at finite strain", error / young, 1e-14);
+    check_small("Cauchy stress at finite strain",
+                error / youngs_modulus,
+                1e-14);
   }
 
 

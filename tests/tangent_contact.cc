@@ -35,7 +35,7 @@ namespace
       make_parameters(mesh, {"lower", "upper"}, degree, "small strain");
     parameters.contact.slave                = "upper bottom";
     parameters.contact.master               = "lower top";
-    parameters.contact.rule                 = rule;
+    parameters.contact.discretization       = rule;
     parameters.contact.n_gauss_points       = 2;
     parameters.contact.tresca_limit         = law.tresca;
     parameters.contact.friction_coefficient = law.coulomb;
@@ -81,10 +81,10 @@ namespace
       for (const auto &node : surface.nodes)
         unknowns.insert(node.dofs.begin(), node.dofs.end());
     };
-    const ContactZone &zone = *model.interface.zones[0];
-    add(zone.slave);
-    if (zone.master)
-      add(*zone.master);
+    const ContactPair &contact_pair = *model.interface.pairs[0];
+    add(contact_pair.slave);
+    if (contact_pair.master)
+      add(*contact_pair.master);
     for (unsigned int i = model.n_dofs(); i < model.solution.size(); ++i)
       unknowns.insert(i);
     return unknowns;
@@ -103,7 +103,7 @@ namespace
     ContactInterface  &interface = model.interface;
 
     std::set<types::global_dof_index> slave;
-    for (const auto &node : interface.zones[0]->slave.nodes)
+    for (const auto &node : interface.pairs[0]->slave.nodes)
       slave.insert(node.dofs.begin(), node.dofs.end());
     for (unsigned int i = 0; i < model.n_dofs(); ++i)
       {
@@ -116,12 +116,12 @@ namespace
     for (unsigned int i = model.n_dofs(); i < model.solution.size(); ++i)
       model.solution[i] = random(0.5, 1.5);
     for (ContactPoint &point : interface.points)
-      point.tresca_bound = random(0.1, 0.5);
+      point.friction_bound = random(0.1, 0.5);
   }
 
 
 
-  /// What the difference quotients say, and whether they were allowed to.
+  /// The difference quotients, and whether they are valid.
   struct Result
   {
     double error      = 0; // both relative to the largest entry
@@ -177,12 +177,12 @@ namespace
   /// the state says.
   void check_decision(ContactModel      &model,
                       const std::string &name,
-                      const Decision    &decision)
+                      const PointStatus &status)
   {
     for (ContactPoint &point : model.interface.points)
-      point.decision = point.facing ? decision : Decision();
+      point.status = point.facing ? status : PointStatus();
 
-    const bool slips = decision.slip_direction != 0;
+    const bool slips = status.slip_direction != 0;
     bool       kept  = true;
     for (const bool moving_geometry : {false, true})
       for (const bool moving_bound : {false, true})
@@ -201,7 +201,7 @@ namespace
             // the pairing stands still.
             const bool is_mortar =
               model.interface.points[0].change.dofs.size() > 0;
-            if ((model.interface.zones[0]->law.is_frictionless() &&
+            if ((model.interface.pairs[0]->law.is_frictionless() &&
                  !is_mortar) ||
                 (!slips && !moving_geometry))
               check_small(name + ", asymmetry", result.asymmetry, 1e-14);
@@ -236,7 +236,7 @@ namespace
     check("edges are curved at degree 2", curved == (degree == 2));
 
     check_decision(model, "open", {Status::open, 0});
-    if (model.interface.zones[0]->law.is_frictionless())
+    if (model.interface.pairs[0]->law.is_frictionless())
       check_decision(model, "contact", {Status::slip, 0});
     else
       {
@@ -249,8 +249,8 @@ namespace
 
 
 
-  /// The rule mortar: edges that face the master as a whole, on both sides of
-  /// its nodes, or in part.
+  /// The mortar discretization: edges that face the master as a whole, on both
+  /// sides of its nodes, or in part.
   void check_mortar(const unsigned int degree, const Law &law, const bool whole)
   {
     headline("degree " + std::to_string(degree) + ", mortar rule, " + law.name +
@@ -262,7 +262,7 @@ namespace
       make_parameters(mesh, {"lower", "upper"}, degree, "small strain");
     parameters.contact.slave                = "upper bottom";
     parameters.contact.master               = "lower top";
-    parameters.contact.rule                 = "mortar";
+    parameters.contact.discretization       = "mortar";
     parameters.contact.tresca_limit         = law.tresca;
     parameters.contact.friction_coefficient = law.coulomb;
     ContactModel model(parameters);
@@ -275,7 +275,7 @@ namespace
     check("all points face the master", facing == whole);
 
     check_decision(model, "open", {Status::open, 0});
-    if (model.interface.zones[0]->law.is_frictionless())
+    if (model.interface.pairs[0]->law.is_frictionless())
       check_decision(model, "contact", {Status::slip, 0});
     else
       {
@@ -287,7 +287,8 @@ namespace
 
 
   /// A slave node over a convex vertex of a master that the mesh has drawn as a
-  /// polygon: there is no foot of a normal, and the vertex is what it faces.
+  /// polygon: there is no projection of a normal, and the vertex is what it
+  /// faces.
   void check_corner(const unsigned int degree)
   {
     headline("degree " + std::to_string(degree) + ", over a corner");
@@ -300,7 +301,7 @@ namespace
       make_parameters(mesh, {"lower", "upper"}, degree, "small strain");
     parameters.contact.slave                = "upper bottom";
     parameters.contact.master               = "lower top";
-    parameters.contact.rule                 = "nodal";
+    parameters.contact.discretization       = "nodal";
     parameters.contact.friction_coefficient = 0.4;
     ContactModel model(parameters);
     randomize(model, 1);
@@ -332,7 +333,7 @@ namespace
       make_parameters(mesh, {"lower", "upper"}, degree, "small strain");
     parameters.contact.slave                = "upper bottom";
     parameters.contact.master               = "lower top";
-    parameters.contact.rule                 = rule;
+    parameters.contact.discretization       = rule;
     parameters.contact.friction_coefficient = 0.4;
     ContactModel model(parameters);
     randomize(model, -0.08);
@@ -369,7 +370,7 @@ namespace
     parameters.contact.slave    = "upper bottom";
     parameters.contact.obstacle = {
       {Parameters::Choice<Parameters::ObstacleShape>(shape), numbers}};
-    parameters.contact.rule                 = rule;
+    parameters.contact.discretization       = rule;
     parameters.contact.n_gauss_points       = 2;
     parameters.contact.friction_coefficient = 0.4;
     ContactModel model(parameters);

@@ -99,7 +99,7 @@ namespace
     check_small("tangent against central differences", error / largest, 1e-8);
     check_small("asymmetry", asymmetry / largest, 1e-14);
 
-    // With a bound centre this holds at the other nodes.
+    // With a serendipity constraint this holds at the other nodes.
     Vector<double> difference = bodies.elasticity->forces(u, 0.7);
     difference -= here.residual;
     check_small("residual against forces",

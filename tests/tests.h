@@ -27,9 +27,9 @@
 #include "solvers/linear_solver.h"
 
 /**
- * What the unit tests share: small meshes, models made by code, a plain Newton
- * loop, and checks that print the same on every machine. What a check has
- * measured goes to the file "measured" in the directory of the test.
+ * The tools of the unit tests: small meshes, models made by code, a plain
+ * Newton loop, and checks that print the same on every machine. What a check
+ * has measured goes to the file "measured" in the directory of the test.
  */
 namespace Tests
 {
@@ -217,8 +217,8 @@ namespace Tests
                                          const std::vector<std::string> &names,
                                          const unsigned int              degree,
                                          const std::string &kinematics,
-                                         const double       young   = 1000,
-                                         const double       poisson = 0.3)
+                                         const double youngs_modulus = 1000,
+                                         const double poisson        = 0.3)
   {
     mesh.write("test.msh");
 
@@ -228,8 +228,8 @@ namespace Tests
     parameters.solids.kinematics = kinematics;
     for (const std::string &name : names)
       {
-        parameters.solids.young[name]   = young;
-        parameters.solids.poisson[name] = poisson;
+        parameters.solids.youngs_modulus[name] = youngs_modulus;
+        parameters.solids.poisson[name]        = poisson;
       }
     return parameters;
   }
@@ -305,7 +305,7 @@ namespace Tests
   {
     explicit ContactModel(const Parameters::All &parameters)
       : Bodies(parameters)
-      , interface(discretization, *elasticity, parameters.zones())
+      , interface(discretization, *elasticity, parameters.pairs())
       , solution(n_dofs() + interface.n_multipliers())
       , start(solution)
     {
@@ -327,20 +327,20 @@ namespace Tests
       solver.initialize(pattern);
     }
 
-    /// Let all points decide anew; returns whether one changed its mind.
-    bool decide()
+    /// Let all points decide anew; returns whether one changed its status.
+    bool updated_status()
     {
       bool changed = false;
       for (ContactPoint &point : interface.points)
         {
-          const ContactState now      = interface.state(point, solution, start);
-          const Decision     decision = interface.decide(point,
-                                                     point.decision,
-                                                     now.p_trial,
-                                                     now.q_trial,
-                                                     true);
-          changed        = changed || !(decision == point.decision);
-          point.decision = decision;
+          const ContactState now    = interface.state(point, solution, start);
+          const PointStatus  status = interface.updated_status(point,
+                                                              point.status,
+                                                              now.p_trial,
+                                                              now.q_trial,
+                                                              true);
+          changed                   = changed || !(status == point.status);
+          point.status              = status;
         }
       return changed;
     }
@@ -367,7 +367,7 @@ namespace Tests
         {
           if (pairs_anew)
             pair();
-          const bool changed = iteration == 0 || decide();
+          const bool changed = iteration == 0 || updated_status();
           matrix             = 0;
           rhs                = 0;
           elasticity->assemble(solution, load_factor, rhs, &matrix);
@@ -412,7 +412,7 @@ namespace Tests
         {
           const ContactState now = interface.state(point, solution, start);
           const Traction     t   = interface.traction(point,
-                                                point.decision,
+                                                point.status,
                                                 now.p_trial,
                                                 now.q_trial,
                                                 true);

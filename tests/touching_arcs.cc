@@ -95,9 +95,10 @@ namespace
     headline(triangles ? "triangles" : "quadrangles");
     const auto chart = [](const bool upper) {
       return [upper](const double s, const double t) {
-        const Point<2> foot = on_circle(upper, 0.2 * s - 0.1);
-        const double   out  = upper ? t : t - 1;
-        return Point<2>(foot[0], 0.1 * out + (1 - std::abs(out)) * foot[1]);
+        const Point<2> projection = on_circle(upper, 0.2 * s - 0.1);
+        const double   out        = upper ? t : t - 1;
+        return Point<2>(projection[0],
+                        0.1 * out + (1 - std::abs(out)) * projection[1]);
       };
     };
     const auto split = [=](unsigned int, unsigned int) { return triangles; };

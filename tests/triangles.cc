@@ -31,11 +31,11 @@ $Elements
 1
 1 2 2 1 1 )" << corners << "\n$EndElements\n";
     Parameters::All parameters;
-    parameters.mesh.file         = "test.msh";
-    parameters.element.degree    = degree;
-    parameters.solids.kinematics = "large displacement";
-    parameters.solids.young      = {{"body", 1000}};
-    parameters.solids.poisson    = {{"body", 0.3}};
+    parameters.mesh.file             = "test.msh";
+    parameters.element.degree        = degree;
+    parameters.solids.kinematics     = "large displacement";
+    parameters.solids.youngs_modulus = {{"body", 1000}};
+    parameters.solids.poisson        = {{"body", 0.3}};
     const Bodies bodies(parameters);
     return bodies.elasticity->strain_energy(
       bodies.displacement([](const Point<2> &X) {

@@ -20,10 +20,10 @@ namespace
 
   /// Hooke's law in plane strain, solved for the strain.
   SymmetricTensor<2, 2> strain(const SymmetricTensor<2, 2> &stress,
-                               const double                 young,
+                               const double                 youngs_modulus,
                                const double                 poisson)
   {
-    return (1 + poisson) / young *
+    return (1 + poisson) / youngs_modulus *
            (stress - poisson * trace(stress) * unit_symmetric_tensor<2>());
   }
 
@@ -141,8 +141,8 @@ namespace
 
 
 
-  // How much [mm] the center of body 1, a full cylinder of the radius R1 [mm],
-  // approaches the center of the contact,
+  // The way [mm] of the center of body 1, a full cylinder of the radius R1
+  // [mm], approaches the center of the contact,
   //   delta = P (1 - nu1^2)/(pi E1) (2 ln(4 R1/a) - 1),
   // Johnson, equation (5.56). It is the strain on the axis between the two
   // under the Hertz pressure, the opposite force -P on a line at the far end of
@@ -380,13 +380,13 @@ namespace
                     divergence +=
                       derivative(stress, X, d, h) * Point<2>::unit_vector(d);
                   }
-                hooke =
-                  std::max(hooke,
-                           material.young / p *
-                             (symmetrize(gradient) - strain(stress(X),
-                                                            material.young,
-                                                            material.poisson))
-                               .norm());
+                hooke   = std::max(hooke,
+                                 material.youngs_modulus / p *
+                                   (symmetrize(gradient) -
+                                    strain(stress(X),
+                                           material.youngs_modulus,
+                                           material.poisson))
+                                     .norm());
                 balance = std::max(balance, b / p * divergence.norm());
               }
             // On the x axis the other component is 1, on the y axis it is 0.

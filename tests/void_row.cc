@@ -24,7 +24,7 @@ namespace
 
     parameters.contact.slave                = "upper bottom";
     parameters.contact.master               = "lower top";
-    parameters.contact.rule                 = rule;
+    parameters.contact.discretization       = rule;
     parameters.contact.friction_coefficient = 0.2;
     parameters.boundary.displacement_x = {{"lower left", 0}, {"upper left", 0}};
     parameters.boundary.displacement_y = {{"lower bottom", 0},
@@ -44,14 +44,14 @@ namespace
       if (point.tangential_row_is_void)
         {
           const auto &edge =
-            model.interface.zones[0]->slave.edges[point.slave_edge];
-          const EdgeShape shape(model.interface.zones[0]->slave.degree,
+            model.interface.pairs[0]->slave.edges[point.slave_edge];
+          const EdgeShape shape(model.interface.pairs[0]->slave.degree,
                                 point.slave_xi);
           Point<2>        X;
-          for (unsigned int a = 0; a <= model.interface.zones[0]->slave.degree;
+          for (unsigned int a = 0; a <= model.interface.pairs[0]->slave.degree;
                ++a)
             X += shape.value[a] *
-                 model.interface.zones[0]->slave.nodes[edge.nodes[a]].X;
+                 model.interface.pairs[0]->slave.nodes[edge.nodes[a]].X;
           std::cout << " (" << X << ')';
           ++n_void;
         }
@@ -97,8 +97,8 @@ namespace
         if (point.tangential_row_is_void)
           {
             multiplier              = std::abs(lambda_t);
-            slips_without_direction = point.decision.status == Status::slip &&
-                                      point.decision.slip_direction == 0;
+            slips_without_direction = point.status.kind == Status::slip &&
+                                      point.status.slip_direction == 0;
           }
       }
     check("its point slips in no direction", slips_without_direction);

@@ -46,7 +46,7 @@ def carried():
                 "Boundary conditions/Displacement x": "Base: 0.1",
                 "Boundary conditions/Displacement y": "Base: 0",
                 "Boundary conditions/Pressure": "Head: 1",
-                "Contact/Rule": rule, "Contact/Friction coefficient": "0.3",
+                "Contact/Discretization": rule, "Contact/Friction coefficient": "0.3",
                 "Solution/Friction": loop, "Solution/System": "saddle point",
                 "Output/Nodes": "true"})
             check(f"{rule}, friction by {loop}: converges", status == 0,
@@ -76,7 +76,7 @@ def overlap():
                 **solids(f"A: {young}, B: {2 * young}"), **CONTACT,
                 "Boundary conditions/Displacement x": "Base: 0, Head: 0",
                 "Boundary conditions/Displacement y": "Base: 0, Head: 0",
-                "Contact/Rule": rule, "Solution/Increments": "1",
+                "Contact/Discretization": rule, "Solution/Increments": "1",
                 "Output/Nodes": "true"})
             what = f"lengths times {length:g}, E = {young:g} MPa, {rule}"
             check(what + ": converges", status == 0, said[:300])
@@ -103,7 +103,7 @@ def cantilever():
                           ("with contact far away", {
                               "Contact/Slave": "Below",
                               "Contact/Obstacle": "half plane: 0, -50, 0, 1",
-                              "Contact/Rule": "nodal"})):
+                              "Contact/Discretization": "nodal"})):
         mesh = Mesh()
         mesh.block("A", 40, 2, box(0, 0, 100, 5),
                    {"left": "Wall", "right": "Tip", "bottom": "Below"})
@@ -114,7 +114,7 @@ def cantilever():
             "Element/Degree": "2",
             "Boundary conditions/Displacement x": "Wall: 0",
             "Boundary conditions/Displacement y": "Wall: 0",
-            "Boundary conditions/Spread force y": "Tip: -20",
+            "Boundary conditions/Resultant force y": "Tip: -20",
             "Solution/Increments": "1", "Output/Nodes": "true", **contact})
         check(what + ": converges", status == 0, said[:300])
         if status == 0:
@@ -141,7 +141,7 @@ def teeth():
                     "Mesh/File": "teeth.msh", **solids(), **CONTACT,
                     "Boundary conditions/Displacement x": "Base: 0, Head: 0.01",
                     "Boundary conditions/Displacement y": "Base: 0, Head: -0.1",
-                    "Contact/Rule": "mortar", "Solution/System": system,
+                    "Contact/Discretization": "mortar", "Solution/System": system,
                     "Solution/Geometry": geometry})
                 check(f"{n} teeth, {geometry}, {system}: converges",
                       status == 0, said[:300])
@@ -173,7 +173,7 @@ def round_off():
         "Mesh/File": "round_off.msh", **solids("A: 1, B: 1e15"), **CONTACT,
         "Boundary conditions/Displacement x": "Base: 0, Head: 0",
         "Boundary conditions/Displacement y": "Base: 0",
-        "Boundary conditions/Spread force y": "Head: -0.1"})
+        "Boundary conditions/Resultant force y": "Head: -0.1"})
     check("loads that round-off swallows are no result with status 0",
           status in (1, 3), f"{status} {said[:200]}")
 
@@ -191,8 +191,8 @@ def held_ends():
             "Mesh/File": "leaves.msh", **solids(), **CONTACT,
             "Boundary conditions/Displacement x": "Wall: 0",
             "Boundary conditions/Displacement y": "Wall: 0",
-            "Boundary conditions/Spread force y": "Tip: -0.01",
-            "Contact/Rule": rule})
+            "Boundary conditions/Resultant force y": "Tip: -0.01",
+            "Contact/Discretization": rule})
         check(f"leaves, {rule}: converges", status == 0, said[:300])
 
     mesh = Mesh()
@@ -205,7 +205,7 @@ def held_ends():
             "Contact/Master": "Foot", "Contact/Friction coefficient": "0.3",
             "Boundary conditions/Displacement x": "Base: 0, Head: 0.02",
             "Boundary conditions/Displacement y": "Base: 0, Head: -0.1",
-            "Contact/Rule": rule})
+            "Contact/Discretization": rule})
         check(f"a slave longer than its master, {rule}: converges", status == 0,
               said[:300])
         steps = sum(i["newton_iterations"] for i in summary["increments"])

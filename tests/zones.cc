@@ -4,10 +4,10 @@
  * --------------------------------------------------------------------- */
 
 // Three blocks on top of each other and on a rigid plane, between them three
-// zones of contact, each with a rule and a law of its own. Proves that the
-// zones do not disturb each other: in any order of the rules a uniform pressure
-// goes through all of them exactly, every multiplier is found under its number,
-// and glued surfaces need no contact to carry what pulls.
+// contact pairs of contact, each with a rule and a law of its own. Proves that
+// the contact pairs do not disturb each other: in any order of the rules a
+// uniform pressure goes through all of them exactly, every multiplier is found
+// under its number, and glued surfaces need no contact to carry what pulls.
 
 #include "tests.h"
 
@@ -15,9 +15,9 @@ using namespace Tests;
 
 namespace
 {
-  const double young = 1000, shortening = 0.03;
+  const double youngs_modulus = 1000, shortening = 0.03;
 
-  /// What is between two blocks, from below.
+  /// The conditions between two blocks, from below.
   struct Zone
   {
     std::string rule;
@@ -28,7 +28,7 @@ namespace
 
 
   Parameters::All make_case(const unsigned int         degree,
-                            const std::array<Zone, 3> &zones,
+                            const std::array<Zone, 3> &pairs,
                             const double               poisson,
                             const double               stretch)
   {
@@ -40,7 +40,7 @@ namespace
                                                  {"one", "two", "three"},
                                                  degree,
                                                  "small strain",
-                                                 young,
+                                                 youngs_modulus,
                                                  poisson);
     parameters.boundary.displacement_x = {{"one left", 0},
                                           {"two left", 0},
@@ -52,14 +52,14 @@ namespace
       masters{{"", "one top", "two top"}}, names{{"", "first", "second"}};
     for (unsigned int z = 0; z < 3; ++z)
       {
-        Parameters::Contact &zone =
+        Parameters::Contact &contact_pair =
           z == 0 ? parameters.contact : parameters.further_contacts[names[z]];
-        zone.name                 = names[z];
-        zone.slave                = slaves[z];
-        zone.master               = masters[z];
-        zone.rule                 = zones[z].rule;
-        zone.friction_coefficient = zones[z].friction;
-        zone.tied                 = zones[z].tied;
+        contact_pair.name                 = names[z];
+        contact_pair.slave                = slaves[z];
+        contact_pair.master               = masters[z];
+        contact_pair.discretization       = pairs[z].rule;
+        contact_pair.friction_coefficient = pairs[z].friction;
+        contact_pair.tied                 = pairs[z].tied;
       }
     parameters.contact.obstacle = {
       {Parameters::ObstacleShape::half_plane, {5, 0, 0, 1}}};
@@ -70,16 +70,16 @@ namespace
 
   void check_stack(const std::string         &name,
                    const unsigned int         degree,
-                   const std::array<Zone, 3> &zones,
+                   const std::array<Zone, 3> &pairs,
                    const double               poisson,
                    const double               stretch)
   {
     headline(name + ", degree " + std::to_string(degree));
-    ContactModel model(make_case(degree, zones, poisson, stretch));
+    ContactModel model(make_case(degree, pairs, poisson, stretch));
     check("converges", model.solve(1, false) > 0);
 
     // Free to the right, no strain across: sigma = E/(1 - nu^2) strain.
-    const double          p = -young / (1 - poisson * poisson) * stretch / 3;
+    const double p = -youngs_modulus / (1 - poisson * poisson) * stretch / 3;
     SymmetricTensor<2, 3> exact;
     exact[1][1]      = -p;
     exact[2][2]      = -poisson * p;
@@ -92,16 +92,16 @@ namespace
     const ContactInterface &interface = model.interface;
     double                  normal = 0, tangential = 0;
     unsigned int            n_points = 0, n_tangential = 0;
-    for (const auto &zone : interface.zones)
+    for (const auto &contact_pair : interface.pairs)
       {
-        n_points += interface.points_of(*zone).size();
-        for (const unsigned int k : zone->multipliers.of_node)
+        n_points += interface.points_of(*contact_pair).size();
+        for (const unsigned int k : contact_pair->multipliers.of_node)
           {
             normal =
               std::max(normal,
                        std::abs(model.solution[interface.normal_index(k)] / p -
                                 1));
-            if (zone->law.is_frictionless())
+            if (contact_pair->law.is_frictionless())
               continue;
             ++n_tangential;
             tangential =

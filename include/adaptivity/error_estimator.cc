@@ -105,10 +105,10 @@ namespace Contact
 
 
   /**
-   * What contact exerts on the edges of its surfaces. On the slave the traction
-   * is p n + q t, on the master the opposite, n the outward normal of the
-   * master and t that normal turned by +90 degrees (contact_points.h). In terms
-   * of the edge's own outward normal, which on the slave is -n, both are
+   * The tractions of contact on the edges of its surfaces. On the slave the
+   * traction is p n + q t, on the master the opposite, n the outward normal of
+   * the master and t that normal turned by +90 degrees (contact_points.h). In
+   * terms of the edge's own outward normal, which on the slave is -n, both are
    *   -(p n + q t),  t = n turned by +90 degrees.
    */
   class ErrorEstimator::ContactTractions
@@ -116,27 +116,27 @@ namespace Contact
   public:
     ContactTractions(const Discretization   &discretization,
                      const ContactInterface &interface,
-                     const ContactZone      &zone,
+                     const ContactPair      &contact_pair,
                      const Vector<double>   &solution)
       : discretization(discretization)
-      , slave(zone.slave)
+      , slave(contact_pair.slave)
       , solution(solution)
       , search(slave, solution)
       , slave_edges(name_edges(slave))
       , at_nodes(slave.nodes.size())
     {
-      if (zone.master)
-        master_edges = name_edges(*zone.master);
+      if (contact_pair.master)
+        master_edges = name_edges(*contact_pair.master);
       for (unsigned int i = 0; i < slave.nodes.size(); ++i)
         {
-          const unsigned int k = zone.multipliers.of_node[i];
+          const unsigned int k = contact_pair.multipliers.of_node[i];
           if (k == numbers::invalid_unsigned_int)
             continue;
           at_nodes[i][0] = solution[interface.normal_index(k)];
-          if (!zone.law.is_frictionless())
+          if (!contact_pair.law.is_frictionless())
             at_nodes[i][1] = solution[interface.tangential_index(k)];
         }
-      const auto of_corners = corner_loads(interface, zone, solution);
+      const auto of_corners = corner_loads(interface, contact_pair, solution);
       for (unsigned int i = 0; i < of_corners.size(); ++i)
         at_nodes[i] += of_corners[i].traction();
     }
@@ -172,19 +172,19 @@ namespace Contact
     std::optional<Tensor<1, 2>> of_facing_slave(const Place &place,
                                                 const double reach) const
     {
-      const Projection foot = search.closest_point(place.x);
-      if (foot.off_the_end ||
-          search.distance_square(place.x, foot) > reach * reach)
+      const Projection projection = search.closest_point(place.x);
+      if (projection.off_the_end ||
+          search.distance_square(place.x, projection) > reach * reach)
         return Tensor<1, 2>();
 
-      const Surface::Edge &edge = slave.edges[foot.edge];
+      const Surface::Edge &edge = slave.edges[projection.edge];
       if (is_tied(discretization, slave, edge))
         return {};
 
       // Values are not extrapolated to the overhang beyond the end.
       const Place there(slave,
                         edge,
-                        std::max(-1., std::min(1., foot.xi)),
+                        std::max(-1., std::min(1., projection.xi)),
                         solution);
       return place.stretch() / there.stretch() * interpolate(edge, there);
     }
@@ -317,8 +317,11 @@ namespace Contact
   {
     std::list<ContactTractions> contact;
     if (interface != nullptr)
-      for (const auto &zone : interface->zones)
-        contact.emplace_back(discretization, *interface, *zone, solution);
+      for (const auto &contact_pair : interface->pairs)
+        contact.emplace_back(discretization,
+                             *interface,
+                             *contact_pair,
+                             solution);
 
     for (unsigned int e = 0; e < boundary.edges.size(); ++e)
       if (neighborhoods[e].cell != numbers::invalid_unsigned_int &&
@@ -354,8 +357,8 @@ namespace Contact
         Tensor<1, 2>       residual = stress_traction(stress, place);
         const Tensor<1, 2> t        = place.along / place.along.norm();
         bool               is_known = true;
-        for (const ContactTractions &of_zone : contact)
-          if (const auto p_and_q = of_zone(edge_name(boundary, edge), place, h))
+        for (const ContactTractions &of_pair : contact)
+          if (const auto p_and_q = of_pair(edge_name(boundary, edge), place, h))
             residual += (*p_and_q)[0] * cross_product_2d(t) + (*p_and_q)[1] * t;
           else
             is_known = false;
@@ -368,7 +371,7 @@ namespace Contact
                         boundary.reference_jacobian(edge, place.shape) *
                         std::pow(residual[c], 2);
       }
-    return h / elasticity.young(edge.body) * integral;
+    return h / elasticity.youngs_modulus(edge.body) * integral;
   }
 
 
@@ -434,11 +437,14 @@ namespace Contact
                               recovery)
                  .indicators(stresses, model.interface.get(), solution),
                parameters.refinement.fraction);
-    for (const auto &zone : parameters.zones())
-      if (zone.rule == Parameters::Rule::nodal && !zone.master.empty())
+    for (const auto &contact_pair : parameters.pairs())
+      if (contact_pair.discretization ==
+            Parameters::ContactDiscretization::nodal &&
+          !contact_pair.master.empty())
         flag_slave_like_master(
           mesh,
-          mesh.boundary(zone.slave, zone.section() + "/Slave"),
-          mesh.boundary(zone.master, zone.section() + "/Master"));
+          mesh.boundary(contact_pair.slave, contact_pair.section() + "/Slave"),
+          mesh.boundary(contact_pair.master,
+                        contact_pair.section() + "/Master"));
   }
 } // namespace Contact

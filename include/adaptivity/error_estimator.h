@@ -17,9 +17,9 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * How far the stress of a cell is from the recovered one, and the recovered
-   * one from what the boundary of the cell is under: the estimate of
-   * Zienkiewicz and Zhu (Int. J. Numer. Methods Engrg. 24, 1987), which
+   * The distance of the stress of a cell from the recovered one, and of the
+   * recovered one from the tractions on the boundary of the cell: the estimate
+   * of Zienkiewicz and Zhu (Int. J. Numer. Methods Engrg. 24, 1987), which
    * estimates the error of the stress s_h by the recovered stress s* in its
    * place,
    *
@@ -44,7 +44,7 @@ namespace Contact
    * Nodal forces: in two dimensions their energy is infinite, and no mesh
    * resolves them. Cells of the coarse mesh that touch a vertex with a nodal
    * force, and all that they are refined to, have the indicator zero. The
-   * edges of a spread force are left out. The force of a tie is no
+   * edges of a resultant force are left out. The force of a tie is no
    * multiplier: edges with a tied node are left out.
    */
   class ErrorEstimator
@@ -73,7 +73,7 @@ namespace Contact
     struct Place;
     class ContactTractions;
 
-    /// What the boundary does not say of its edges.
+    /// Data of edges that the boundary does not hold.
     struct Neighborhood
     {
       /// The cell, or numbers::invalid_unsigned_int if it is of another
@@ -126,7 +126,7 @@ namespace Contact
   /**
    * Flag the cells with the largest indicators, see ErrorEstimator and
    * flag_cells(), from the stresses at the vertices; and the slaves of nodal
-   * zones that would become coarser than their masters.
+   * contact pairs that would become coarser than their masters.
    */
   void flag_by_estimate(const ContactModel                       &model,
                         const Parameters::All                    &parameters,

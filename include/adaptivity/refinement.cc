@@ -26,9 +26,9 @@ namespace Contact
 
 
     /// On a mesh of which every rank has all cells.
-    void carry_over_complete(Mesh                        &mesh,
-                             Discretization              &discretization,
-                             std::vector<Vector<double>> &solutions)
+    void transfer_complete(Mesh                        &mesh,
+                           Discretization              &discretization,
+                           std::vector<Vector<double>> &solutions)
     {
       SolutionTransfer<2> transfer(discretization.dof_handler);
       for (Vector<double> &solution : solutions)
@@ -51,9 +51,9 @@ namespace Contact
 
 
     /// On a mesh of which a rank has a part.
-    void carry_over_distributed(Mesh                        &mesh,
-                                Discretization              &discretization,
-                                std::vector<Vector<double>> &solutions)
+    void transfer_distributed(Mesh                        &mesh,
+                              Discretization              &discretization,
+                              std::vector<Vector<double>> &solutions)
     {
       const auto    &dof_handler  = discretization.dof_handler;
       const MPI_Comm communicator = discretization.communicator;
@@ -186,13 +186,13 @@ namespace Contact
 
 
 
-  void refine_and_carry_over(Mesh                        &mesh,
-                             Discretization              &discretization,
-                             std::vector<Vector<double>> &solutions)
+  void refine_and_transfer(Mesh                        &mesh,
+                           Discretization              &discretization,
+                           std::vector<Vector<double>> &solutions)
   {
     if (mesh.is_complete())
-      carry_over_complete(mesh, discretization, solutions);
+      transfer_complete(mesh, discretization, solutions);
     else
-      carry_over_distributed(mesh, discretization, solutions);
+      transfer_distributed(mesh, discretization, solutions);
   }
 } // namespace Contact

@@ -25,8 +25,8 @@ namespace Contact
   /**
    * Flag the cells at the boundaries @p slave that face a flagged cell at the
    * boundaries @p master and would be coarser than what becomes of that: for
-   * the nodal rule, where the nodes of a finer master dent between those of
-   * the slave, and no pairing stays.
+   * the nodal discretization, where the nodes of a finer master dent between
+   * those of the slave, and no pairing stays.
    */
   void flag_slave_like_master(Mesh                               &mesh,
                               const std::set<types::boundary_id> &slave,
@@ -40,9 +40,9 @@ namespace Contact
    * displacements at the beginning of all @p solutions, which lose what was
    * behind. Every rank holds them in full, before and after.
    */
-  void refine_and_carry_over(Mesh                        &mesh,
-                             Discretization              &discretization,
-                             std::vector<Vector<double>> &solutions);
+  void refine_and_transfer(Mesh                        &mesh,
+                           Discretization              &discretization,
+                           std::vector<Vector<double>> &solutions);
 } // namespace Contact
 
 #endif

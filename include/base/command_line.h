@@ -12,7 +12,7 @@
 
 namespace Contact
 {
-  /// What the user asks for.
+  /// The arguments of the program.
   struct CommandLine
   {
     std::vector<std::string> files;
@@ -23,7 +23,7 @@ namespace Contact
 
 
 
-  /// How the program is called.
+  /// The usage of the program.
   void print_help(std::ostream &out);
 
   /// Print the versions of the program and of deal.II.

@@ -12,10 +12,10 @@
 namespace Contact
 {
   /**
-   * How often this process has done what costs: an effect that a scene does not
-   * ask for leaves its counters at zero. Counted where the work is done, since
-   * the start of the case: in those of the Discretization. Every process counts
-   * its own.
+   * Numbers of costly operations of this process: an effect that a scene does
+   * not ask for leaves its counters at zero. Counted where the work is done,
+   * since the start of the case: in those of the Discretization. Every process
+   * counts its own.
    */
   struct Counters
   {
@@ -32,12 +32,12 @@ namespace Contact
     unsigned long linear_solves           = 0; // right-hand sides
 
     // Contact.
-    unsigned long pairings           = 0; // of all points with the master
-    unsigned long candidate_pairs    = 0; // point and edge
-    unsigned long projections        = 0; // points with a foot on the master
+    unsigned long pairings        = 0; // of all points with the master
+    unsigned long candidate_pairs = 0; // point and edge
+    unsigned long projections     = 0; // points with a projection on the master
     unsigned long geometry_updates   = 0; // pairings that follow the bodies
     unsigned long active_set_changes = 0; // Newton steps after which a point
-                                          // changes its mind
+                                          // changes its status
     unsigned long tangential_rows = 0;    // slip conditions put up
 
     // Results.

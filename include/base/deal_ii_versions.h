@@ -19,8 +19,8 @@ namespace Contact
 {
   using namespace dealii;
 
-  // What can not be written in one way for all versions of deal.II from 9.4 on.
-  // Since 9.7 there is one SolutionTransfer for all meshes, the former one of
+  // The calls that differ between the versions of deal.II from 9.4 on. Since
+  // 9.7 there is one SolutionTransfer for all meshes, the former one of
   // distributed meshes.
 
   /// Carries solutions over to a refined mesh of which a rank has a part.

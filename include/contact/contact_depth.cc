@@ -39,14 +39,14 @@ namespace Contact
       for (unsigned int e = 0; e < surface.edges.size(); ++e)
         for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
           {
-            const unsigned int i    = surface.edges[e].nodes[a];
-            const Point<2>     x    = surface.position(i, u);
-            const Projection   foot = search.closest_point(x);
-            if (foot.off_the_end || foot.clipped)
+            const unsigned int i          = surface.edges[e].nodes[a];
+            const Point<2>     x          = surface.position(i, u);
+            const Projection   projection = search.closest_point(x);
+            if (projection.off_the_end || projection.clipped)
               continue;
 
-            const EdgeShape shape(other.degree, foot.xi);
-            const auto     &edge = other.edges[foot.edge];
+            const EdgeShape shape(other.degree, projection.xi);
+            const auto     &edge = other.edges[projection.edge];
             Tensor<1, 2>    r    = x, along;
             for (unsigned int b = 0; b < other.n_nodes_per_edge(); ++b)
               {
@@ -58,29 +58,30 @@ namespace Contact
             // come there around it.
             const double behind = -(r * outward);
             if (outward * normals[e][a] >= 0 ||
-                behind >= other.reference_length(foot.edge))
+                behind >= other.reference_length(projection.edge))
               continue;
             const double depth = behind - sagitta(surface, e, a) -
-                                 std::max(sagitta(other, foot.edge, 0),
-                                          sagitta(other, foot.edge, 1));
+                                 std::max(sagitta(other, projection.edge, 0),
+                                          sagitta(other, projection.edge, 1));
             if (depth > deepest.depth)
               deepest = {depth,
                          is_master,
                          surface.nodes[i].X,
-                         is_master ? foot.edge : e};
+                         is_master ? projection.edge : e};
           }
     }
   } // namespace
 
 
 
-  ContactDepth largest_depth(const ContactZone &zone, const Vector<double> &u)
+  ContactDepth largest_depth(const ContactPair    &contact_pair,
+                             const Vector<double> &u)
   {
     ContactDepth deepest;
-    if (zone.master)
+    if (contact_pair.master)
       {
-        look(zone.slave, *zone.master, false, u, deepest);
-        look(*zone.master, zone.slave, true, u, deepest);
+        look(contact_pair.slave, *contact_pair.master, false, u, deepest);
+        look(*contact_pair.master, contact_pair.slave, true, u, deepest);
       }
     return deepest;
   }

@@ -6,7 +6,7 @@
 #ifndef contact_contact_depth_h
 #define contact_contact_depth_h
 
-#include "contact/contact_zone.h"
+#include "contact/contact_pair.h"
 
 namespace Contact
 {
@@ -23,17 +23,18 @@ namespace Contact
   };
 
   /**
-   * The deepest node of both surfaces of a zone with a meshed master, under the
-   * displacement @p u: the distance from the closest point of the other
-   * surface, of nodes on its inner side that face it, less what the edges of
-   * both surfaces, by the angles between them, may be beside a curve.
+   * The deepest node of both surfaces of a contact pair with a meshed master,
+   * under the displacement @p u: the distance from the closest point of the
+   * other surface, of nodes on its inner side that face it, less what the edges
+   * of both surfaces, by the angles between them, may be beside a curve.
    *
    * All contact discretizations let surfaces pass through each other between
    * the places where they look, which vanishes with the mesh size. On a mesh
    * that is too coarse for the scene, a corner of the master may be in a slave
    * edge as deep as it was pushed.
    */
-  ContactDepth largest_depth(const ContactZone &zone, const Vector<double> &u);
+  ContactDepth largest_depth(const ContactPair    &contact_pair,
+                             const Vector<double> &u);
 } // namespace Contact
 
 #endif

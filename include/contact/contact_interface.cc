@@ -17,57 +17,67 @@ namespace Contact
     const std::vector<Parameters::Contact> &parameters)
     : discretization(discretization)
   {
-    for (const Parameters::Contact &of_zone : parameters)
+    for (const Parameters::Contact &of_pair : parameters)
       {
-        auto zone =
-          std::make_unique<ContactZone>(discretization, elasticity, of_zone);
+        auto contact_pair =
+          std::make_unique<ContactPair>(discretization, elasticity, of_pair);
         const unsigned int first = tangential_number.size();
-        for (ContactPoint &point : zone->make_points(first, points.size()))
+        for (ContactPoint &point :
+             contact_pair->make_points(first, points.size()))
           {
-            point.zone = zones.size();
+            point.contact_pair = pairs.size();
             points.push_back(std::move(point));
           }
-        for (unsigned int k = 0; k < zone->multipliers.n_multipliers; ++k)
-          tangential_number.push_back(zone->law.is_frictionless()
+        for (unsigned int k = 0; k < contact_pair->multipliers.n_multipliers;
+             ++k)
+          tangential_number.push_back(contact_pair->law.is_frictionless()
                                         ? numbers::invalid_unsigned_int
                                         : n_tangential++);
-        zones.push_back(std::move(zone));
+        pairs.push_back(std::move(contact_pair));
       }
   }
 
 
 
   ArrayView<const ContactPoint>
-  ContactInterface::points_of(const ContactZone &zone) const
+  ContactInterface::points_of(const ContactPair &contact_pair) const
   {
-    return {points.data() + zone.first_point, zone.n_points};
+    return {points.data() + contact_pair.first_point, contact_pair.n_points};
   }
 
 
 
   bool ContactInterface::is_tied() const
   {
-    return std::all_of(zones.begin(), zones.end(), [](const auto &zone) {
-      return zone->tied;
-    });
+    return std::all_of(pairs.begin(),
+                       pairs.end(),
+                       [](const auto &contact_pair) {
+                         return contact_pair->tied;
+                       });
   }
 
 
 
   bool ContactInterface::has_friction() const
   {
-    return std::any_of(zones.begin(), zones.end(), [](const auto &zone) {
-      return !zone->tied && !zone->law.is_frictionless();
-    });
+    return std::any_of(pairs.begin(),
+                       pairs.end(),
+                       [](const auto &contact_pair) {
+                         return !contact_pair->tied &&
+                                !contact_pair->law.is_frictionless();
+                       });
   }
 
 
 
   bool ContactInterface::has_coulomb_friction() const
   {
-    return std::any_of(zones.begin(), zones.end(), [](const auto &zone) {
-      return !zone->tied && zone->law.coulomb_coefficient > 0;
-    });
+    return std::any_of(pairs.begin(),
+                       pairs.end(),
+                       [](const auto &contact_pair) {
+                         return !contact_pair->tied &&
+                                contact_pair->law.coulomb_coefficient > 0;
+                       });
   }
 
 
@@ -109,7 +119,7 @@ namespace Contact
     double sum = 0;
     for (const auto &[k, factor] : multipliers)
       sum += factor * solution[normal_index(k)];
-    // What is continued may not pull.
+    // A continued pressure may not pull.
     return multipliers.size() > 1 ? std::max(0., sum) : sum;
   }
 
@@ -119,10 +129,11 @@ namespace Contact
                               const bool            with_derivatives)
   {
     bool changed = false;
-    for (const auto &zone : zones)
-      changed = zone->pair({points.data() + zone->first_point, zone->n_points},
-                           u,
-                           with_derivatives) ||
+    for (const auto &contact_pair : pairs)
+      changed = contact_pair->pair({points.data() + contact_pair->first_point,
+                                    contact_pair->n_points},
+                                   u,
+                                   with_derivatives) ||
                 changed;
     return changed;
   }
@@ -133,13 +144,12 @@ namespace Contact
   {
     double largest = 0;
     for (const ContactPoint &point : points)
-      if (point.facing && !zone(point).tied)
+      if (point.facing && !contact_pair(point).tied)
         {
           const double gap = state(point, u, u).gap;
           largest =
             std::max(largest,
-                     point.decision.status == Status::open ? -gap
-                                                           : std::abs(gap));
+                     point.status.kind == Status::open ? -gap : std::abs(gap));
         }
     return largest;
   }
@@ -155,11 +165,11 @@ namespace Contact
         for (const auto dof : node.dofs)
           change = std::max(change, std::abs(u[dof] - from[dof]));
     };
-    for (const auto &zone : zones)
+    for (const auto &contact_pair : pairs)
       {
-        look(zone->slave);
-        if (zone->master)
-          look(*zone->master);
+        look(contact_pair->slave);
+        if (contact_pair->master)
+          look(*contact_pair->master);
       }
     return change;
   }
@@ -170,10 +180,10 @@ namespace Contact
                                        const Vector<double> &solution,
                                        const Vector<double> &u_start) const
   {
-    const bool   tied = zone(point).tied;
+    const bool   tied = contact_pair(point).tied;
     Tensor<1, 2> r, dr;
     if (!tied)
-      r -= point.foot;
+      r -= point.projection;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
         {
@@ -195,8 +205,8 @@ namespace Contact
             state.lambda_t +=
               point.psi[k] * solution[tangential_index(point.multipliers[k])];
         }
-    state.p_trial = state.lambda_n - point.complementarity * state.gap;
-    state.q_trial = state.lambda_t - point.complementarity * state.slip;
+    state.p_trial = state.lambda_n - point.augmentation_parameter * state.gap;
+    state.q_trial = state.lambda_t - point.augmentation_parameter * state.slip;
     return state;
   }
 
@@ -208,7 +218,7 @@ namespace Contact
     std::vector<double> stiffness(n_normal_multipliers(), 0.);
     for (const ContactPoint &point : points)
       for (unsigned int k = 0; k < point.n_multipliers; ++k)
-        stiffness[point.multipliers[k]] = zone(point).stiffness(point);
+        stiffness[point.multipliers[k]] = contact_pair(point).stiffness(point);
 
     double square = 0;
     for (unsigned int k = 0; k < stiffness.size(); ++k)

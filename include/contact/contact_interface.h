@@ -10,13 +10,13 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_matrix.h>
 
-#include "contact/contact_zone.h"
+#include "contact/contact_pair.h"
 
 namespace Contact
 {
   using namespace dealii;
 
-  /// What a contact point feels in a given state.
+  /// Gap, slip and multipliers of a contact point in a given state.
   struct ContactState
   {
     double gap;      // [mm], negative: penetration
@@ -39,7 +39,7 @@ namespace Contact
 
 
 
-  /// What the points of all zones do.
+  /// The number of active points of all contact pairs.
   struct StatusCount
   {
     unsigned int active = 0; // stick and slip
@@ -49,11 +49,11 @@ namespace Contact
 
 
   /**
-   * All contact zones: their points, the kernel that reads them, and the active
+   * All contact pairs: their points, the kernel that reads them, and the active
    * set.
    *
    * The solution vector holds the displacement, then the normal multipliers,
-   * and of zones with friction the tangential ones. With the tractions
+   * and of contact pairs with friction the tangential ones. With the tractions
    *   p = lambda_n - c g  in contact,  0 if open,
    *   q = lambda_t - c s  if sticking, +-bound if slipping, 0 if open,
    * the discrete equations are, summed over the points,
@@ -71,20 +71,21 @@ namespace Contact
                      const Elasticity                       &elasticity,
                      const std::vector<Parameters::Contact> &parameters);
 
-    std::vector<std::unique_ptr<const ContactZone>> zones;
-    std::vector<ContactPoint>                       points; // zone by zone
+    std::vector<std::unique_ptr<const ContactPair>> pairs;
+    std::vector<ContactPoint> points; // contact pair by contact pair
 
-    const ContactZone &zone(const ContactPoint &point) const
+    const ContactPair &contact_pair(const ContactPoint &point) const
     {
-      return *zones[point.zone];
+      return *pairs[point.contact_pair];
     }
 
-    ArrayView<const ContactPoint> points_of(const ContactZone &zone) const;
+    ArrayView<const ContactPoint>
+    points_of(const ContactPair &contact_pair) const;
 
-    /// Whether there is nothing but glue: all zones are tied.
+    /// Whether there is nothing but glue: all contact pairs are tied.
     bool is_tied() const;
 
-    /// Whether a zone that is not tied has friction, and Coulomb's.
+    /// Whether a contact pair that is not tied has friction, and Coulomb's.
     bool has_friction() const;
     bool has_coulomb_friction() const;
 
@@ -97,7 +98,8 @@ namespace Contact
     types::global_dof_index
     tangential_index(const unsigned int multiplier) const;
 
-    /// What ContactZone::pressure_at says, in a solution [MPa].
+    /// The pressure that ContactPair::pressure_at describes, in a solution
+    /// [MPa].
     double
     pressure(const std::vector<std::pair<unsigned int, double>> &multipliers,
              const Vector<double> &solution) const;
@@ -132,27 +134,28 @@ namespace Contact
      * no further than a hundredth of an edge behind it. A guess again. Corners
      * of the master, if no point of the slave is as close.
      */
-    void close_nearest(const Vector<double> &u);
+    void activate_nearest(const Vector<double> &u);
 
-    /// What the points know of the solution, by the place on the slave: its
-    /// reference arc length as a part of the whole.
+    /// The part of the solution that belongs to the points, by the place on the
+    /// slave: its reference arc length as a part of the whole.
     struct SurfaceState
     {
-      std::vector<double>   place;
-      std::vector<double>   pressure, shear, bound; // [MPa]
-      std::vector<Decision> decisions;
+      std::vector<double>      place;
+      std::vector<double>      pressure, shear, bound; // [MPa]
+      std::vector<PointStatus> statuses;
 
       /// Corners of the master, which every mesh has: force and shear [N per
       /// mm], bound [MPa].
       struct Corner
       {
-        double   force, shear, bound;
-        Decision decision;
+        double      force, shear, bound;
+        PointStatus status;
       };
       std::vector<Corner> corners;
     };
 
-    /// Rules with a point per node: from one mesh to a finer one, by zone.
+    /// Rules with a point per node: from one mesh to a finer one, by contact
+    /// pair.
     std::vector<SurfaceState> save(const Vector<double> &solution) const;
     void                      restore(const std::vector<SurfaceState> &states,
                                       Vector<double>                  &solution);
@@ -171,16 +174,16 @@ namespace Contact
     void           set_bounds(const Vector<double> &bounds);
 
     /// Let all points decide in the present state. Returns how many change
-    /// their mind; with @p keep their new decisions are theirs from now on.
-    unsigned int decide_all(const Vector<double> &solution,
-                            const Vector<double> &u_start,
-                            const bool            moving_bound,
-                            const bool            keep);
+    /// their mind; with @p keep their new statuses are theirs from now on.
+    unsigned int update_statuses(const Vector<double> &solution,
+                                 const Vector<double> &u_start,
+                                 const bool            moving_bound,
+                                 const bool            keep);
 
-    /// Let but one point change its decision, the first that wants to.
-    void decide_one(const Vector<double> &solution,
-                    const Vector<double> &u_start,
-                    const bool            moving_bound);
+    /// Let but one point change its status, the first that wants to.
+    void update_first_status(const Vector<double> &solution,
+                             const Vector<double> &u_start,
+                             const bool            moving_bound);
 
     /**
      * A bound that was frozen while a point was under pressure may leave it no
@@ -188,12 +191,12 @@ namespace Contact
      * friction it is pulled. It gets the bound of no pressure, until the bounds
      * are updated.
      */
-    void drop_bound(const unsigned int point);
-    void drop_bounds_of_open_points();
+    void reset_bound(const unsigned int point);
+    void reset_bounds_of_open_points();
 
     /// Open the points that a new pairing has moved so far from the master that
     /// they would: to begin with them closed would pull the bodies together.
-    void open_parted(const Vector<double> &solution);
+    void release_parted(const Vector<double> &solution);
 
     StatusCount count() const;
 
@@ -204,19 +207,19 @@ namespace Contact
      */
     double constraint_norm(const Vector<double> &rhs) const;
 
-    /// The decisions of all points, and as numbers.
-    std::vector<Decision>    decisions() const;
-    void                     set_decisions(const std::vector<Decision> &all);
+    /// The statuses of all points, and as numbers.
+    std::vector<PointStatus> statuses() const;
+    void                     set_statuses(const std::vector<PointStatus> &all);
     std::vector<signed char> signature() const;
 
-    /// The decisions and the bounds.
+    /// The statuses and the bounds.
     template<class Archive>
     void serialize(Archive &archive, const unsigned int);
 
     /// Add the couplings of the points.
     void add_couplings(DynamicSparsityPattern &pattern) const;
 
-    /// How the kernel linearises.
+    /// The terms that the kernel linearises.
     struct Linearization
     {
       /// Projection, normal and tangent move with the bodies.
@@ -260,22 +263,22 @@ namespace Contact
     /// contact slips.
     bool can_stick(const ContactPoint &point) const;
 
-    /// The decision of a point under trial values, after the one @p before.
-    Decision decide(const ContactPoint &point,
-                    const Decision     &before,
-                    const double        p_trial,
-                    const double        q_trial,
-                    const bool          moving_bound) const;
+    /// The status of a point under trial values, after the one @p before.
+    PointStatus updated_status(const ContactPoint &point,
+                               const PointStatus  &before,
+                               const double        p_trial,
+                               const double        q_trial,
+                               const bool          moving_bound) const;
 
-    /// The decision of a point in a state, after its present one.
-    Decision decision_in(const ContactPoint   &point,
-                         const Vector<double> &solution,
-                         const Vector<double> &u_start,
-                         const bool            moving_bound) const;
+    /// The status of a point in a state, after its present one.
+    PointStatus status_in(const ContactPoint   &point,
+                          const Vector<double> &solution,
+                          const Vector<double> &u_start,
+                          const bool            moving_bound) const;
 
-    /// The tractions that follow from a decision and trial values.
+    /// The tractions that follow from a status and trial values.
     Traction traction(const ContactPoint &point,
-                      const Decision     &decision,
+                      const PointStatus  &status,
                       const double        p_trial,
                       const double        q_trial,
                       const bool          moving_bound) const;
@@ -288,7 +291,7 @@ namespace Contact
     /// Whether a point has tangential multipliers.
     bool has_friction(const ContactPoint &point) const
     {
-      return !zone(point).law.is_frictionless();
+      return !contact_pair(point).law.is_frictionless();
     }
 
     struct Motion;
@@ -318,12 +321,12 @@ namespace Contact
     void collect_unknowns(const ContactPoint                   &point,
                           std::vector<types::global_dof_index> &unknowns) const;
 
-    SurfaceState save_zone(const ContactZone    &zone,
+    SurfaceState save_pair(const ContactPair    &contact_pair,
                            const Vector<double> &solution) const;
-    void         restore_zone(const ContactZone  &zone,
+    void         restore_pair(const ContactPair  &contact_pair,
                               const SurfaceState &state,
                               Vector<double>     &solution);
-    void         restore_corners(const ContactZone  &zone,
+    void         restore_corners(const ContactPair  &contact_pair,
                                  const SurfaceState &state,
                                  Vector<double>     &solution);
 
@@ -344,10 +347,10 @@ namespace Contact
     archive &codes          &of_points;
     if (!Archive::is_loading::value)
       return;
-    std::vector<Decision> all;
+    std::vector<PointStatus> all;
     for (const auto code : codes)
-      all.push_back(Decision::from_code(code));
-    set_decisions(all);
+      all.push_back(PointStatus::from_code(code));
+    set_statuses(all);
     set_bounds(of_points);
   }
 } // namespace Contact

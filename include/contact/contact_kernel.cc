@@ -28,17 +28,17 @@ namespace Contact
 
 
   // With tau = d x_m/d xi, kappa = d^2 x_m/d xi^2, m = |tau| and the gap g, the
-  // foot of the normal moves as
+  // projection of the normal moves as
   //   (m^2 - g n.kappa) d_xi = tau . sum C_a du_a - g n . sum C1_a du_a
   // (C1 carries the minus of the master side), and the edge turns by
   //   omega = n . d_tau / m.
-  // The mortar rule brings derivatives of its own.
+  // The mortar discretization brings derivatives of its own.
   ContactInterface::Motion
   ContactInterface::motion(const ContactPoint   &point,
                            const Vector<double> &solution,
                            const Vector<double> &u_start) const
   {
-    Tensor<1, 2> r = -point.foot, d_r;
+    Tensor<1, 2> r = -point.projection, d_r;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
         {
@@ -72,13 +72,14 @@ namespace Contact
 
 
 
-  // The foot is on the edge however it moves: along it the gap does not change.
+  // The projection is on the edge however it moves: along it the gap does not
+  // change.
   ContactInterface::Motion
   ContactInterface::motion_of_projection(const ContactPoint   &point,
                                          const Vector<double> &solution,
                                          const Tensor<1, 2>   &r) const
   {
-    Tensor<1, 2> kappa = point.foot_curvature;
+    Tensor<1, 2> kappa = point.projection_curvature;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
         kappa[i] -= point.C2[a] * (point.X[a][i] + solution[point.dofs[a][i]]);
@@ -99,7 +100,7 @@ namespace Contact
         {
           const unsigned int j    = 2 * a + i;
           double             d_xi = 0;
-          if (!point.foot_is_clipped)
+          if (!point.projection_is_clipped)
             d_xi = (point.metric * point.tangent[i] * point.C[a] -
                     gap * point.normal[i] * point.C1[a]) /
                    slope;
@@ -126,7 +127,7 @@ namespace Contact
     motion.C      = point.change.C;
     motion.weight = point.change.weight;
     motion.omega  = point.change.turn;
-    motion.gap    = point.change.foot;
+    motion.gap    = point.change.projection;
     for (double &gap : motion.gap)
       gap *= -1;
     return motion;
@@ -146,7 +147,7 @@ namespace Contact
     for (auto *row : {&rows.p_trial, &rows.q_trial, &rows.load_p, &rows.load_q})
       row->reinit(rows.unknowns.size());
 
-    const double c = point.complementarity;
+    const double c = point.augmentation_parameter;
     const double w = point.weight;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
@@ -172,7 +173,7 @@ namespace Contact
           }
       }
 
-    if (linearization.moving_geometry && !zone(point).tied)
+    if (linearization.moving_geometry && !contact_pair(point).tied)
       {
         const Motion moves = motion(point, solution, u_start);
         for (unsigned int j = 0; j < moves.columns.size(); ++j)
@@ -201,7 +202,7 @@ namespace Contact
 
     const ContactState now = state(point, solution, u_start);
     const Traction     t   = traction(point,
-                                point.decision,
+                                point.status,
                                 now.p_trial,
                                 now.q_trial,
                                 linearization.moving_bound);
@@ -218,7 +219,7 @@ namespace Contact
       }
 
     // The constraints w psi_k (p - lambda)/c = 0 take the multipliers off.
-    const double scale = point.weight / point.complementarity;
+    const double scale = point.weight / point.augmentation_parameter;
     for (unsigned int k = 0; k < n_m; ++k)
       for (unsigned int b = 0; b < (has_friction(point) ? 2 : 1); ++b)
         {
@@ -231,8 +232,8 @@ namespace Contact
         }
 
     const bool acts =
-      point.decision.status != Status::open || !point.change.dofs.empty();
-    if (linearization.moving_geometry && !zone(point).tied && acts)
+      point.status.kind != Status::open || !point.change.dofs.empty();
+    if (linearization.moving_geometry && !contact_pair(point).tied && acts)
       add_motion(point, motion(point, solution, u_start), t, matrix, residual);
   }
 

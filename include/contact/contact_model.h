@@ -17,8 +17,8 @@ namespace Contact
 
   /**
    * The bodies of a scene and their contact, on the present mesh. Refinement
-   * replaces the last two: who keeps a reference to the model always sees the
-   * present ones.
+   * replaces the last two: a reference to the model always leads to the present
+   * ones.
    */
   struct ContactModel
   {

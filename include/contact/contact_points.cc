@@ -245,7 +245,8 @@ namespace Contact
 
   namespace
   {
-    /// The master side of a point at its foot on an edge. Returns the tangent.
+    /// The master side of a point at its projection on an edge. Returns the
+    /// tangent.
     Tensor<1, 2> add_master(ContactPoint         &point,
                             const Surface        &master,
                             const unsigned int    edge,
@@ -268,8 +269,8 @@ namespace Contact
 
 
 
-    /// The edge that the vertex at the foot belongs to as well, and which has
-    /// another direction.
+    /// The edge that the vertex at the projection belongs to as well, and which
+    /// has another direction.
     unsigned int other_edge(const Projection    &projection,
                             const SurfaceSearch &search)
     {
@@ -286,8 +287,8 @@ namespace Contact
 
 
 
-    /// The foot at the vertex of two edges: the sum of their tangents, whose
-    /// nodes come in the order of the chain.
+    /// The projection at the vertex of two edges: the sum of their tangents,
+    /// whose nodes come in the order of the chain.
     Tensor<1, 2> add_vertex(ContactPoint         &point,
                             const Surface        &master,
                             const unsigned int    other,
@@ -351,7 +352,7 @@ namespace Contact
     const Tensor<1, 2> along =
       at_vertex ? add_vertex(point, master, other, u)
                 : add_master(point, master, projection.edge, projection.xi, u);
-    point.foot_is_clipped = projection.clipped || at_vertex;
+    point.projection_is_clipped = projection.clipped || at_vertex;
 
     // The body lies to the left of the edge: n is along, turned by -90
     // degrees, and along is n turned by +90.
@@ -366,24 +367,26 @@ namespace Contact
 
 
 
-  // What a support holds against the obstacle needs no pressure, and there
-  // would be no unknown for it to act on. Along the tangent the place of a
-  // circle is centre + radius n, and its second derivative by the coordinate
+  // A node that a support holds against the obstacle needs no pressure, and
+  // there would be no unknown for it to act on. Along the tangent the place of
+  // a circle is centre + radius n, and its second derivative by the coordinate
   // that is the angle -radius n.
   void pair_with_obstacle(ContactPoint         &point,
                           const Obstacle       &obstacle,
                           const Discretization &discretization,
                           const Vector<double> &u)
   {
-    const auto foot = obstacle.closest_point(slave_position(point, u));
-    point.facing =
-      is_free_along(point, point.n_slave_nodes, foot.normal, discretization);
-    point.master_edge    = numbers::invalid_unsigned_int;
-    point.foot           = foot.x;
-    point.normal         = foot.normal;
-    point.tangent        = Tensor<1, 2>({-foot.normal[1], foot.normal[0]});
-    point.metric         = foot.radius == 0 ? 1 : std::abs(foot.radius);
-    point.foot_curvature = -foot.radius * foot.normal;
+    const auto projection = obstacle.closest_point(slave_position(point, u));
+    point.facing          = is_free_along(point,
+                                 point.n_slave_nodes,
+                                 projection.normal,
+                                 discretization);
+    point.master_edge     = numbers::invalid_unsigned_int;
+    point.projection      = projection.x;
+    point.normal          = projection.normal;
+    point.tangent = Tensor<1, 2>({-projection.normal[1], projection.normal[0]});
+    point.metric  = projection.radius == 0 ? 1 : std::abs(projection.radius);
+    point.projection_curvature = -projection.radius * projection.normal;
     point.tangential_row_is_void =
       tangential_row_is_void(point, discretization);
   }

@@ -19,8 +19,9 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * What a contact point does: nothing, carry pressure and stick, carry
-   * pressure and slip. A point without friction slips under a zero bound.
+   * The status of a contact point: open, or under pressure and sticking, or
+   * under pressure and slipping. A point without friction slips under a zero
+   * bound.
    */
   enum class Status
   {
@@ -32,25 +33,25 @@ namespace Contact
 
 
   /// A status, and for a slipping point the sign of its shear traction.
-  struct Decision
+  struct PointStatus
   {
-    Status status         = Status::open;
+    Status kind           = Status::open;
     int    slip_direction = 0;
 
-    /// A number of its own for each decision.
+    /// A number of its own for each status.
     signed char code() const
     {
-      return 4 * static_cast<int>(status) + slip_direction;
+      return 4 * static_cast<int>(kind) + slip_direction;
     }
 
-    /// The decision of this number.
-    static Decision from_code(const signed char code)
+    /// The status of this number.
+    static PointStatus from_code(const signed char code)
     {
-      const int status = (code + 1) / 4;
-      return {static_cast<Status>(status), code - 4 * status};
+      const int kind = (code + 1) / 4;
+      return {static_cast<Status>(kind), code - 4 * kind};
     }
 
-    bool operator==(const Decision &other) const
+    bool operator==(const PointStatus &other) const
     {
       return code() == other.code();
     }
@@ -60,8 +61,8 @@ namespace Contact
 
   /**
    * The change of a point's pairing with the displacements of the nodes around
-   * it, where the rule finds that by itself: derivatives with respect to the
-   * unknowns @p dofs.
+   * it, where the discretization finds that by itself: derivatives with respect
+   * to the unknowns @p dofs.
    */
   struct PairingChange
   {
@@ -70,7 +71,8 @@ namespace Contact
     FullMatrix<double>  C;      // of the coefficients, by node [1/mm]
     std::vector<double> weight; // of the weight, relative [1/mm]
     std::vector<double> turn;   // omega: d_n = -omega t, d_t = omega n [1/mm]
-    std::vector<double> foot;   // of the foot's place along the normal [1]
+    std::vector<double>
+      projection; // of the projection's place along the normal [1]
   };
 
 
@@ -80,8 +82,8 @@ namespace Contact
   {
     static constexpr unsigned int max_multipliers = 3;
 
-    // The zone that the point belongs to.
-    unsigned int zone = 0;
+    // The contact pair that the point belongs to.
+    unsigned int contact_pair = 0;
 
     // At a corner of the master: the same with both bodies exchanged in all
     // that follows, see corner_points.h.
@@ -89,9 +91,9 @@ namespace Contact
 
     unsigned int slave_edge = 0; // in the slave surface
     double       slave_xi   = 0;
-    double       weight     = 0; // undeformed length it stands for [mm];
-                                 // of rings, the area [mm^2]
-    double complementarity = 0;  // the c of p - c g [MPa/mm]
+    double       weight     = 0;       // undeformed length it stands for [mm];
+                                       // of rings, the area [mm^2]
+    double augmentation_parameter = 0; // the c of p - c g [MPa/mm]
 
     // The multipliers that act here: p = sum_k psi_k lambda_k.
     unsigned int                              n_multipliers = 0;
@@ -104,8 +106,9 @@ namespace Contact
   /// The pairing of a contact point with the master.
   struct PointPairing
   {
-    /// Something of each node. Six are two quadratic edges; the mortar rule,
-    /// where a slave node may face many master edges, can have more.
+    /// Something of each node. Six are two quadratic edges; the mortar
+    /// discretization, where a slave node may face many master edges, can have
+    /// more.
     template<typename T>
     using PerNode = boost::container::small_vector<T, 6>;
 
@@ -138,11 +141,11 @@ namespace Contact
     double       metric = 1; // |d x_m / d xi| [mm]
 
     // On an obstacle, which has no nodes: the place x_m, and d^2 x_m / d xi^2.
-    Point<2>     foot;
-    Tensor<1, 2> foot_curvature;
+    Point<2>     projection;
+    Tensor<1, 2> projection_curvature;
 
-    // Over a vertex of the master the foot stays there.
-    bool foot_is_clipped = false;
+    // Over a vertex of the master the projection stays there.
+    bool projection_is_clipped = false;
 
     // Empty where master_xi and the derivatives of C with respect to it say how
     // the pairing changes.
@@ -175,10 +178,10 @@ namespace Contact
     : public PointPlace
     , public PointPairing
   {
-    Decision decision;
+    PointStatus status;
 
     // Bound of the shear traction while a Tresca problem is solved [MPa].
-    double tresca_bound = 0;
+    double friction_bound = 0;
 
     /// Whether the node @p a of the list is one of the slave.
     bool is_on_slave(const unsigned int a) const
@@ -200,12 +203,13 @@ namespace Contact
 
 
   /**
-   * The nodal rule: one point per slave node, mid-sides included, weighted by
-   * the integral of its shape function (trapezoidal and Simpson's rule; of
-   * rings, times the circumference where the shape function has its centroid,
-   * which is exact on straight edges); the constraint is collocated. Without
-   * the nodes in @p excluded. On an axis at degree 2 the integral vanishes:
-   * what holds the node there is a force, with a weight for its units only.
+   * The nodal discretization: one point per slave node, mid-sides included,
+   * weighted by the integral of its shape function (trapezoidal and Simpson's
+   * discretization; of rings, times the circumference where the shape function
+   * has its centroid, which is exact on straight edges); the constraint is
+   * collocated. Without the nodes in @p excluded. On an axis at degree 2 the
+   * integral vanishes: what holds the node there is a force, with a weight for
+   * its units only.
    */
   std::vector<ContactPoint>
   make_nodal_points(const Surface                &slave,
@@ -213,8 +217,9 @@ namespace Contact
                     MultiplierSpace              &multipliers);
 
   /**
-   * The Gauss rule: @p n_points quadrature points per slave edge, multipliers
-   * at the nodes interpolated along the edge; the constraint is the weak one.
+   * The Gauss-point discretization: @p n_points quadrature points per slave
+   * edge, multipliers at the nodes interpolated along the edge; the constraint
+   * is the weak one.
    */
   std::vector<ContactPoint> make_gauss_points(const Surface     &slave,
                                               const unsigned int n_points,
@@ -236,7 +241,8 @@ namespace Contact
                        const Discretization &discretization,
                        const Vector<double> &u);
 
-  /// Where a point of the slave looks, by the normals of Surface::edge_normals.
+  /// The direction in which a point of the slave looks for the master, by the
+  /// normals of Surface::edge_normals.
   NormalCone
   directions_of(const ContactPoint                                    &point,
                 const Surface                                         &slave,

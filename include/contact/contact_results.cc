@@ -14,7 +14,7 @@ namespace Contact
 {
   namespace
   {
-    /// A contact point as its zone looks from the side.
+    /// A contact point as its contact pair looks from the side.
     struct Sample
     {
       double s; // arc length [mm]
@@ -29,8 +29,8 @@ namespace Contact
 
 
 
-    /// Where a function that is linear in s and has the values f1 and f2 at s1
-    /// and s2 vanishes, but not outside of the two bounds.
+    /// The zero of a function that is linear in s and has the values f1 and f2
+    /// at s1 and s2, but not outside of the two bounds.
     double root(const double s1,
                 const double f1,
                 const double s2,
@@ -168,7 +168,7 @@ namespace Contact
     {
       const ContactState now      = interface.state(point, solution, u_start);
       const Traction     traction = interface.traction(point,
-                                                   point.decision,
+                                                   point.status,
                                                    now.p_trial,
                                                    now.q_trial,
                                                    moving_bound);
@@ -178,16 +178,16 @@ namespace Contact
 
 
 
-    /// A decision in a message; a point that slips does so against its shear.
-    std::string describe(const Decision &decision)
+    /// A status in a message; a point that slips does so against its shear.
+    std::string describe(const PointStatus &status)
     {
-      if (decision.status == Status::open)
+      if (status.kind == Status::open)
         return "open";
-      if (decision.status == Status::stick)
+      if (status.kind == Status::stick)
         return "sticks";
-      if (decision.slip_direction == 0)
+      if (status.slip_direction == 0)
         return "slips";
-      return decision.slip_direction > 0 ? "slips along -t" : "slips along +t";
+      return status.slip_direction > 0 ? "slips along -t" : "slips along +t";
     }
   } // namespace
 
@@ -206,12 +206,12 @@ namespace Contact
 
 
   ContactResults contact_results(const ContactInterface &interface,
-                                 const ContactZone      &zone,
+                                 const ContactPair      &contact_pair,
                                  const Vector<double>   &solution,
                                  const Vector<double>   &u_start,
                                  const bool              moving_bound)
   {
-    const Surface        &slave = zone.slave;
+    const Surface        &slave = contact_pair.slave;
     std::vector<Point<2>> X;
     for (const Surface::Node &node : slave.nodes)
       X.push_back(node.X);
@@ -220,7 +220,7 @@ namespace Contact
     const auto           chains = chain_of_edges(slave);
     ContactResults       results;
     std::vector<Samples> by_chain(chains.back() + 1);
-    for (const ContactPoint &point : interface.points_of(zone))
+    for (const ContactPoint &point : interface.points_of(contact_pair))
       {
         if (point.is_master_corner)
           {
@@ -238,7 +238,7 @@ namespace Contact
         for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
           s +=
             shape.value[a] * s_of_node[slave.edges[point.slave_edge].nodes[a]];
-        if (!point.facing || point.decision.status == Status::open)
+        if (!point.facing || point.status.kind == Status::open)
           {
             samples.push_back({s, false, false, false, 0, 0});
             continue;
@@ -246,7 +246,7 @@ namespace Contact
 
         const ContactState now      = interface.state(point, solution, u_start);
         const Traction     traction = interface.traction(point,
-                                                     point.decision,
+                                                     point.status,
                                                      now.p_trial,
                                                      now.q_trial,
                                                      moving_bound);
@@ -256,7 +256,7 @@ namespace Contact
         results.max_shear = std::max(results.max_shear, std::abs(traction.q));
         samples.push_back({s,
                            true,
-                           point.decision.status == Status::stick,
+                           point.status.kind == Status::stick,
                            point.tangential_row_is_void,
                            traction.p,
                            std::abs(now.slip)});
@@ -270,26 +270,26 @@ namespace Contact
   // The multipliers of a solution are the tractions. A node without a point
   // that faces the master is pushed along the normal of the corner's.
   std::vector<CornerLoad> corner_loads(const ContactInterface &interface,
-                                       const ContactZone      &zone,
+                                       const ContactPair      &contact_pair,
                                        const Vector<double>   &solution)
   {
-    if (!zone.has_corner_points())
+    if (!contact_pair.has_corner_points())
       return {};
-    MultiplierSpace         numbering;
-    const auto              own = make_nodal_points(zone.slave, {}, numbering);
-    std::vector<CornerLoad> loads;
+    MultiplierSpace numbering;
+    const auto      own = make_nodal_points(contact_pair.slave, {}, numbering);
+    std::vector<CornerLoad>                                 loads;
     std::map<types::global_dof_index, unsigned int>         node_of_dof;
     std::map<types::global_dof_index, const ContactPoint *> facing;
-    for (unsigned int n = 0; n < zone.slave.nodes.size(); ++n)
+    for (unsigned int n = 0; n < contact_pair.slave.nodes.size(); ++n)
       {
-        node_of_dof[zone.slave.nodes[n].dofs[0]] = n;
+        node_of_dof[contact_pair.slave.nodes[n].dofs[0]] = n;
         loads.push_back({Tensor<1, 2>(), own[numbering.of_node[n]].weight});
       }
-    for (const ContactPoint &point : interface.points_of(zone))
+    for (const ContactPoint &point : interface.points_of(contact_pair))
       if (!point.is_master_corner && point.facing)
         facing[point.dofs[0][0]] = &point;
 
-    for (const ContactPoint &point : interface.points_of(zone))
+    for (const ContactPoint &point : interface.points_of(contact_pair))
       if (point.is_master_corner)
         {
           const ContactState now = interface.state(point, solution, solution);
@@ -322,7 +322,7 @@ namespace Contact
       {
         const ContactState now      = interface.state(point, solution, u_start);
         const Traction     traction = interface.traction(point,
-                                                     point.decision,
+                                                     point.status,
                                                      now.p_trial,
                                                      now.q_trial,
                                                      moving_bound);
@@ -337,24 +337,24 @@ namespace Contact
 
 
 
-  std::string describe_changes(const ContactInterface      &interface,
-                               const std::vector<Decision> &decisions,
-                               const Vector<double>        &solution,
-                               const Vector<double>        &u_start)
+  std::string describe_changes(const ContactInterface         &interface,
+                               const std::vector<PointStatus> &statuses,
+                               const Vector<double>           &solution,
+                               const Vector<double>           &u_start)
   {
     const unsigned int max_lines = 10;
     unsigned int       n         = 0;
     std::ostringstream text;
-    for (unsigned int q = 0; q < decisions.size(); ++q)
+    for (unsigned int q = 0; q < statuses.size(); ++q)
       {
         const ContactPoint &point = interface.points[q];
-        if (point.decision == decisions[q] || ++n > max_lines)
+        if (point.status == statuses[q] || ++n > max_lines)
           continue;
         const ContactState now = interface.state(point, solution, u_start);
         text << "\n        point " << q << " at X = ("
-             << interface.zone(point).place(point)
-             << ") mm: " << describe(decisions[q]) << ", now "
-             << describe(point.decision) << "; gap " << now.gap
+             << interface.contact_pair(point).place(point)
+             << ") mm: " << describe(statuses[q]) << ", now "
+             << describe(point.status) << "; gap " << now.gap
              << " mm, pressure " << now.lambda_n << " MPa, shear "
              << now.lambda_t << " MPa";
       }

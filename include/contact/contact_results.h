@@ -47,7 +47,7 @@ namespace Contact
   /// @p u_start is the solution at the start of the increment; with
   /// @p moving_bound the bound of the shear is that of the present pressure.
   ContactResults contact_results(const ContactInterface &interface,
-                                 const ContactZone      &zone,
+                                 const ContactPair      &contact_pair,
                                  const Vector<double>   &solution,
                                  const Vector<double>   &u_start,
                                  const bool              moving_bound = false);
@@ -80,15 +80,15 @@ namespace Contact
 
   /// By slave node; empty if there are no such points.
   std::vector<CornerLoad> corner_loads(const ContactInterface &interface,
-                                       const ContactZone      &zone,
+                                       const ContactPair      &contact_pair,
                                        const Vector<double>   &solution);
 
-  /// Which points have changed their minds since @p decisions, where, from what
-  /// to what: a line each, at most ten.
-  std::string describe_changes(const ContactInterface      &interface,
-                               const std::vector<Decision> &decisions,
-                               const Vector<double>        &solution,
-                               const Vector<double>        &u_start);
+  /// The points that have changed their status since @p statuses, where, from
+  /// what to what: a line each, at most ten.
+  std::string describe_changes(const ContactInterface         &interface,
+                               const std::vector<PointStatus> &statuses,
+                               const Vector<double>           &solution,
+                               const Vector<double>           &u_start);
 } // namespace Contact
 
 #endif

@@ -17,13 +17,14 @@ namespace Contact
   {
     for (ContactPoint &point : points)
       if (point.facing && !point.is_master_corner &&
-          state(point, u, u).gap <= 0.01 * zone(point).edge_length(point))
-        point.decision.status = can_stick(point) ? Status::stick : Status::slip;
+          state(point, u, u).gap <=
+            0.01 * contact_pair(point).edge_length(point))
+        point.status.kind = can_stick(point) ? Status::stick : Status::slip;
   }
 
 
 
-  void ContactInterface::close_nearest(const Vector<double> &u)
+  void ContactInterface::activate_nearest(const Vector<double> &u)
   {
     if (count().active > 0)
       return;
@@ -35,9 +36,8 @@ namespace Contact
       for (ContactPoint &point : points)
         if (point.facing && point.is_master_corner == corners &&
             state(point, u, u).gap - smallest <=
-              0.01 * zone(point).edge_length(point))
-          point.decision.status =
-            can_stick(point) ? Status::stick : Status::slip;
+              0.01 * contact_pair(point).edge_length(point))
+          point.status.kind = can_stick(point) ? Status::stick : Status::slip;
     };
     close(false);
     if (count().active == 0)
@@ -59,16 +59,16 @@ namespace Contact
     double change = 0, largest = 0;
     for (ContactPoint &point : points)
       {
-        if (zone(point).tied)
+        if (contact_pair(point).tied)
           continue;
-        const FrictionLaw &law = zone(point).law;
+        const FrictionLaw &law = contact_pair(point).law;
         const double       bound =
-          point.decision.status == Status::open
+          point.status.kind == Status::open
                   ? law.bound(0)
                   : law.bound(state(point, solution, u_start).p_trial);
-        change  = std::max(change, std::abs(bound - point.tresca_bound));
+        change  = std::max(change, std::abs(bound - point.friction_bound));
         largest = std::max(largest, bound);
-        point.tresca_bound = bound;
+        point.friction_bound = bound;
       }
     return largest > 0 ? change / largest : 0;
   }
@@ -78,8 +78,9 @@ namespace Contact
   void ContactInterface::raise_unknown_bounds()
   {
     for (ContactPoint &point : points)
-      if (zone(point).law.coulomb_coefficient > 0 && point.tresca_bound == 0)
-        point.tresca_bound = std::numeric_limits<double>::max();
+      if (contact_pair(point).law.coulomb_coefficient > 0 &&
+          point.friction_bound == 0)
+        point.friction_bound = std::numeric_limits<double>::max();
   }
 
 
@@ -88,7 +89,7 @@ namespace Contact
   {
     Vector<double> bounds(points.size());
     for (unsigned int q = 0; q < points.size(); ++q)
-      bounds[q] = points[q].tresca_bound;
+      bounds[q] = points[q].friction_bound;
     return bounds;
   }
 
@@ -97,27 +98,27 @@ namespace Contact
   void ContactInterface::set_bounds(const Vector<double> &bounds)
   {
     for (unsigned int q = 0; q < points.size(); ++q)
-      points[q].tresca_bound = bounds[q];
+      points[q].friction_bound = bounds[q];
   }
 
 
 
   // Slip turns round by way of sticking: where all points of a body slip, none
   // would hold it, whichever way they do.
-  Decision ContactInterface::decide(const ContactPoint &point,
-                                    const Decision     &before,
-                                    const double        p_trial,
-                                    const double        q_trial,
-                                    const bool          moving_bound) const
+  PointStatus ContactInterface::updated_status(const ContactPoint &point,
+                                               const PointStatus  &before,
+                                               const double        p_trial,
+                                               const double        q_trial,
+                                               const bool moving_bound) const
   {
-    if (!point.facing || (!zone(point).tied && p_trial <= 0))
+    if (!point.facing || (!contact_pair(point).tied && p_trial <= 0))
       return {Status::open, 0};
     if (!can_stick(point))
       return {Status::slip, 0};
 
-    const double bound =
-      moving_bound ? zone(point).law.bound(p_trial) : point.tresca_bound;
-    const int direction = q_trial > 0 ? 1 : -1;
+    const double bound = moving_bound ? contact_pair(point).law.bound(p_trial)
+                                      : point.friction_bound;
+    const int    direction = q_trial > 0 ? 1 : -1;
     if (std::abs(q_trial) <= bound || direction * before.slip_direction < 0)
       return {Status::stick, 0};
     return {Status::slip, direction};
@@ -126,132 +127,134 @@ namespace Contact
 
 
   Traction ContactInterface::traction(const ContactPoint &point,
-                                      const Decision     &decision,
+                                      const PointStatus  &status,
                                       const double        p_trial,
                                       const double        q_trial,
                                       const bool          moving_bound) const
   {
     Traction traction;
-    if (decision.status == Status::open)
+    if (status.kind == Status::open)
       return traction;
 
     traction.p     = p_trial;
     traction.dp_dp = 1;
-    if (decision.status == Status::stick)
+    if (status.kind == Status::stick)
       {
         traction.q     = q_trial;
         traction.dq_dq = 1;
       }
     else if (moving_bound)
       {
-        traction.q = decision.slip_direction * zone(point).law.bound(p_trial);
-        traction.dq_dp =
-          decision.slip_direction * zone(point).law.bound_derivative(p_trial);
+        traction.q =
+          status.slip_direction * contact_pair(point).law.bound(p_trial);
+        traction.dq_dp = status.slip_direction *
+                         contact_pair(point).law.bound_derivative(p_trial);
       }
     else
-      traction.q = decision.slip_direction * point.tresca_bound;
+      traction.q = status.slip_direction * point.friction_bound;
     return traction;
   }
 
 
 
-  // From step to step a point knows its last decision: slip turns round by way
+  // From step to step a point knows its last status: slip turns round by way
   // of sticking. Under bounds that are frozen the problem is convex, and slip
   // turns round at once.
-  Decision ContactInterface::decision_in(const ContactPoint   &point,
-                                         const Vector<double> &solution,
-                                         const Vector<double> &u_start,
-                                         const bool moving_bound) const
+  PointStatus ContactInterface::status_in(const ContactPoint   &point,
+                                          const Vector<double> &solution,
+                                          const Vector<double> &u_start,
+                                          const bool moving_bound) const
   {
     const ContactState now = state(point, solution, u_start);
-    return decide(point,
-                  moving_bound ? point.decision : Decision(),
-                  now.p_trial,
-                  now.q_trial,
-                  moving_bound);
+    return updated_status(point,
+                          moving_bound ? point.status : PointStatus(),
+                          now.p_trial,
+                          now.q_trial,
+                          moving_bound);
   }
 
 
 
-  unsigned int ContactInterface::decide_all(const Vector<double> &solution,
-                                            const Vector<double> &u_start,
-                                            const bool            moving_bound,
-                                            const bool            keep)
+  unsigned int ContactInterface::update_statuses(const Vector<double> &solution,
+                                                 const Vector<double> &u_start,
+                                                 const bool moving_bound,
+                                                 const bool keep)
   {
     unsigned int n_changes = 0;
     for (ContactPoint &point : points)
       {
-        const Decision decision =
-          decision_in(point, solution, u_start, moving_bound);
-        if (decision == point.decision)
+        const PointStatus status =
+          status_in(point, solution, u_start, moving_bound);
+        if (status == point.status)
           continue;
         ++n_changes;
         if (keep)
-          point.decision = decision;
+          point.status = status;
       }
     return n_changes;
   }
 
 
 
-  void ContactInterface::decide_one(const Vector<double> &solution,
-                                    const Vector<double> &u_start,
-                                    const bool            moving_bound)
+  void ContactInterface::update_first_status(const Vector<double> &solution,
+                                             const Vector<double> &u_start,
+                                             const bool            moving_bound)
   {
     for (ContactPoint &point : points)
       {
-        const Decision decision =
-          decision_in(point, solution, u_start, moving_bound);
-        if (decision == point.decision)
+        const PointStatus status =
+          status_in(point, solution, u_start, moving_bound);
+        if (status == point.status)
           continue;
-        point.decision = decision;
-        if (!moving_bound && decision.status == Status::open)
-          drop_bound(&point - points.data());
+        point.status = status;
+        if (!moving_bound && status.kind == Status::open)
+          reset_bound(&point - points.data());
         return;
       }
   }
 
 
 
-  void ContactInterface::drop_bound(const unsigned int point)
+  void ContactInterface::reset_bound(const unsigned int point)
   {
-    points[point].tresca_bound = zone(points[point]).law.bound(0);
+    points[point].friction_bound = contact_pair(points[point]).law.bound(0);
   }
 
 
 
-  void ContactInterface::drop_bounds_of_open_points()
+  void ContactInterface::reset_bounds_of_open_points()
   {
     for (unsigned int q = 0; q < points.size(); ++q)
-      if (points[q].decision.status == Status::open)
-        drop_bound(q);
+      if (points[q].status.kind == Status::open)
+        reset_bound(q);
   }
 
 
 
-  void ContactInterface::open_parted(const Vector<double> &solution)
+  void ContactInterface::release_parted(const Vector<double> &solution)
   {
     for (ContactPoint &point : points)
-      if (!zone(point).tied && state(point, solution, solution).p_trial <= 0)
-        point.decision = Decision();
+      if (!contact_pair(point).tied &&
+          state(point, solution, solution).p_trial <= 0)
+        point.status = PointStatus();
   }
 
 
 
-  std::vector<Decision> ContactInterface::decisions() const
+  std::vector<PointStatus> ContactInterface::statuses() const
   {
-    std::vector<Decision> all;
+    std::vector<PointStatus> all;
     for (const ContactPoint &point : points)
-      all.push_back(point.decision);
+      all.push_back(point.status);
     return all;
   }
 
 
 
-  void ContactInterface::set_decisions(const std::vector<Decision> &all)
+  void ContactInterface::set_statuses(const std::vector<PointStatus> &all)
   {
     for (unsigned int q = 0; q < points.size(); ++q)
-      points[q].decision = all[q];
+      points[q].status = all[q];
   }
 
 
@@ -260,7 +263,7 @@ namespace Contact
   {
     std::vector<signed char> signature;
     for (const ContactPoint &point : points)
-      signature.push_back(point.decision.code());
+      signature.push_back(point.status.code());
     return signature;
   }
 
@@ -271,8 +274,8 @@ namespace Contact
     StatusCount count;
     for (const ContactPoint &point : points)
       {
-        count.active += point.decision.status != Status::open;
-        count.stick += point.decision.status == Status::stick;
+        count.active += point.status.kind != Status::open;
+        count.stick += point.status.kind == Status::stick;
       }
     return count;
   }

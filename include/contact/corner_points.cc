@@ -11,8 +11,8 @@ namespace Contact
 {
   namespace
   {
-    /// Whether a foot lies at the end of a face, from where on both sides the
-    /// overhang counts.
+    /// Whether a projection lies at the end of a face, from where on both sides
+    /// the overhang counts.
     bool is_at_end_of_face(const Surface &surface, const ContactPoint &point)
     {
       const Surface::Edge &edge = surface.edges[point.master_edge];
@@ -71,7 +71,7 @@ namespace Contact
           point.normal[i] * point.C[a] * (point.X[a][i] + u[point.dofs[a][i]]);
     point.facing =
       point.facing && gap > -length && !is_at_end_of_face(slave, point);
-    point.foot = Point<2>(-corner_slack * length * point.normal);
+    point.projection = Point<2>(-corner_slack * length * point.normal);
   }
 
 

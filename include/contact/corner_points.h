@@ -15,18 +15,18 @@ namespace Contact
   /**
    * Points of the reversed direction, at the convex corners of a master.
    *
-   * The rules look from the nodes of the slave, or in the mean along its edges:
-   * a corner of the master between two slave nodes they do not see, or only
-   * when it is deep inside. So each such corner has a contact point of its own,
-   * which is a nodal one with the roles exchanged: its place is the vertex of
-   * the master, its foot is on the slave, and its normal is that of the slave
-   * edge, out of the slave. What a ContactPoint says, in particular the signs
-   * of gap, pressure and shear, holds as it stands, with the other body first:
-   * p and q are the same seen from either side. The kernel, friction, the
-   * search of the active set and both linear systems need not know. (Vertex to
-   * segment, as in G. Zavarise and L. De Lorenzis, Int. J. Numer. Meth. Engng.
-   * 79, 2009, 379-416, but at corners only: at all nodes of both sides it would
-   * be over-constrained.)
+   * The discretizations look from the nodes of the slave, or in the mean along
+   * its edges: a corner of the master between two slave nodes they do not see,
+   * or only when it is deep inside. So each such corner has a contact point of
+   * its own, which is a nodal one with the roles exchanged: its place is the
+   * vertex of the master, its projection is on the slave, and its normal is
+   * that of the slave edge, out of the slave. What a ContactPoint says, in
+   * particular the signs of gap, pressure and shear, holds as it stands, with
+   * the other body first: p and q are the same seen from either side. The
+   * kernel, friction, the search of the active set and both linear systems need
+   * not know. (Vertex to segment, as in G. Zavarise and L. De Lorenzis, Int. J.
+   * Numer. Meth. Engng. 79, 2009, 379-416, but at corners only: at all nodes of
+   * both sides it would be over-constrained.)
    *
    * Its multiplier is one more, with its own unknown: the vertex would be
    * weighted so as a slave node. It is a force, singular at a sharp corner as
@@ -80,10 +80,10 @@ namespace Contact
     const std::vector<Surface::PerEdgeNode<Tensor<1, 2>>> &master_normals);
 
   /**
-   * The slave node that the foot of a corner is at, closer than a hundredth of
-   * half an edge, or invalid. There a nodal point of that node and the corner
-   * would say the same twice. The corner is the one to keep: as the bodies
-   * slide, it carries on, while a node beside it lifts off.
+   * The slave node that the projection of a corner is at, closer than a
+   * hundredth of half an edge, or invalid. There a nodal point of that node and
+   * the corner would say the same twice. The corner is the one to keep: as the
+   * bodies slide, it carries on, while a node beside it lifts off.
    */
   unsigned int node_at_foot(const ContactPoint &corner, const Surface &slave);
 } // namespace Contact

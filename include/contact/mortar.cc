@@ -31,10 +31,11 @@ namespace Contact
 
 
 
-  MortarRule::MortarRule(const Surface                &slave,
-                         const Surface                &master,
-                         const Discretization         &discretization,
-                         const std::set<unsigned int> &excluded)
+  MortarDiscretization::MortarDiscretization(
+    const Surface                &slave,
+    const Surface                &master,
+    const Discretization         &discretization,
+    const std::set<unsigned int> &excluded)
     : slave(slave)
     , master(master)
     , discretization(discretization)
@@ -48,7 +49,7 @@ namespace Contact
 
 
   std::vector<ContactPoint>
-  MortarRule::make_points(MultiplierSpace &multipliers) const
+  MortarDiscretization::make_points(MultiplierSpace &multipliers) const
   {
     multipliers.of_node.assign(slave.nodes.size(), none);
     multipliers.n_multipliers = 0;
@@ -79,9 +80,9 @@ namespace Contact
 
 
 
-  bool MortarRule::pair(const ArrayView<ContactPoint> &points,
-                        const Vector<double>          &u,
-                        const bool                     with_derivatives) const
+  bool MortarDiscretization::pair(const ArrayView<ContactPoint> &points,
+                                  const Vector<double>          &u,
+                                  const bool with_derivatives) const
   {
     const MortarGeometry<double> now(slave, master, discretization, u);
     const MortarSegments         segments(now, u);
@@ -114,17 +115,17 @@ namespace Contact
 
 
 
-  unsigned int MortarRule::slave_node(const ContactPoint &point) const
+  unsigned int MortarDiscretization::slave_node(const ContactPoint &point) const
   {
     return slave.edges[point.slave_edge].nodes[node_in_edge(point)];
   }
 
 
 
-  void MortarRule::fill_in(const MortarGeometry<double> &now,
-                           const MortarPairing<double>  &pairing,
-                           const Vector<double>         &u,
-                           ContactPoint                 &point) const
+  void MortarDiscretization::fill_in(const MortarGeometry<double> &now,
+                                     const MortarPairing<double>  &pairing,
+                                     const Vector<double>         &u,
+                                     ContactPoint                 &point) const
   {
     const unsigned int node = slave_node(point);
     point.facing            = pairing.facing;
@@ -153,7 +154,7 @@ namespace Contact
       }
 
     point.master_edge = pairing.master_edge;
-    point.foot        = Point<2>(pairing.excess * point.normal);
+    point.projection  = Point<2>(pairing.excess * point.normal);
 
     // The node itself has to be free to stick.
     point.tangential_row_is_void = discretization.is_fixed(point.dofs[0][0]) ||
@@ -162,8 +163,8 @@ namespace Contact
 
 
 
-  void MortarRule::add_nodes(const MortarPairing<double> &pairing,
-                             ContactPoint                &point) const
+  void MortarDiscretization::add_nodes(const MortarPairing<double> &pairing,
+                                       ContactPoint                &point) const
   {
     const unsigned int node = slave_node(point);
     point.add_node(slave.nodes[node], pairing.slave.at(node), 0, 0);
@@ -180,9 +181,9 @@ namespace Contact
   // The pairing depends on the nodes of the edges around the slave node, of the
   // master edges that these face, and of the neighbours of both, by their
   // normals.
-  std::array<std::set<unsigned int>, 2>
-  MortarRule::nodes_around(const unsigned int                node,
-                           const std::vector<MortarOverlap> &overlaps) const
+  std::array<std::set<unsigned int>, 2> MortarDiscretization::nodes_around(
+    const unsigned int                node,
+    const std::vector<MortarOverlap> &overlaps) const
   {
     std::set<unsigned int> slave_nodes, master_nodes;
     const auto             add =
@@ -209,9 +210,10 @@ namespace Contact
 
 
 
-  void MortarRule::differentiate(MortarGeometry<WithDerivatives>  &now,
-                                 const std::vector<MortarOverlap> &overlaps,
-                                 ContactPoint                     &point) const
+  void MortarDiscretization::differentiate(
+    MortarGeometry<WithDerivatives>  &now,
+    const std::vector<MortarOverlap> &overlaps,
+    ContactPoint                     &point) const
   {
     const unsigned int node                = slave_node(point);
     const auto [slave_nodes, master_nodes] = nodes_around(node, overlaps);
@@ -233,7 +235,7 @@ namespace Contact
     change.C.reinit(point.n_nodes, n);
     change.weight.resize(n);
     change.turn.resize(n);
-    change.foot.resize(n);
+    change.projection.resize(n);
     const auto add_coefficients = [&](const Surface &surface, const auto &all) {
       for (const auto &[i, c] : all)
         {
@@ -249,8 +251,8 @@ namespace Contact
     add_coefficients(master, pairing.master);
     for (unsigned int j = 0; j < n; ++j)
       {
-        change.weight[j] = pairing.weight.dx(j) / point.weight;
-        change.foot[j]   = pairing.excess.dx(j);
+        change.weight[j]     = pairing.weight.dx(j) / point.weight;
+        change.projection[j] = pairing.excess.dx(j);
         for (unsigned int i = 0; i < 2; ++i)
           change.turn[j] -= point.tangent[i] * pairing.normal[i].dx(j);
       }

@@ -16,19 +16,18 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * The mortar rule: one contact point per slave node, whose gap is weighted
-   * along the surface by a dual function Phi_k of the node,
-   *   g_k = n_k . integral Phi_k (x_slave - x_master) ds / D_k,
-   *   D_k = integral Phi_k ds,
+   * The mortar discretization: one contact point per slave node, whose gap is
+   * weighted along the surface by a dual function Phi_k of the node, g_k = n_k
+   * . integral Phi_k (x_slave - x_master) ds / D_k, D_k = integral Phi_k ds,
    * x_master being the point of the master that the slave's normal meets. The
    * pressure is p = sum_k lambda_k Phi_k. The dual functions are biorthogonal
    * to the shape functions of the slave,
    *   integral Phi_k N_j ds = delta_kj D_k,
    * so that of the slave side only the node k itself is in g_k, as with the
-   * nodal rule: a mortar point is a nodal point that looks at its surroundings.
-   * (B. Wohlmuth, SIAM J. Numer. Anal. 38, 2000; S. Hueeber and B. Wohlmuth,
-   * Comput. Methods Appl. Mech. Engrg. 194, 2005; A. Popp, M. W. Gee and
-   * W. A. Wall, Int. J. Numer. Meth. Engng. 79, 2009.)
+   * nodal discretization: a mortar point is a nodal point that looks at its
+   * surroundings. (B. Wohlmuth, SIAM J. Numer. Anal. 38, 2000; S. Hueeber and
+   * B. Wohlmuth, Comput. Methods Appl. Mech. Engrg. 194, 2005; A. Popp, M. W.
+   * Gee and W. A. Wall, Int. J. Numer. Meth. Engng. 79, 2009.)
    *
    * The integrals run over the segments of class MortarSegments.
    *
@@ -42,7 +41,7 @@ namespace Contact
    * not decide. On smooth surfaces that touch, n_s and n_m are the same up to
    * the error of the discretization.
    *
-   * Where this differs from the papers:
+   * Differences from the papers:
    *  - A dual function is negative somewhere, and weighted with it a gap that
    *    grows fast beside the node, as on a mesh that is coarse beside a round
    *    counterface, may come out far below all distances, also as a
@@ -64,13 +63,13 @@ namespace Contact
    *    to the gap (the same end as in M. A. Puso and T. A. Laursen, Comput.
    *    Methods Appl. Mech. Engrg. 193, 2004).
    */
-  class MortarRule
+  class MortarDiscretization
   {
   public:
-    MortarRule(const Surface                &slave,
-               const Surface                &master,
-               const Discretization         &discretization,
-               const std::set<unsigned int> &excluded);
+    MortarDiscretization(const Surface                &slave,
+                         const Surface                &master,
+                         const Discretization         &discretization,
+                         const std::set<unsigned int> &excluded);
 
     /// The points, not paired yet, and their multipliers.
     std::vector<ContactPoint> make_points(MultiplierSpace &multipliers) const;

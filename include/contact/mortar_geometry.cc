@@ -213,10 +213,10 @@ namespace Contact
 
 
   template<typename Number>
-  Number
-  MortarGeometry<Number>::foot_on_edge(const Tensor<1, 2, Number> &x,
-                                       const Tensor<1, 2, Number> &n,
-                                       const unsigned int master_edge) const
+  Number MortarGeometry<Number>::projection_on_edge(
+    const Tensor<1, 2, Number> &x,
+    const Tensor<1, 2, Number> &n,
+    const unsigned int          master_edge) const
   {
     const auto                 &edge = master.edges[master_edge];
     const Tensor<1, 2>          x_0 = value_of(x), n_0 = value_of(n);

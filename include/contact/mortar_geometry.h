@@ -10,6 +10,9 @@
 #include <deal.II/differentiation/ad/sacado_math.h>
 #include <deal.II/differentiation/ad/sacado_product_types.h>
 
+#ifndef DEAL_II_TRILINOS_WITH_SACADO
+#  error "deal.II is built without Sacado: install Debian's libdeal.ii-dev."
+#endif
 #include <Sacado.hpp>
 #include <set>
 #include <vector>
@@ -123,9 +126,9 @@ namespace Contact
 
     /// The coordinate at which the line through @p x along @p n meets a master
     /// edge, perhaps beyond its ends.
-    Number foot_on_edge(const Tensor<1, 2, Number> &x,
-                        const Tensor<1, 2, Number> &n,
-                        const unsigned int          master_edge) const;
+    Number projection_on_edge(const Tensor<1, 2, Number> &x,
+                              const Tensor<1, 2, Number> &n,
+                              const unsigned int          master_edge) const;
 
     /// The slave coordinate from where the normal meets the point @p x.
     Number slave_coordinate(const unsigned int          slave_edge,

@@ -192,14 +192,14 @@ namespace Contact
     for (const auto &sample : samples)
       {
         const EdgeShapes<Number> shape(slave.degree, sample.xi);
-        const EdgeShapes<Number> foot(master.degree, sample.master_xi);
+        const EdgeShapes<Number> projection(master.degree, sample.master_xi);
         const auto              &m_edge = master.edges[sample.master_edge];
-        const Number             metric =
-          length(MortarGeometry<Number>::at(now.master_x, m_edge, foot.first));
+        const Number             metric = length(
+          MortarGeometry<Number>::at(now.master_x, m_edge, projection.first));
 
         const Tensor<1, 2, Number> distance =
           MortarGeometry<Number>::at(now.slave_x, edge, shape.value) -
-          MortarGeometry<Number>::at(now.master_x, m_edge, foot.value);
+          MortarGeometry<Number>::at(now.master_x, m_edge, projection.value);
 
         for (unsigned int k = 0; k < nodes.size(); ++k)
           {
@@ -219,8 +219,9 @@ namespace Contact
               of_node.slave[edge.nodes[a]] += phi * shape.value[a];
             for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
               {
-                of_node.master[m_edge.nodes[a]] += phi * foot.value[a];
-                of_node.shift[m_edge.nodes[a]] += phi * foot.first[a] / metric;
+                of_node.master[m_edge.nodes[a]] += phi * projection.value[a];
+                of_node.shift[m_edge.nodes[a]] +=
+                  phi * projection.first[a] / metric;
               }
             of_node.distances.push_back(distance);
             add_normals(slave_edge, nodes[k], sample, phi, of_node);
@@ -238,18 +239,19 @@ namespace Contact
                                             OfNode &integrals) const
   {
     const auto              &edge = master.edges[sample.master_edge];
-    const EdgeShapes<Number> foot(master.degree, sample.master_xi);
+    const EdgeShapes<Number> projection(master.degree, sample.master_xi);
     Tensor<1, 2, Number>     normal;
     Number                   turn_square = 0;
     for (unsigned int b = 0; b < master.n_nodes_per_edge(); ++b)
       {
-        normal += foot.value[b] * now.master_normals[sample.master_edge][b];
+        normal +=
+          projection.value[b] * now.master_normals[sample.master_edge][b];
         // Beyond a corner is another face, or none: that it is seen, its normal
         // tells.
         if (b == 2 || !(edge.corner[b] ||
                         (b == 0 ? edge.begins_surface : edge.ends_surface)))
           turn_square +=
-            absolute(foot.value[b]) * square(master.turns[edge.nodes[b]]);
+            absolute(projection.value[b]) * square(master.turns[edge.nodes[b]]);
       }
     const Number size = absolute(phi);
     integrals.slave_normal += phi * now.slave_normals[slave_edge][a];
@@ -342,8 +344,8 @@ namespace Contact
     pairing.normal          = direction(node, integrals);
     pairing.master_edge     = largest(integrals.master_edges);
 
-    // The offset of the feet along the tangent, and how far a unit of shift
-    // carries them.
+    // The offset of the projections along the tangent, and how far a unit of
+    // shift carries them.
     Number     offset = 0, reach = 0;
     const auto along = [&](const Tensor<1, 2, Number> &x) {
       return Number(pairing.normal[0] * x[1] - pairing.normal[1] * x[0]);

@@ -14,7 +14,8 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// The contact point of a slave node: what class MortarRule describes.
+  /// The contact point of a slave node: what class MortarDiscretization
+  /// describes.
   template<typename Number>
   struct MortarPairing
   {
@@ -30,8 +31,9 @@ namespace Contact
 
 
   /**
-   * Dual functions and integrals of the rule mortar, in one configuration; see
-   * class MortarRule. Of numbers that carry derivatives, the integrals do.
+   * Dual functions and integrals of the mortar discretization, in one
+   * configuration; see class MortarDiscretization. Of numbers that carry
+   * derivatives, the integrals do.
    */
   template<typename Number>
   class MortarIntegrals

@@ -186,14 +186,14 @@ namespace Contact
     const NormalCone direction{-n, -n};
     for (const unsigned int m : candidates)
       {
-        const double master_xi = now.foot_on_edge(x, n, m);
+        const double master_xi = now.projection_on_edge(x, n, m);
         if (std::abs(master_xi) > 1)
           continue;
-        const EdgeShape foot(now.master.degree, master_xi);
+        const EdgeShape projection(now.master.degree, master_xi);
         const auto      r = x - MortarGeometry<double>::at(now.master_x,
                                                       now.master.edges[m],
-                                                      foot.value);
-        // A line beside a parallel edge has no foot there.
+                                                      projection.value);
+        // A line beside a parallel edge has no projection there.
         if (std::abs(cross(r, n)) > 1e-8 * size)
           continue;
         Hit &hit = r * n >= 0 ? ahead : behind;
@@ -238,12 +238,12 @@ namespace Contact
             {xi,
              weight * length * slave.reference_jacobian(s_edge, shape),
              segment.master_edge,
-             geometry.foot_on_edge(MortarGeometry<Number>::at(geometry.slave_x,
-                                                              s_edge,
-                                                              shape.value),
-                                   geometry.slave_normal(slave_edge,
-                                                         shape.value),
-                                   segment.master_edge)});
+             geometry.projection_on_edge(
+               MortarGeometry<Number>::at(geometry.slave_x,
+                                          s_edge,
+                                          shape.value),
+               geometry.slave_normal(slave_edge, shape.value),
+               segment.master_edge)});
         };
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           add(quadrature.point(q)[0], quadrature.weight(q));

@@ -21,7 +21,7 @@ namespace Contact
       {
       }
 
-      Foot closest_point(const Point<2> &x) const override
+      ClosestPoint closest_point(const Point<2> &x) const override
       {
         return {x - ((x - point) * normal) * normal, normal, 0};
       }
@@ -43,7 +43,7 @@ namespace Contact
       }
 
       // In its centre any direction is as good as another.
-      Foot closest_point(const Point<2> &x) const override
+      ClosestPoint closest_point(const Point<2> &x) const override
       {
         Tensor<1, 2> normal = x - centre;
         if (normal.norm() == 0)

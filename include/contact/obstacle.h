@@ -34,14 +34,14 @@ namespace Contact
            const std::vector<double>      &numbers);
 
     /// The closest point and what is known of the obstacle there.
-    struct Foot
+    struct ClosestPoint
     {
       Point<2>     x;      // [mm]
       Tensor<1, 2> normal; // outward
       double       radius; // [mm], negative in a hole; 0: flat
     };
 
-    virtual Foot closest_point(const Point<2> &x) const = 0;
+    virtual ClosestPoint closest_point(const Point<2> &x) const = 0;
   };
 } // namespace Contact
 

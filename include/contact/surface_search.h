@@ -62,7 +62,8 @@ namespace Contact
     /// The point lies beyond the end of a face.
     bool off_the_end;
 
-    /// The foot of the normal lies outside the edge; xi is its nearer end.
+    /// The projection of the normal lies outside the edge; xi is its nearer
+    /// end.
     bool clipped;
 
     /// Another edge that is as close and meets this one, or invalid.
@@ -105,11 +106,11 @@ namespace Contact
                            const Projection &projection) const;
 
     /**
-     * How far beyond the end of a face, in edge coordinates, a point still
-     * counts as facing the last edge, extrapolated, and no further than the
-     * same part of an edge of the slave. Points on a symmetry line or over an
-     * edge of the other body sit exactly on the end, where the tilt of the edge
-     * under load moves the foot of the normal to either side.
+     * The distance beyond the end of a face, in edge coordinates, at which a
+     * point still counts as facing the last edge, extrapolated, and no further
+     * than the same part of an edge of the slave. Points on a symmetry line or
+     * over an edge of the other body sit exactly on the end, where the tilt of
+     * the edge under load moves the projection of the normal to either side.
      */
     static constexpr double overhang = 0.1;
 
@@ -126,8 +127,8 @@ namespace Contact
     /**
      * Whether a surface that goes on smoothly at the end of an edge comes no
      * closer beyond it. Where it does and looks another way there, the end of
-     * the edge is no foot: the point may be far off to the side, where its
-     * distance along the normal says nothing.
+     * the edge is no projection: the point may be far off to the side, where
+     * its distance along the normal says nothing.
      */
     bool is_closest_around(const Point<2>   &x,
                            const Projection &candidate) const;

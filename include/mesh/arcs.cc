@@ -75,8 +75,8 @@ namespace Contact
 
     if (n_contributing == 2)
       {
-        // Where two arcs touch, a point can lie on both up to the tolerance:
-        // the one that fits better is meant.
+        // At a place where two arcs touch, a point can lie on both up to the
+        // tolerance: the one that fits better is meant.
         const Point<2> &p      = surrounding_points[ends[0]];
         const Point<2> &q      = surrounding_points[ends[1]];
         const auto      misfit = [&](const Arc &arc) {

@@ -28,11 +28,12 @@ namespace Contact
     double                               radius;
     std::vector<std::array<Point<2>, 2>> chords;
 
-    /// How far from the circle a point of the arc may lie, by the radius: the
-    /// digits an ASCII mesh may be short of, yet far less than an edge rises.
+    /// The distance from the circle at which a point of the arc may lie, by the
+    /// radius: the digits an ASCII mesh may be short of, yet far less than an
+    /// edge rises.
     static constexpr double tolerance = 1e-5;
 
-    /// How far from the circle a point lies, by the radius.
+    /// The distance of a point from the circle, by the radius.
     double misfit(const Point<2> &p) const;
 
     /// Whether a point lies on the circle.

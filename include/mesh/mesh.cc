@@ -15,7 +15,7 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "base/words.h"
+#include "base/string_utilities.h"
 #include "mesh/arcs.h"
 #include "mesh/coarse_mesh.h"
 
@@ -95,9 +95,9 @@ namespace Contact
 
 
     /**
-     * Where the points of the file are in the program: a body's own move, then
-     * for all of them scale, rotation about the origin and shift. Without any
-     * of these it changes no bit.
+     * The positions in the program of the points of the file: a body's own
+     * move, then for all of them scale, rotation about the origin and shift.
+     * Without any of these it changes no bit.
      */
     class Placement
     {

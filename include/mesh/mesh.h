@@ -70,7 +70,7 @@ namespace Contact
     /// which are no corners of cells are left out.
     std::map<std::string, unsigned int> points;
 
-    /// What moves as one rigid body each.
+    /// The pieces, each of which can move as a rigid body.
     MeshPieces pieces;
 
     /// The groups above, or an InputError which says what there is instead.
@@ -90,7 +90,7 @@ namespace Contact
     /// The name of a body by its id.
     std::string body_name(const types::material_id id) const;
 
-    /// How a message calls a piece, see MeshPieces::describe().
+    /// The name of a piece in messages, see MeshPieces::describe().
     std::string piece_name(const unsigned int piece) const;
 
   private:

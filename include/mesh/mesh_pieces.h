@@ -74,7 +74,7 @@ namespace Contact
     /// Whether its body consists of this piece alone.
     bool is_whole_body(const unsigned int piece) const;
 
-    /// How a message calls a piece of the body @p body: "the body 'A'", or,
+    /// The name in messages of a piece of the body @p body: "the body 'A'", or,
     /// where there are several, "the piece of the body 'A' from (0, 0) to (2,
     /// 1) mm" by the corners of its box.
     std::string describe(const unsigned int piece,

@@ -9,12 +9,14 @@
 #include <cmath>
 #include <utility>
 
+#include "base/string_utilities.h"
+
 
 namespace Contact
 {
   namespace
   {
-    /// What there is to know about an element type of gmsh.
+    /// The properties of an element type of gmsh.
     struct ElementType
     {
       unsigned int dimension, n_nodes, n_corners;
@@ -318,7 +320,7 @@ namespace Contact
             if (std::abs(p[2] - q[2]) > 1e-9 * p.distance(q))
               throw InputError("the mesh is not plane: node " +
                                  std::to_string(node) + " is " +
-                                 std::to_string(p[2] - q[2]) + " above node " +
+                                 brief(p[2] - q[2]) + " mm above node " +
                                  std::to_string(first),
                                msh.where(cell),
                                "mesh surfaces in a plane of constant z");

@@ -154,7 +154,7 @@ namespace Contact
 
 
   /**
-   * What a gmsh file says, in gmsh's own numbers and before anything is
+   * The content of a gmsh file, in gmsh's own numbers and before anything is
    * concluded from it: nodes, elements and physical groups.
    */
   struct MshFile

@@ -153,7 +153,7 @@ namespace Contact
 
   int run_application(int argc, char **argv, const SolveCase &solve)
   {
-    // What computes nothing needs no MPI.
+    // Calls that compute nothing need no MPI.
     const std::string first = argc > 1 ? argv[1] : "";
     if (first == "--help")
       {

@@ -53,10 +53,10 @@ namespace Contact
 
 
 
-  ContactResults Postprocessor::results(const ContactZone &zone) const
+  ContactResults Postprocessor::results(const ContactPair &contact_pair) const
   {
     return contact_results(*model.interface,
-                           zone,
+                           contact_pair,
                            state.solution,
                            state.start,
                            parameters.solution.has_moving_bound());
@@ -73,8 +73,8 @@ namespace Contact
         record.active           = count.active;
         record.stick            = count.stick;
         record.slip             = count.active - count.stick;
-        for (const auto &zone : model.interface->zones)
-          record.contact[zone->name] = results(*zone).by_name();
+        for (const auto &contact_pair : model.interface->pairs)
+          record.contact[contact_pair->name] = results(*contact_pair).by_name();
       }
     for (const auto &[name, definition] : parameters.probes.probes)
       if (!is_stress(definition[0]))
@@ -107,9 +107,9 @@ namespace Contact
     if (!output.vtu && !with_profile)
       return;
 
-    std::vector<ZoneProfile> profiles;
+    std::vector<PairProfile> profiles;
     if (model.interface)
-      profiles = zone_profiles(*model.interface,
+      profiles = pair_profiles(*model.interface,
                                *model.discretization,
                                recovered_stresses(),
                                state.solution,
@@ -130,21 +130,21 @@ namespace Contact
 
 
 
-  // What the contact is like in a few numbers, and what it should be like where
-  // theory has an answer.
+  // The contact in a few numbers, and the same numbers of theory if there is a
+  // closed form.
   void Postprocessor::compare_with_theory()
   {
     RunSummary &summary = report.summary;
     summary.contact     = report.increment().contact;
 
     TimerOutput::Scope scope(report.timer, "verification");
-    const ContactZone &zone = *model.interface->zones[0];
+    const ContactPair &contact_pair = *model.interface->pairs[0];
     try
       {
         exact = make_exact_solution(parameters,
                                     *model.discretization,
-                                    zone,
-                                    results(zone));
+                                    contact_pair,
+                                    results(contact_pair));
       }
     catch (const ExceptionBase &failure)
       {
@@ -161,7 +161,7 @@ namespace Contact
                                      *model.discretization,
                                      *model.elasticity,
                                      *model.interface,
-                                     zone,
+                                     contact_pair,
                                      state.solution);
   }
 

@@ -54,12 +54,12 @@ namespace Contact
     /// of the last state.
     void write_increment(const unsigned int k, const bool is_complete);
 
-    /// What this level took, since the level before, and its probes; at the
+    /// The cost of this level, since the level before, and its probes; at the
     /// last one these are those of the run.
     void record_level(const unsigned int level, const bool is_last);
 
   private:
-    ContactResults results(const ContactZone &zone) const;
+    ContactResults results(const ContactPair &contact_pair) const;
     double         probe(const std::vector<std::string> &definition);
     double         value(const std::string &quantity, const std::string &point);
     void           compare_with_theory();

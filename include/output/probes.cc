@@ -37,26 +37,26 @@ namespace Contact
 
   namespace
   {
-    /// A node of the slave of a zone, with a pressure.
+    /// A node of the slave of a contact pair, with a pressure.
     struct SlaveNode
     {
-      const ContactZone *zone;
+      const ContactPair *contact_pair;
       unsigned int       number;
     };
 
 
 
-    /// The slave nodes with these unknowns, at most one of each zone.
+    /// The slave nodes with these unknowns, at most one of each contact pair.
     std::vector<SlaveNode> slave_nodes_at(const NodeDoFs         &dofs,
                                           const ContactInterface *interface)
     {
       std::vector<SlaveNode> found;
       if (interface != nullptr)
-        for (const auto &zone : interface->zones)
-          for (unsigned int n = 0; n < zone->slave.nodes.size(); ++n)
-            if (zone->slave.nodes[n].dofs == dofs &&
-                !zone->pressure_at(n).empty())
-              found.push_back({zone.get(), n});
+        for (const auto &contact_pair : interface->pairs)
+          for (unsigned int n = 0; n < contact_pair->slave.nodes.size(); ++n)
+            if (contact_pair->slave.nodes[n].dofs == dofs &&
+                !contact_pair->pressure_at(n).empty())
+              found.push_back({contact_pair.get(), n});
       return found;
     }
 
@@ -77,13 +77,15 @@ namespace Contact
     {
       if (interface == nullptr)
         return "the scene has no contact";
-      for (const auto &zone : interface->zones)
+      for (const auto &contact_pair : interface->pairs)
         {
           const std::string name =
-            zone->name.empty() ? "" : " of the zone '" + zone->name + "'";
-          if (has_node(zone->slave, dofs))
+            contact_pair->name.empty()
+              ? ""
+              : " of the contact pair '" + contact_pair->name + "'";
+          if (has_node(contact_pair->slave, dofs))
             return "it is on the slave" + name + ", but no point of contact is";
-          if (zone->master && has_node(*zone->master, dofs))
+          if (contact_pair->master && has_node(*contact_pair->master, dofs))
             return "it is on the master" + name +
                    ", and the tractions are those of the slave";
         }
@@ -111,10 +113,11 @@ namespace Contact
                        "name a point group on a slave, or a stress");
     if (found.size() > 1)
       throw InputError("the point '" + point + "' has a " + quantity +
-                         " of contact in two zones, '" + found[0].zone->name +
-                         "' and '" + found[1].zone->name + "'",
+                         " of contact in two contact pairs, '" +
+                         found[0].contact_pair->name + "' and '" +
+                         found[1].contact_pair->name + "'",
                        "Probes/Probes, '" + probe + "'",
-                       "name a point of one zone only, or a stress; "
+                       "name a point of one contact pair only, or a stress; "
                        "'Output/Profile' has both");
   }
 
@@ -126,16 +129,18 @@ namespace Contact
                           const Discretization   &discretization,
                           const Vector<double>   &solution)
   {
-    const auto [zone, n] =
+    const auto [contact_pair, n] =
       slave_nodes_at(discretization.vertex_dofs[vertex], interface).at(0);
     const bool   normal     = quantity == "pressure";
-    const auto   of_corners = corner_loads(*interface, *zone, solution);
+    const auto   of_corners = corner_loads(*interface, *contact_pair, solution);
     const double of_corner =
       of_corners.empty() ? 0. : of_corners[n].traction()[normal ? 0 : 1];
     if (normal)
-      return interface->pressure(zone->pressure_at(n), solution) + of_corner;
-    const unsigned int k = zone->multipliers.of_node[n];
-    return zone->law.is_frictionless() || k == numbers::invalid_unsigned_int
+      return interface->pressure(contact_pair->pressure_at(n), solution) +
+             of_corner;
+    const unsigned int k = contact_pair->multipliers.of_node[n];
+    return contact_pair->law.is_frictionless() ||
+               k == numbers::invalid_unsigned_int
              ? of_corner
              : solution[interface->tangential_index(k)] + of_corner;
   }

@@ -26,7 +26,7 @@ namespace Contact
 
   /// Check that there is one traction of contact at a named point. Throws
   /// InputError with the name of the @p probe and the reason if no slave, or
-  /// those of two zones, carry a multiplier there.
+  /// those of two contact pairs, carry a multiplier there.
   void check_contact_traction(const std::string      &probe,
                               const std::string      &quantity,
                               const std::string      &point,

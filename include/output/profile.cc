@@ -118,7 +118,7 @@ namespace Contact
       const ContactState now = interface.state(point, solution, solution);
       return point.weight * interface
                               .traction(point,
-                                        point.decision,
+                                        point.status,
                                         now.p_trial,
                                         now.q_trial,
                                         /*moving_bound=*/false)
@@ -132,7 +132,7 @@ namespace Contact
     {
       if (!point.facing)
         return -1;
-      switch (point.decision.status)
+      switch (point.status.kind)
         {
           case Status::stick:
             return 2;
@@ -147,21 +147,22 @@ namespace Contact
 
     /// Gap and slip of the slave nodes, each paired on its own.
     void add_gap_and_slip(const ContactInterface  &interface,
-                          const ContactZone       &zone,
+                          const ContactPair       &contact_pair,
                           const Vector<double>    &solution,
                           const Vector<double>    &u_start,
                           std::vector<ProfileRow> &rows)
     {
       // These points only look: they carry no multiplier.
       MultiplierSpace numbering;
-      auto            points = make_nodal_points(zone.slave, {}, numbering);
+      auto points = make_nodal_points(contact_pair.slave, {}, numbering);
       for (ContactPoint &point : points)
         {
-          point.zone            = interface.points[zone.first_point].zone;
-          point.n_multipliers   = 0;
-          point.complementarity = 0;
+          point.contact_pair =
+            interface.points[contact_pair.first_point].contact_pair;
+          point.n_multipliers          = 0;
+          point.augmentation_parameter = 0;
         }
-      zone.project(make_array_view(points), solution);
+      contact_pair.project(make_array_view(points), solution);
       for (unsigned int n = 0; n < rows.size(); ++n)
         {
           const ContactState state =
@@ -175,21 +176,22 @@ namespace Contact
 
     /// Pressure, shear, nodal force and status, which come with multipliers.
     void add_contact_values(const ContactInterface  &interface,
-                            const ContactZone       &zone,
+                            const ContactPair       &contact_pair,
                             const Vector<double>    &solution,
                             const Vector<double>    &u_start,
                             std::vector<ProfileRow> &rows)
     {
-      const auto of_corners = corner_loads(interface, zone, solution);
+      const auto of_corners = corner_loads(interface, contact_pair, solution);
       std::vector<unsigned int> node_of(interface.n_normal_multipliers());
       for (unsigned int n = 0; n < rows.size(); ++n)
         {
-          rows[n].pressure = interface.pressure(zone.pressure_at(n), solution);
-          const unsigned int k = zone.multipliers.of_node[n];
+          rows[n].pressure =
+            interface.pressure(contact_pair.pressure_at(n), solution);
+          const unsigned int k = contact_pair.multipliers.of_node[n];
           if (k != numbers::invalid_unsigned_int)
             {
               node_of[k] = n;
-              if (!zone.law.is_frictionless())
+              if (!contact_pair.law.is_frictionless())
                 rows[n].shear = solution[interface.tangential_index(k)];
             }
           if (!of_corners.empty())
@@ -200,7 +202,7 @@ namespace Contact
             }
         }
 
-      for (const ContactPoint &point : interface.points_of(zone))
+      for (const ContactPoint &point : interface.points_of(contact_pair))
         {
           if (point.is_master_corner)
             continue;
@@ -269,7 +271,7 @@ namespace Contact
 
   std::vector<ProfileRow>
   slave_profile(const ContactInterface                   &interface,
-                const ContactZone                        &zone,
+                const ContactPair                        &contact_pair,
                 const Discretization                     &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const Vector<double>                     &solution,
@@ -277,9 +279,9 @@ namespace Contact
                 const std::optional<ExactSolution>       &exact)
   {
     auto rows =
-      make_rows(zone.slave, discretization, vertex_stresses, solution);
-    add_gap_and_slip(interface, zone, solution, u_start, rows);
-    add_contact_values(interface, zone, solution, u_start, rows);
+      make_rows(contact_pair.slave, discretization, vertex_stresses, solution);
+    add_gap_and_slip(interface, contact_pair, solution, u_start, rows);
+    add_contact_values(interface, contact_pair, solution, u_start, rows);
     add_exact_values(exact, rows);
     return rows;
   }
@@ -288,31 +290,31 @@ namespace Contact
 
   std::vector<ProfileRow>
   master_profile(const ContactInterface                   &interface,
-                 const ContactZone                        &zone,
+                 const ContactPair                        &contact_pair,
                  const Discretization                     &discretization,
                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                  const Vector<double>                     &solution,
                  const std::vector<ProfileRow>            &slave,
                  const std::optional<ExactSolution>       &exact)
   {
-    if (!zone.master)
+    if (!contact_pair.master)
       return {};
-    const Surface &master = *zone.master;
+    const Surface &master = *contact_pair.master;
     auto rows = make_rows(master, discretization, vertex_stresses, solution);
 
-    const SurfaceSearch search(zone.slave, solution);
+    const SurfaceSearch search(contact_pair.slave, solution);
     for (unsigned int n = 0; n < rows.size(); ++n)
       {
         const Projection place =
           search.closest_point(master.position(n, solution));
         if (!place.off_the_end)
-          interpolate(zone.slave, slave, place, rows[n]);
+          interpolate(contact_pair.slave, slave, place, rows[n]);
       }
 
     std::map<types::global_dof_index, unsigned int> node_of_dof;
     for (unsigned int n = 0; n < master.nodes.size(); ++n)
       node_of_dof[master.nodes[n].dofs[0]] = n;
-    for (const ContactPoint &point : interface.points_of(zone))
+    for (const ContactPoint &point : interface.points_of(contact_pair))
       {
         // Positive if it pushes.
         const double force = (point.is_master_corner ? -1 : 1) *
@@ -330,8 +332,8 @@ namespace Contact
 
 
 
-  std::vector<ZoneProfile>
-  zone_profiles(const ContactInterface                   &interface,
+  std::vector<PairProfile>
+  pair_profiles(const ContactInterface                   &interface,
                 const Discretization                     &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const Vector<double>                     &solution,
@@ -339,14 +341,14 @@ namespace Contact
                 const std::optional<ExactSolution>       &exact,
                 const bool                                with_masters)
   {
-    std::vector<ZoneProfile> profiles;
-    for (const auto &zone : interface.zones)
+    std::vector<PairProfile> profiles;
+    for (const auto &contact_pair : interface.pairs)
       {
         const auto theory =
           profiles.empty() ? exact : std::optional<ExactSolution>();
-        profiles.push_back({zone->name, &zone->slave, {}, {}});
+        profiles.push_back({contact_pair->name, &contact_pair->slave, {}, {}});
         profiles.back().slave_rows = slave_profile(interface,
-                                                   *zone,
+                                                   *contact_pair,
                                                    discretization,
                                                    vertex_stresses,
                                                    solution,
@@ -355,7 +357,7 @@ namespace Contact
         if (with_masters)
           profiles.back().master_rows =
             master_profile(interface,
-                           *zone,
+                           *contact_pair,
                            discretization,
                            vertex_stresses,
                            solution,

@@ -18,8 +18,8 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// What the contact looks like at one node of a surface: a row of the
-  /// profile, from which all curves over the contact zone are plotted.
+  /// The state of contact at one node of a surface: a row of the profile, from
+  /// which all curves over the contact zone are plotted.
   struct ProfileRow
   {
     // From the first row of the surface along its nodes [mm].
@@ -50,10 +50,10 @@ namespace Contact
 
 
 
-  /// The rows of both surfaces of a zone.
-  struct ZoneProfile
+  /// The rows of both surfaces of a contact pair.
+  struct PairProfile
   {
-    std::string             name; // of the zone
+    std::string             name; // of the contact pair
     const Surface          *slave;
     std::vector<ProfileRow> slave_rows, master_rows;
   };
@@ -61,12 +61,11 @@ namespace Contact
 
 
   /**
-   * The profile of the slave surface of a zone, one row per node in the order
-   * of Surface::nodes. Here the multipliers live: pressure and shear are their
-   * values, the nodal force is
-   *   sum over the points of w psi_k p
-   * for the multiplier k of the node. Gap and slip are those of the node
-   * itself; with the Gauss rule, whose points lie elsewhere, the node is
+   * The profile of the slave surface of a contact pair, one row per node in the
+   * order of Surface::nodes. Here the multipliers live: pressure and shear are
+   * their values, the nodal force is sum over the points of w psi_k p for the
+   * multiplier k of the node. Gap and slip are those of the node itself; with
+   * the Gauss-point discretization, whose points lie elsewhere, the node is
    * paired on its own, and its status is the strongest one (stick, slip, open)
    * among the points that its multiplier acts on.
    *
@@ -75,7 +74,7 @@ namespace Contact
    */
   std::vector<ProfileRow>
   slave_profile(const ContactInterface                   &interface,
-                const ContactZone                        &zone,
+                const ContactPair                        &contact_pair,
                 const Discretization                     &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const Vector<double>                     &solution,
@@ -83,13 +82,13 @@ namespace Contact
                 const std::optional<ExactSolution>       &exact);
 
   /**
-   * The profile of the master surface of a zone, empty on an obstacle. A
-   * master node has no contact values of
-   * its own: it gets those of the place of the deformed slave surface that is
-   * closest, interpolated between the rows of @p slave there; the status is
-   * that of the nearest slave node. Where the slave does not reach, all of
-   * them are zero and the status is -1. The nodal force is the sum over the
-   * points of what they put on the node, w p times the node's share.
+   * The profile of the master surface of a contact pair, empty on an obstacle.
+   * A master node has no contact values of its own: it gets those of the place
+   * of the deformed slave surface that is closest, interpolated between the
+   * rows of @p slave there; the status is that of the nearest slave node. Where
+   * the slave does not reach, all of them are zero and the status is -1. The
+   * nodal force is the sum over the points of what they put on the node, w p
+   * times the node's share.
    *
    * The rows begin at the last node of the master, and so do the arc lengths:
    * two surfaces that face each other run in opposite directions, because
@@ -97,17 +96,17 @@ namespace Contact
    */
   std::vector<ProfileRow>
   master_profile(const ContactInterface                   &interface,
-                 const ContactZone                        &zone,
+                 const ContactPair                        &contact_pair,
                  const Discretization                     &discretization,
                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                  const Vector<double>                     &solution,
                  const std::vector<ProfileRow>            &slave,
                  const std::optional<ExactSolution>       &exact);
 
-  /// The profiles of all zones, of their masters only with @p with_masters. An
-  /// exact solution is that of the first zone.
-  std::vector<ZoneProfile>
-  zone_profiles(const ContactInterface                   &interface,
+  /// The profiles of all contact pairs, of their masters only with @p
+  /// with_masters. An exact solution is that of the first contact pair.
+  std::vector<PairProfile>
+  pair_profiles(const ContactInterface                   &interface,
                 const Discretization                     &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const Vector<double>                     &solution,

@@ -8,7 +8,7 @@
 #include <iomanip>
 #include <iostream>
 
-#include "output/ledger.h"
+#include "output/effects.h"
 #include "output/result_tables.h"
 
 namespace Contact
@@ -96,27 +96,28 @@ namespace Contact
     if (screen.is_active())
       print_effects(screen.get_stream(), effects);
     if (model.interface)
-      for (const auto &zone : parameters.zones())
-        print_note_on_arcs(model, zone);
+      for (const auto &contact_pair : parameters.pairs())
+        print_note_on_arcs(model, contact_pair);
   }
 
 
 
-  // A mesh has but a polygon of a circle, which who draws one may not know.
+  // A mesh has only a polygon of a circle.
   void Report::print_note_on_arcs(const ContactModel        &model,
-                                  const Parameters::Contact &zone)
+                                  const Parameters::Contact &contact_pair)
   {
     if (parameters.element.degree == 1 && parameters.mesh.refinements == 0 &&
         parameters.refinement.n_levels == 0)
       return;
-    for (const std::string &name : {zone.slave, zone.master})
+    for (const std::string &name : {contact_pair.slave, contact_pair.master})
       {
         if (name.empty() || parameters.mesh.arcs.count(name) > 0)
           continue;
-        const double bend = Surface(*model.discretization,
-                                    model.mesh->boundary(name, zone.section()),
-                                    name)
-                              .largest_bend();
+        const double bend =
+          Surface(*model.discretization,
+                  model.mesh->boundary(name, contact_pair.section()),
+                  name)
+            .largest_bend();
         if (bend > 0.1)
           screen
             << "Note: '" << name << "' bends by up to " << bend

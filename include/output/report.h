@@ -62,7 +62,7 @@ namespace Contact
                          const double       load_factor);
     void end_increment();
 
-    /// What the scene is made of.
+    /// The effects that the scene switches on.
     void print_scene(const ContactModel &model, const std::string &system);
 
     void print_level(const ContactModel &model,
@@ -92,7 +92,7 @@ namespace Contact
 
   private:
     void print_note_on_arcs(const ContactModel        &model,
-                            const Parameters::Contact &zone);
+                            const Parameters::Contact &contact_pair);
 
     const Parameters::All       &parameters;
     const ParameterHandler      &prm;

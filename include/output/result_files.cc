@@ -24,7 +24,7 @@ namespace Contact
   {
     using DataComponentInterpretation::component_is_part_of_vector;
 
-    /// How all VTU files are written: no date, so that equal runs give equal
+    /// The flags of all VTU files: no date, so that equal runs give equal
     /// files, cells of the given degree, and a compression that takes a sixth
     /// of the time of the best one.
     DataOutBase::VtkFlags vtk_flags(const unsigned int k,
@@ -142,7 +142,7 @@ namespace Contact
   {
     create_output_directory(directory);
 
-    // What an earlier run has written would look as if this one had.
+    // Files of an earlier run would look as if they were of this one.
     if (rank() == 0)
       for (const std::string name :
            {"bodies.pvd", "contact.pvd", "profile.csv", "nodes.csv"})
@@ -295,13 +295,14 @@ namespace Contact
 
   void ResultFiles::write_contact(const unsigned int              k,
                                   const double                    load_factor,
-                                  const std::vector<ZoneProfile> &zones)
+                                  const std::vector<PairProfile> &pairs)
   {
     std::vector<DataOutBase::Patch<1, 2>> patches;
-    for (const ZoneProfile &zone : zones)
-      for (unsigned int e = 0; e < zone.slave->edges.size(); ++e)
+    for (const PairProfile &contact_pair : pairs)
+      for (unsigned int e = 0; e < contact_pair.slave->edges.size(); ++e)
         {
-          patches.push_back(make_patch(*zone.slave, zone.slave_rows, e));
+          patches.push_back(
+            make_patch(*contact_pair.slave, contact_pair.slave_rows, e));
           patches.back().patch_index = patches.size() - 1;
         }
 
@@ -334,7 +335,7 @@ namespace Contact
 
 
 
-  void ResultFiles::write_profile(const std::vector<ZoneProfile> &zones) const
+  void ResultFiles::write_profile(const std::vector<PairProfile> &pairs) const
   {
     write_first("profile.csv", [&](std::ostream &out) {
       out.precision(12);
@@ -343,11 +344,12 @@ namespace Contact
              "nodal_force_N_per_mm,gap_mm,slip_mm,"
              "status_0_open_1_slip_2_stick,extrapolated_pressure_MPa,"
              "exact_pressure_MPa,exact_shear_MPa\n";
-      for (const ZoneProfile &zone : zones)
+      for (const PairProfile &contact_pair : pairs)
         {
-          const std::string name = zone.name.empty() ? "" : " " + zone.name;
-          write_rows(out, "slave" + name, zone.slave_rows);
-          write_rows(out, "master" + name, zone.master_rows);
+          const std::string name =
+            contact_pair.name.empty() ? "" : " " + contact_pair.name;
+          write_rows(out, "slave" + name, contact_pair.slave_rows);
+          write_rows(out, "master" + name, contact_pair.master_rows);
         }
     });
   }

@@ -59,12 +59,12 @@ namespace Contact
      */
     void write_contact(const unsigned int              k,
                        const double                    load_factor,
-                       const std::vector<ZoneProfile> &zones);
+                       const std::vector<PairProfile> &pairs);
 
     /// Write profile.csv: a line with names and units, then the rows of both
-    /// surfaces, "slave" and "master" with the name of the zone, if it has one.
-    /// Where there is no exact solution its fields are empty.
-    void write_profile(const std::vector<ZoneProfile> &zones) const;
+    /// surfaces, "slave" and "master" with the name of the contact pair, if it
+    /// has one. Its fields are empty if there is no exact solution.
+    void write_profile(const std::vector<PairProfile> &pairs) const;
 
     /// Write nodes.csv: see write_nodes() and collect_nodes(). Collective.
     void write_nodes(const Vector<double> &solution,

@@ -97,12 +97,13 @@ namespace Contact
 
 
 
-    using ByZone = std::map<std::string, std::map<std::string, double>>;
+    using ByPair = std::map<std::string, std::map<std::string, double>>;
 
-    void add_zones(const ByZone &zones, Json &json)
+    void add_pairs(const ByPair &pairs, Json &json)
     {
-      for (const auto &[zone, values] : zones)
-        json[zone.empty() ? "contact" : "contact " + zone] = values;
+      for (const auto &[contact_pair, values] : pairs)
+        json[contact_pair.empty() ? "contact" : "contact " + contact_pair] =
+          values;
     }
 
 
@@ -128,7 +129,7 @@ namespace Contact
                 {"violations", increment.violations},
                 {"probes", increment.probes},
                 {"reactions", increment.reactions}};
-      add_zones(increment.contact, json);
+      add_pairs(increment.contact, json);
       return json;
     }
 
@@ -186,7 +187,7 @@ namespace Contact
         json["increments"].push_back(to_json(increment));
       for (const LevelRecord &level : summary.levels)
         json["levels"].push_back(to_json(level));
-      add_zones(summary.contact, json);
+      add_pairs(summary.contact, json);
       for (const auto &[effect, value] : summary.effects)
         json["effects"][effect] = value;
       return json;

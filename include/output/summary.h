@@ -40,7 +40,7 @@ namespace Contact
 
 
 
-  /// What one load increment took, or the attempt at one, and where it ended.
+  /// The cost of one load increment, or of the attempt at one, and its end.
   struct IncrementRecord
   {
     unsigned int level               = 0; // of refinement
@@ -54,7 +54,7 @@ namespace Contact
     unsigned int slip                = 0;
     unsigned int halved_steps        = 0; // Newton steps that were too long
     unsigned int cycles              = 0; // of the active set, left one by one
-    double       hold_work           = 0; // of a soft hold [N mm per mm]
+    double       hold_work           = 0; // of stabilization [N mm per mm]
     bool         converged           = false;
     std::string  message; // why it was given up
 
@@ -65,11 +65,11 @@ namespace Contact
     std::vector<std::string>      violations;
 
     /// The probes that need no stresses by name; and what contact exerts by
-    /// zone, see ContactResults.
+    /// contact pair, see ContactResults.
     std::map<std::string, double>                        probes;
     std::map<std::string, std::map<std::string, double>> contact;
 
-    /// What each group of supports exerts, by direction, see Invariants.
+    /// The reactions of each group of supports, by direction, see Invariants.
     std::map<std::string, std::map<std::string, double>> reactions;
 
     template<class Archive>
@@ -84,7 +84,7 @@ namespace Contact
 
 
 
-  /// What a phase of the program took [s], and how often it was entered.
+  /// The time of a phase of the program [s], and how often it was entered.
   struct PhaseTime
   {
     double       cpu   = 0;
@@ -98,7 +98,7 @@ namespace Contact
 
 
 
-  /// What a mesh of nested iteration took; without, there is one.
+  /// The cost of a mesh of nested iteration; without, there is one.
   struct LevelRecord
   {
     std::size_t  n_cells           = 0;
@@ -114,7 +114,7 @@ namespace Contact
 
 
 
-  /// How the run of one case went.
+  /// The record of the run of one case.
   struct RunSummary
   {
     std::string case_name;
@@ -135,16 +135,18 @@ namespace Contact
     /// The contact zone at full load, see ContactResults; what the exact
     /// solution has instead, and the errors relative to that, see
     /// ExactSolution. By name; empty where there is none.
-    std::map<std::string, std::map<std::string, double>> contact; // by zone
-    std::map<std::string, double>                        exact, errors;
+    std::map<std::string, std::map<std::string, double>>
+                                  contact; // by contact pair
+    std::map<std::string, double> exact, errors;
 
     std::map<std::string, PhaseTime> time; // by phase
     double                           peak_memory_mb = 0;
 
-    /// What the case switches on, for instance "friction" -> "Coulomb 0.1".
+    /// The effects that the case switches on, for instance "friction" ->
+    /// "Coulomb 0.1".
     std::map<std::string, std::string> effects;
 
-    /// What was done how often, see Counters.
+    /// The numbers of costly operations, see Counters.
     std::map<std::string, unsigned long> counters;
 
     /// Converged, no invariant is violated, and all probes are within their

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "base/words.h"
+#include "base/string_utilities.h"
 #include "parameters/formula.h"
 #include "parameters/parameters.h"
 
@@ -80,8 +80,8 @@ namespace Contact
                                                            "Displacement y",
                                                            "Force x",
                                                            "Force y",
-                                                           "Spread force x",
-                                                           "Spread force y",
+                                                           "Resultant force x",
+                                                           "Resultant force y",
                                                            "Pressure",
                                                            "Traction x",
                                                            "Traction y",
@@ -106,8 +106,8 @@ namespace Contact
       };
       moves_freely(force_x, "Force x", displacement_x);
       moves_freely(force_y, "Force y", displacement_y);
-      moves_freely(spread_force_x, "Spread force x", displacement_x);
-      moves_freely(spread_force_y, "Spread force y", displacement_y);
+      moves_freely(resultant_force_x, "Resultant force x", displacement_x);
+      moves_freely(resultant_force_y, "Resultant force y", displacement_y);
       moves_freely(traction_x, "Traction x", displacement_x);
       moves_freely(traction_y, "Traction y", displacement_y);
       moves_freely(tied_y, "Tied y", displacement_y);

@@ -57,13 +57,14 @@ namespace Contact
     /// The ninth node of a quadratic quadrangle.
     enum class CentreNode
     {
-      bound,
+      serendipity,
       free
     };
 
     inline NamedValues<CentreNode> named_values(const CentreNode)
     {
-      return {{"bound", CentreNode::bound}, {"free", CentreNode::free}};
+      return {{"serendipity", CentreNode::serendipity},
+              {"free", CentreNode::free}};
     }
 
 
@@ -73,14 +74,14 @@ namespace Contact
     {
       automatic,
       full,
-      projected
+      B_bar
     };
 
     inline NamedValues<Dilatation> named_values(const Dilatation)
     {
       return {{"automatic", Dilatation::automatic},
               {"full", Dilatation::full},
-              {"projected", Dilatation::projected}};
+              {"B-bar", Dilatation::B_bar}};
     }
 
 
@@ -101,18 +102,19 @@ namespace Contact
 
 
     /// The discretization of contact.
-    enum class Rule
+    enum class ContactDiscretization
     {
       nodal,
       gauss,
       mortar
     };
 
-    inline NamedValues<Rule> named_values(const Rule)
+    inline NamedValues<ContactDiscretization>
+    named_values(const ContactDiscretization)
     {
-      return {{"nodal", Rule::nodal},
-              {"Gauss", Rule::gauss},
-              {"mortar", Rule::mortar}};
+      return {{"nodal", ContactDiscretization::nodal},
+              {"Gauss", ContactDiscretization::gauss},
+              {"mortar", ContactDiscretization::mortar}};
     }
 
 
@@ -142,14 +144,14 @@ namespace Contact
     enum class FrictionLoop
     {
       fixed_point,
-      each_step,
+      lagged_bound,
       newton
     };
 
     inline NamedValues<FrictionLoop> named_values(const FrictionLoop)
     {
       return {{"fixed point", FrictionLoop::fixed_point},
-              {"each step", FrictionLoop::each_step},
+              {"lagged bound", FrictionLoop::lagged_bound},
               {"Newton", FrictionLoop::newton}};
     }
 

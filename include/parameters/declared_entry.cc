@@ -12,7 +12,7 @@
 #include <set>
 #include <sstream>
 
-#include "base/words.h"
+#include "base/string_utilities.h"
 
 namespace Contact
 {
@@ -119,6 +119,12 @@ namespace Contact
       for (const auto &entry : section.value().items())
         {
           const auto &field = entry.value();
+          if (field.contains("alias"))
+            {
+              const std::string name = field.at("alias");
+              entries.push_back({section.key(), entry.key(), "", "", "", name});
+              continue;
+            }
           entries.push_back({section.key(),
                              entry.key(),
                              field.at("default_value"),

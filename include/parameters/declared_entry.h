@@ -26,6 +26,9 @@ namespace Contact
     /// The pattern, as ParameterHandler describes it.
     std::string pattern;
 
+    /// The present name, if this one is a former one.
+    std::string alias_of = "";
+
     /// "Section/Name", the way messages and overrides name it.
     std::string path() const;
 
@@ -35,10 +38,10 @@ namespace Contact
     /// Whether the value is 'item, item'; of a map, whether its items are.
     bool is_list() const;
 
-    /// What separates the elements of a map or of a list.
+    /// The separator of the elements of a map or of a list.
     std::string separator() const;
 
-    /// What the pattern allows, in words.
+    /// The values that the pattern allows, in words.
     std::string allowed_values() const;
 
     /// The key that @p value, which matches the pattern, gives twice; if any.

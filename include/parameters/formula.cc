@@ -36,7 +36,7 @@ namespace Contact
 
 
 
-    /// What the parser has to say of a formula, without deal.II's preamble.
+    /// The parser's message on a formula, without deal.II's preamble.
     std::string reason(const dealii::ExceptionBase &exception)
     {
       std::ostringstream info;

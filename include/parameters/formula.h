@@ -25,10 +25,10 @@ namespace Contact
   parse_formula(const std::string &formula, const std::string &variables);
 
   /**
-   * How something grows with the load factor t: a formula in t, or a table
-   * <code>table(t0 f0, t1 f1, ...)</code> with growing t, linear in between
-   * and constant before the first and after the last pair. Throws
-   * std::runtime_error with the reason if it can not be read.
+   * A function of the load factor t: a formula in t, or a table <code>table(t0
+   * f0, t1 f1, ...)</code> with growing t, linear in between and constant
+   * before the first and after the last pair. Throws std::runtime_error with
+   * the reason if it can not be read.
    */
   std::function<double(const Point<1> &)>
   parse_history(const std::string &history);

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "base/errors.h"
-#include "base/words.h"
+#include "base/string_utilities.h"
 
 namespace Contact
 {

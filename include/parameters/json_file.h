@@ -33,7 +33,7 @@ namespace Contact
     /// The element @p name of an object; none: a null pointer.
     const JsonValue *find(const std::string &name) const;
 
-    /// What it is, in words for messages.
+    /// The kind of the value, in words for messages.
     std::string description() const;
   };
 

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// What the entries of one section have to be, beyond their patterns.
+// Conditions on the entries of one section, beyond their patterns.
 
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <set>
 
-#include "base/words.h"
+#include "base/string_utilities.h"
 #include "parameters/parameters.h"
 
 namespace Contact
@@ -91,7 +91,7 @@ namespace Contact
         throw EntryError("An element of degree 1 has no centre node to free.",
                          {"Element/Centre node", "Element/Degree"},
                          "set 'Degree = 2' for the 9-node element, or "
-                         "'Centre node = bound'");
+                         "'Centre node = serendipity'");
     }
 
 
@@ -100,14 +100,14 @@ namespace Contact
     {
       const std::string E  = "Solids/Young's modulus";
       const std::string nu = "Solids/Poisson's ratio";
-      check_keys(young, E, poisson, nu);
-      check_keys(poisson, nu, young, E);
-      if (young.empty())
+      check_keys(youngs_modulus, E, poisson, nu);
+      check_keys(poisson, nu, youngs_modulus, E);
+      if (youngs_modulus.empty())
         throw EntryError("No body has a material.",
                          {E, nu},
                          "set both, as in 'set Young's modulus = Block: "
                          "70000'");
-      for (const auto &[body, value] : young)
+      for (const auto &[body, value] : youngs_modulus)
         if (!(value > 0))
           throw EntryError("Young's modulus of " + in_quotes(body) +
                              " is not positive.",
@@ -128,11 +128,13 @@ namespace Contact
       if (std::any_of(name.begin(), name.end(), [](const unsigned char c) {
             return !std::isalnum(c) && c != ' ' && c != '_' && c != '-';
           }))
-        throw EntryError("The name of a zone is more than letters and digits.",
-                         {section() + "/Slave"},
-                         "use letters, digits, blanks, '_' and '-'");
+        throw EntryError(
+          "The name of a contact pair is more than letters and digits.",
+          {section() + "/Slave"},
+          "use letters, digits, blanks, '_' and '-'");
       check_surfaces();
-      check_positive(complementarity, section() + "/Complementarity");
+      check_positive(augmentation_parameter,
+                     section() + "/Augmentation parameter");
       check_friction();
       check_excluded_points();
     }
@@ -166,7 +168,7 @@ namespace Contact
                          surfaces,
                          "set two different boundary groups");
       if (slave.empty() && !name.empty())
-        throw EntryError("A zone has no surfaces.",
+        throw EntryError("A contact pair has no surfaces.",
                          surfaces,
                          "set both, or remove the section");
     }
@@ -176,7 +178,7 @@ namespace Contact
     void Contact::check_obstacle(const std::string &entry) const
     {
       if (obstacle.size() != 1)
-        throw EntryError("A zone has one obstacle.",
+        throw EntryError("A contact pair has one obstacle.",
                          {entry},
                          "give each its own section 'Contact NAME'");
       const auto &[shape, numbers] = *obstacle.begin();
@@ -213,10 +215,11 @@ namespace Contact
                           section() + "/Master"},
                          "set slave and master, or no friction");
       if (tied && !has_point_per_multiplier())
-        throw EntryError("Surfaces are glued in nodes, and the rule " +
-                           rule.name() + " has none.",
-                         {section() + "/Tied", section() + "/Rule"},
-                         "set 'Rule = mortar' or 'Rule = nodal'");
+        throw EntryError(
+          "Surfaces are glued in nodes, and the discretization " +
+            discretization.name() + " has none.",
+          {section() + "/Tied", section() + "/Discretization"},
+          "set 'Discretization = mortar' or 'Discretization = nodal'");
       if (friction_coefficient > 0 && tresca_limit > 0)
         throw EntryError("There are two laws of friction.",
                          {coulomb, tresca},
@@ -236,11 +239,12 @@ namespace Contact
                          {entry, section() + "/Slave"},
                          "set slave and master, or leave the points empty");
       if (!has_point_per_multiplier())
-        throw EntryError("Points of the rule " + rule.name() +
-                           " are inside the faces: there is none to exclude at "
-                           "a point group.",
-                         {entry, section() + "/Rule"},
-                         "set 'Rule = nodal', or leave the points empty");
+        throw EntryError(
+          "Points of the discretization " + discretization.name() +
+            " are inside the faces: there is none to exclude at "
+            "a point group.",
+          {entry, section() + "/Discretization"},
+          "set 'Discretization = nodal', or leave the points empty");
       if (std::set<std::string>(excluded_points.begin(), excluded_points.end())
               .size() < excluded_points.size() ||
           std::count(excluded_points.begin(), excluded_points.end(), "") > 0)

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// What the entries of several sections have to be together.
+// Conditions on entries of several sections together.
 
 #include <algorithm>
 
@@ -53,7 +53,7 @@ namespace Contact
 
 
 
-    // Which closed form belongs to which scene.
+    // Each closed form belongs to a kind of scene.
     void All::check_theory() const
     {
       const bool plane = solids.symmetry == Symmetry::plane_strain;
@@ -83,23 +83,24 @@ namespace Contact
     // Every multiplier is seen by a point, or the saddle point is singular.
     void All::check_points() const
     {
-      for (const Contact &zone : zones())
-        if (zone.rule == Rule::gauss && zone.n_gauss_points <= element.degree)
+      for (const Contact &contact_pair : pairs())
+        if (contact_pair.discretization == ContactDiscretization::gauss &&
+            contact_pair.n_gauss_points <= element.degree)
           throw EntryError(
-            "With " + std::to_string(zone.n_gauss_points) +
+            "With " + std::to_string(contact_pair.n_gauss_points) +
               " Gauss points an edge there are multipliers that no point sees.",
-            {zone.section() + "/Gauss points", "Element/Degree"},
+            {contact_pair.section() + "/Gauss points", "Element/Degree"},
             "set 'Gauss points = " + std::to_string(element.degree + 1) +
               "' or more");
     }
 
 
 
-    std::optional<Contact> All::shared_zone() const
+    std::optional<Contact> All::shared_pair() const
     {
-      for (const Contact &zone : zones())
-        if (!zone.has_point_per_multiplier())
-          return zone;
+      for (const Contact &contact_pair : pairs())
+        if (!contact_pair.has_point_per_multiplier())
+          return contact_pair;
       return {};
     }
 
@@ -109,12 +110,13 @@ namespace Contact
     void All::check_ranks() const
     {
       const std::string here = ", here are " + std::to_string(n_ranks) + ".";
-      if (const auto shared = shared_zone())
-        throw EntryError("The rule " + shared->rule.name() +
-                           " is solved by one process" + here,
-                         {shared->section() + "/Rule"},
-                         "run it without mpirun, or set 'Rule = mortar' or "
-                         "'Rule = nodal'");
+      if (const auto shared = shared_pair())
+        throw EntryError(
+          "The discretization " + shared->discretization.name() +
+            " is solved by one process" + here,
+          {shared->section() + "/Discretization"},
+          "run it without mpirun, or set 'Discretization = mortar' or "
+          "'Discretization = nodal'");
       if (solution.linear_solver == SolverKind::cholmod)
         throw EntryError("CHOLMOD works in one process" + here,
                          {solver_entry},
@@ -130,11 +132,13 @@ namespace Contact
 
     void All::check_saddle_point() const
     {
-      const auto zones = this->zones();
-      if (solution.friction == FrictionLoop::each_step &&
-          std::any_of(zones.begin(), zones.end(), [](const Contact &zone) {
-            return zone.frictional();
-          }))
+      const auto pairs = this->pairs();
+      if (solution.friction == FrictionLoop::lagged_bound &&
+          std::any_of(pairs.begin(),
+                      pairs.end(),
+                      [](const Contact &contact_pair) {
+                        return contact_pair.frictional();
+                      }))
         throw EntryError("With multipliers the bound follows in a loop or in "
                          "the tangent.",
                          {"Solution/Friction", system_entry},
@@ -147,11 +151,12 @@ namespace Contact
                          "set 'Linear solver = UMFPACK', or 'System = "
                          "condensed'");
       if (refinement.n_levels > 0)
-        throw EntryError("Nested iteration needs the condensed system.",
-                         {"Refinement/Levels", system_entry},
-                         "set 'System = condensed', with the rule nodal or "
-                         "mortar, or refine the first mesh with "
-                         "Mesh/Refinements");
+        throw EntryError(
+          "Nested iteration needs the condensed system.",
+          {"Refinement/Levels", system_entry},
+          "set 'System = condensed', with the nodal discretization or "
+          "mortar, or refine the first mesh with "
+          "Mesh/Refinements");
     }
 
 
@@ -162,23 +167,23 @@ namespace Contact
         throw EntryError("UMFPACK is for saddle point systems.",
                          {solver_entry, system_entry},
                          "set 'Linear solver = CHOLMOD'");
-      if (const auto shared = shared_zone())
-        throw EntryError("The multipliers of the rule " + shared->rule.name() +
-                           " can not be eliminated: " +
-                           (solution.linear_solver == SolverKind::automatic
-                              ? "a condensed system"
-                              : solution.linear_solver.name()) +
-                           " is not for it.",
-                         {shared->section() + "/Rule",
-                          solution.system != SystemKind::automatic
-                            ? system_entry
-                          : solution.linear_solver != SolverKind::automatic
-                            ? solver_entry
-                            : "Refinement/Levels"},
-                         "set 'Rule = mortar' or 'Rule = nodal'; the rule " +
-                           shared->rule.name() +
-                           " takes 'System = saddle point' and UMFPACK");
-      if (!zones().empty() && solution.geometry == GeometryLoop::newton)
+      if (const auto shared = shared_pair())
+        throw EntryError(
+          "The multipliers of the discretization " +
+            shared->discretization.name() + " can not be eliminated: " +
+            (solution.linear_solver == SolverKind::automatic
+               ? "a condensed system"
+               : solution.linear_solver.name()) +
+            " is not for it.",
+          {shared->section() + "/Discretization",
+           solution.system != SystemKind::automatic ? system_entry
+           : solution.linear_solver != SolverKind::automatic
+             ? solver_entry
+             : "Refinement/Levels"},
+          "set 'Discretization = mortar' or 'Discretization = nodal'; the discretization " +
+            shared->discretization.name() +
+            " takes 'System = saddle point' and UMFPACK");
+      if (!pairs().empty() && solution.geometry == GeometryLoop::newton)
         throw EntryError("The condensed system does not know how projections "
                          "move.",
                          {"Solution/Geometry", system_entry},

@@ -5,14 +5,17 @@
 
 #include "parameters/parameter_file.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <fstream>
+#include <iostream>
+#include <map>
 
 #include "base/errors.h"
 #include "base/files.h"
-#include "base/words.h"
+#include "base/string_utilities.h"
 
 namespace Contact
 {
@@ -277,6 +280,41 @@ namespace Contact
 
 
 
+  void ParameterReader::note_former(const std::string &what,
+                                    const std::string &present_name,
+                                    const Place       &place)
+  {
+    if (!Utilities::MPI::job_supports_mpi() ||
+        Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::cerr << place.name << ": note: " << what << " is now called '"
+                << present_name << "'." << std::endl;
+  }
+
+
+
+  std::string ParameterReader::present_value(const DeclaredEntry &entry,
+                                             const std::string   &value,
+                                             const Place         &place)
+  {
+    static const std::map<std::string, std::pair<std::string, std::string>>
+      former{{"Solution/Friction", {"each step", "lagged bound"}},
+             {"Element/Centre node", {"bound", "serendipity"}},
+             {"Solids/Dilatation", {"projected", "B-bar"}}};
+    if (entry.path() == "Boundary conditions/Histories")
+      return Utilities::replace_in_string(value,
+                                          "Spread force ",
+                                          "Resultant force ");
+    const auto found = former.find(entry.path());
+    if (found == former.end() || found->second.first != value)
+      return value;
+    note_former("'" + value + "' of " + entry.path(),
+                found->second.second,
+                place);
+    return found->second.second;
+  }
+
+
+
   void ParameterReader::set(const DeclaredEntry &entry,
                             const std::string   &value,
                             const Place         &place)
@@ -285,7 +323,7 @@ namespace Contact
     prm.enter_subsection(entry.section);
     try
       {
-        prm.set(entry.name, value);
+        prm.set(entry.name, present_value(entry, value, place));
       }
     catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
       {
@@ -338,7 +376,12 @@ namespace Contact
   {
     for (const DeclaredEntry &entry : entries)
       if (entry.section == in_section && entry.name == name)
-        return entry;
+        {
+          if (entry.alias_of.empty())
+            return entry;
+          note_former("The entry " + entry.path(), entry.alias_of, place);
+          return find_entry(in_section, entry.alias_of, place);
+        }
 
     if (!in_section.empty() && !has_section(in_section))
       throw InputError("There is no section " + in_quotes(in_section) + ".",
@@ -379,12 +422,13 @@ namespace Contact
     // A slip of the pen is more likely than the wrong section.
     Names here, everywhere, paths;
     for (const DeclaredEntry &entry : entries)
-      {
-        if (entry.section == in_section)
-          here.push_back(entry.name);
-        everywhere.push_back(entry.name);
-        paths.push_back(entry.path());
-      }
+      if (entry.alias_of.empty())
+        {
+          if (entry.section == in_section)
+            here.push_back(entry.name);
+          everywhere.push_back(entry.name);
+          paths.push_back(entry.path());
+        }
 
     std::size_t i = nearest(name, here);
     if (i < here.size())

@@ -34,7 +34,7 @@ namespace Contact
   class ParameterReader
   {
   public:
-    /// What makes a section of which there may be several.
+    /// The function that declares a section of which there may be several.
     using Declare = std::function<void(const std::string &name)>;
 
     /// The entries have to be declared in @p prm already, but for those of the
@@ -44,7 +44,7 @@ namespace Contact
                     const Declare     &declare);
 
     /// Read a file and what it includes, JSON if its name ends so. @p asked_by
-    /// is who wants it.
+    /// is the statement that asks for it.
     void read_file(const std::filesystem::path &file,
                    const std::string           &asked_by = "command line");
 
@@ -59,14 +59,15 @@ namespace Contact
     std::string where(const std::vector<std::string> &paths) const;
 
   private:
-    /// Where a statement stands, and what paths in it are relative to.
+    /// The place of a statement, and the directory that paths in it are
+    /// relative to.
     struct Place
     {
       std::string           name;
       std::filesystem::path directory;
     };
 
-    /// What was set, and where.
+    /// The entries that were set, and the place.
     using Settings = std::map<std::string, Place>;
 
     /// A file that is being read: the section it was included in, and what it
@@ -107,6 +108,16 @@ namespace Contact
 
     /// Declare a section if it is one of those there may be several of.
     void declare_section(const std::string &name);
+
+    /// Note that a former name goes on working, on the first rank.
+    static void note_former(const std::string &what,
+                            const std::string &present_name,
+                            const Place       &place);
+
+    /// The name that a value has now.
+    static std::string present_value(const DeclaredEntry &entry,
+                                     const std::string   &value,
+                                     const Place         &place);
 
     bool                 has_section(const std::string &name) const;
     const DeclaredEntry &find_entry(const std::string &in_section,

@@ -14,7 +14,7 @@
 #include <set>
 
 #include "base/errors.h"
-#include "base/words.h"
+#include "base/string_utilities.h"
 #include "parameters/json_file.h"
 #include "parameters/parameter_file.h"
 
@@ -136,7 +136,7 @@ namespace Contact
         return text;
       }
 
-      // What is printed afterwards has one line per entry, and separators
+      // The output printed afterwards has one line per entry, and separators
       // between elements only.
       std::string scalar(const JsonValue   &value,
                          const std::string &separators,

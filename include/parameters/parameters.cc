@@ -48,24 +48,24 @@ namespace Contact
 
   namespace Parameters
   {
-    void All::add_zone(const std::string &name, ParameterHandler &prm)
+    void All::add_pair(const std::string &name, ParameterHandler &prm)
     {
-      Contact &zone = further_contacts[name];
-      zone.name     = name;
-      zone.add_parameters(prm);
+      Contact &contact_pair = further_contacts[name];
+      contact_pair.name     = name;
+      contact_pair.add_parameters(prm);
     }
 
 
 
-    std::vector<Contact> All::zones() const
+    std::vector<Contact> All::pairs() const
     {
-      std::vector<Contact> zones;
-      if (contact.is_zone())
-        zones.push_back(contact);
+      std::vector<Contact> pairs;
+      if (contact.is_pair())
+        pairs.push_back(contact);
       for (const auto &further : further_contacts)
-        if (further.second.is_zone())
-          zones.push_back(further.second);
-      return zones;
+        if (further.second.is_pair())
+          pairs.push_back(further.second);
+      return pairs;
     }
 
 
@@ -100,20 +100,21 @@ namespace Contact
         return solution.linear_solver != SolverKind::umfpack;
       if (refinement.n_levels > 0 || n_ranks > 1)
         return true;
-      const auto zones    = this->zones();
+      const auto pairs    = this->pairs();
       const auto all_have = [&](const auto &property) {
-        return std::all_of(zones.begin(), zones.end(), property);
+        return std::all_of(pairs.begin(), pairs.end(), property);
       };
-      if (all_have([](const Contact &zone) { return zone.tied; }))
+      if (all_have(
+            [](const Contact &contact_pair) { return contact_pair.tied; }))
         return true;
 
       // Beyond, a sparse direct solver of the saddle point takes too much time
       // and memory.
       const bool is_large = n_displacements > 100000;
-      return (is_large || solution.friction == FrictionLoop::each_step) &&
+      return (is_large || solution.friction == FrictionLoop::lagged_bound) &&
              solution.geometry != GeometryLoop::newton &&
-             all_have([](const Contact &zone) {
-               return zone.has_point_per_multiplier();
+             all_have([](const Contact &contact_pair) {
+               return contact_pair.has_point_per_multiplier();
              });
     }
 
@@ -141,7 +142,7 @@ namespace Contact
     parameters.add_parameters(prm);
 
     ParameterReader reader(prm, "Contact", [&](const std::string &name) {
-      parameters.add_zone(name, prm);
+      parameters.add_pair(name, prm);
     });
     reader.read_file(file);
     for (const std::string &assignment : overrides)

@@ -52,7 +52,7 @@ namespace Contact
    */
   namespace Parameters
   {
-    /// Where the mesh comes from and which of its boundaries are arcs.
+    /// The file of the mesh, and the boundaries that are arcs.
     struct Mesh
     {
       std::string  file;
@@ -64,8 +64,7 @@ namespace Contact
       /// Body -> {dx, dy} [mm], in the coordinates of the file.
       std::map<std::string, std::vector<double>> move;
 
-      /// What is done to all coordinates of the file after that, in this
-      /// order.
+      /// Changes of all coordinates of the file after that, in this order.
       double              scale    = 1;      // [-]
       double              rotation = 0;      // about the origin [degrees]
       std::vector<double> shift    = {0, 0}; // [mm]
@@ -82,7 +81,7 @@ namespace Contact
       unsigned int degree = 1;
 
       /// Bound: the 8-node quadrilateral, free: the 9-node one.
-      Choice<CentreNode> centre_node = CentreNode::bound;
+      Choice<CentreNode> centre_node = CentreNode::serendipity;
 
       void add_parameters(ParameterHandler &prm);
       void check() const;
@@ -90,11 +89,11 @@ namespace Contact
 
 
 
-    /// What the bodies are made of and how they move.
+    /// The materials of the bodies and their kinematics.
     struct Solids
     {
       /// Body group -> Young's modulus [MPa] and Poisson's ratio [-].
-      std::map<std::string, double> young;
+      std::map<std::string, double> youngs_modulus;
       std::map<std::string, double> poisson;
 
       /// See symmetry.h.
@@ -127,8 +126,8 @@ namespace Contact
 
       /// Boundary group -> dead force at full load [N per mm of thickness],
       /// spread evenly over its undeformed length.
-      std::map<std::string, double> spread_force_x;
-      std::map<std::string, double> spread_force_y;
+      std::map<std::string, double> resultant_force_x;
+      std::map<std::string, double> resultant_force_y;
 
       /// Boundary group -> dead pressure at full load [MPa], a formula in x and
       /// y; normal to the undeformed boundary, positive in compression.
@@ -159,7 +158,7 @@ namespace Contact
 
 
 
-    /// One pair of surfaces that may touch: a zone.
+    /// One pair of surfaces that may touch: a contact pair.
     struct Contact
     {
       /// Of the section "Contact NAME"; empty for the section "Contact".
@@ -171,7 +170,8 @@ namespace Contact
       /// Instead of a master: see Obstacle.
       std::map<Choice<ObstacleShape>, std::vector<double>> obstacle;
 
-      Choice<Rule> rule           = Rule::mortar;
+      Choice<ContactDiscretization> discretization =
+        ContactDiscretization::mortar;
       unsigned int n_gauss_points = 3;
 
       /// Points of the slave surface that carry no contact point.
@@ -185,16 +185,16 @@ namespace Contact
       double tresca_limit         = 0; // [MPa]; instead of Coulomb
 
       /// The parameter c of the augmented Lagrangian, by the stiffness E/h of
-      /// the slave's edge [-]. The active set of the rules nodal and mortar
-      /// does not depend on it; with a status per Gauss point it enters the
-      /// discrete problem.
-      double complementarity = 1e-3;
+      /// the slave's edge [-]. The active set of the nodal and mortar
+      /// discretizations does not depend on it; with a status per Gauss point
+      /// it enters the discrete problem.
+      double augmentation_parameter = 1e-3;
 
       /// Whether each multiplier has a point of its own: only then it can be
       /// eliminated, excluded at a node, and live on one of several processes.
       bool has_point_per_multiplier() const
       {
-        return rule != Rule::gauss;
+        return discretization != ContactDiscretization::gauss;
       }
 
       bool frictional() const
@@ -208,7 +208,7 @@ namespace Contact
       }
 
       /// Whether there is anything that may touch.
-      bool is_zone() const
+      bool is_pair() const
       {
         return !slave.empty();
       }
@@ -355,25 +355,25 @@ namespace Contact
       Element    element;
       Solids     solids;
       Boundary   boundary;
-      Contact    contact; // the first zone
+      Contact    contact; // the first contact pair
       Solution   solution;
       Refinement refinement;
       Probes     probes;
       Output     output;
 
-      /// The zones of the sections "Contact NAME".
+      /// The contact pairs of the sections "Contact NAME".
       std::map<std::string, Contact> further_contacts;
 
-      /// All zones, none without contact.
-      std::vector<Contact> zones() const;
+      /// All contact pairs, none without contact.
+      std::vector<Contact> pairs() const;
 
       /// Declare the entries of "Contact NAME", which are those of Contact.
-      void add_zone(const std::string &name, ParameterHandler &prm);
+      void add_pair(const std::string &name, ParameterHandler &prm);
 
-      /// Where its results go.
+      /// The directory of its results.
       std::filesystem::path directory() const;
 
-      /// How many processes work on the case.
+      /// The number of processes that work on the case.
       unsigned int n_ranks = 1;
 
       /// Go on behind the last increment of an interrupted run.
@@ -390,8 +390,8 @@ namespace Contact
       void add_parameters(ParameterHandler &prm);
 
       /**
-       * What only several entries together can tell: every entry of one
-       * concern against every other. Throws InputError.
+       * The checks of several entries together: every entry of one concern
+       * against every other. Throws InputError.
        */
       void check() const;
 
@@ -402,8 +402,9 @@ namespace Contact
       void check_saddle_point() const;
       void check_condensed() const;
 
-      /// The first zone whose multipliers share points, if there is one.
-      std::optional<Contact> shared_zone() const;
+      /// The first contact pair whose multipliers share points, if there is
+      /// one.
+      std::optional<Contact> shared_pair() const;
     };
   } // namespace Parameters
 

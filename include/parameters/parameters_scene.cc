@@ -58,12 +58,13 @@ namespace Contact
                         degree,
                         "Polynomial degree of the displacements [-].",
                         Patterns::Integer(1, 2));
-      prm.add_parameter("Centre node",
-                        centre_node,
-                        "The node in the middle of a quadrilateral of degree "
-                        "2 [-]; bound: half the sum of the mid-sides minus a "
-                        "quarter of the sum of the corners (8-node element), "
-                        "free: an unknown (9-node element).");
+      prm.add_parameter(
+        "Centre node",
+        centre_node,
+        "The node in the middle of a quadrilateral of degree "
+        "2 [-]; serendipity: half the sum of the mid-sides minus a "
+        "quarter of the sum of the corners (8-node element), "
+        "free: an unknown (9-node element).");
       prm.leave_subsection();
     }
 
@@ -73,7 +74,7 @@ namespace Contact
     {
       prm.enter_subsection("Solids");
       prm.add_parameter("Young's modulus",
-                        young,
+                        youngs_modulus,
                         "'body: E' [MPa], separated by ','; E > 0.");
       prm.add_parameter("Poisson's ratio",
                         poisson,
@@ -95,8 +96,8 @@ namespace Contact
         "Dilatation",
         dilatation,
         "The trace of the strain in a cell [-]; full: as it is, "
-        "projected: its mean, in quadrangles of degree 2 its linear "
-        "part, against locking, automatic: projected for bodies "
+        "B-bar: its mean, in quadrangles of degree 2 its linear "
+        "part, against locking, automatic: B-bar for bodies "
         "with nu > 5/11. Triangles of degree 1 lock either way.");
       prm.leave_subsection();
     }
@@ -136,18 +137,22 @@ namespace Contact
         "Force y",
         force_y,
         "As Force x, in direction y [N per mm of thickness; axisymmetric: N].");
-      prm.add_parameter("Spread force x",
-                        spread_force_x,
+      prm.add_parameter("Resultant force x",
+                        resultant_force_x,
                         "'boundary: value' [N per mm of thickness; "
                         "axisymmetric: N on all rings], separated by ','; a "
                         "boundary group and its dead force at full load, "
                         "spread evenly over its undeformed area. Of a nodal "
                         "force the finer mesh sees the singularity.");
       prm.add_parameter(
-        "Spread force y",
-        spread_force_y,
-        "As Spread force x, in direction y [N per mm of thickness; "
+        "Resultant force y",
+        resultant_force_y,
+        "As Resultant force x, in direction y [N per mm of thickness; "
         "axisymmetric: N].");
+      for (const std::string component : {"x", "y"})
+        prm.declare_alias("Resultant force " + component,
+                          "Spread force " + component,
+                          /*alias_is_deprecated=*/true);
     }
 
 
@@ -204,12 +209,13 @@ namespace Contact
     void Contact::add_parameters(ParameterHandler &prm)
     {
       prm.enter_subsection(section());
-      prm.add_parameter("Slave",
-                        slave,
-                        "Boundary group that carries the contact points [-]; "
-                        "empty, together with Master: no contact. More zones "
-                        "have sections of their own, 'Contact NAME', with the "
-                        "same entries.");
+      prm.add_parameter(
+        "Slave",
+        slave,
+        "Boundary group that carries the contact points [-]; "
+        "empty, together with Master: no contact. More contact pairs "
+        "have sections of their own, 'Contact NAME', with the "
+        "same entries.");
       prm.add_parameter("Master",
                         master,
                         "Boundary group they are projected on [-].");
@@ -219,27 +225,29 @@ namespace Contact
                         "[mm]: 'half plane: x, y, normal x, normal y', a point "
                         "and the outward normal, or 'circle: x, y, radius', "
                         "negative for a hole.");
-      prm.add_parameter("Rule",
-                        rule,
+      prm.add_parameter("Discretization",
+                        discretization,
                         "Where the contact points are [-]; nodal: in the nodes "
                         "of the slave; Gauss: in the Gauss points of its "
                         "faces; mortar: in the nodes, with gaps that are "
                         "weighted along the surface by dual functions.");
-      prm.add_parameter("Gauss points",
-                        n_gauss_points,
-                        "Gauss points per slave face [-]; only for the rule "
-                        "Gauss.",
-                        Patterns::Integer(1, 10));
-      prm.add_parameter("Excluded points",
-                        excluded_points,
-                        "Point groups of the slave surface that carry no "
-                        "contact point [-], separated by ','; for the rules "
-                        "nodal and mortar.");
+      prm.add_parameter(
+        "Gauss points",
+        n_gauss_points,
+        "Gauss points per slave face [-]; only for the discretization "
+        "Gauss.",
+        Patterns::Integer(1, 10));
+      prm.add_parameter(
+        "Excluded points",
+        excluded_points,
+        "Point groups of the slave surface that carry no "
+        "contact point [-], separated by ','; for the discretizations "
+        "nodal and mortar.");
       prm.add_parameter("Tied",
                         tied,
                         "Glue the slave to the master wherever it faces it, "
                         "instead of contact [-]: what the same bodies cost "
-                        "without contact; rule nodal or mortar.");
+                        "without contact; nodal discretization or mortar.");
       prm.add_parameter("Friction coefficient",
                         friction_coefficient,
                         "Coulomb's coefficient of friction [-]; 0: none.",
@@ -249,12 +257,17 @@ namespace Contact
                         "Bound of the tangential traction that does not "
                         "depend on the pressure [MPa]; 0: none.",
                         Patterns::Double(0));
-      prm.add_parameter("Complementarity",
-                        complementarity,
-                        "Parameter c of the augmented Lagrangian p = max(0, "
-                        "lambda - c gap), by the stiffness E/h of the slave's "
-                        "edge [-]; > 0. Results of the rules nodal and mortar "
-                        "do not depend on it, those of the rule Gauss do.");
+      prm.add_parameter(
+        "Complementarity",
+        augmentation_parameter,
+        "Parameter c of the augmented Lagrangian p = max(0, "
+        "lambda - c gap), by the stiffness E/h of the slave's "
+        "edge [-]; > 0. Results of the nodal and mortar discretizations "
+        "do not depend on it, those of the Gauss-point discretization do.");
+      for (const auto &[now, former] :
+           {std::make_pair("Discretization", "Rule"),
+            std::make_pair("Augmentation parameter", "Complementarity")})
+        prm.declare_alias(now, former, /*alias_is_deprecated=*/true);
       prm.leave_subsection();
     }
   } // namespace Parameters

@@ -72,7 +72,7 @@ namespace Contact
       prm.add_parameter("Friction",
                         friction,
                         "How the bound of friction follows the pressure [-]; "
-                        "fixed point: in a loop of its own; each step: "
+                        "fixed point: in a loop of its own; lagged bound: "
                         "renewed before each Newton step; Newton: with the "
                         "displacements, in the tangent as well.");
       prm.add_parameter(
@@ -108,10 +108,10 @@ namespace Contact
         system,
         "The linear system [-]; saddle point: with the "
         "multipliers; condensed: without, symmetric positive "
-        "definite without friction, for the rules nodal and mortar; "
+        "definite without friction, for the nodal and mortar discretizations; "
         "automatic: condensed without contact and for glued surfaces, with "
         "several levels, with several processes, with another solver than "
-        "UMFPACK, and with more than 100000 displacements for the rules nodal "
+        "UMFPACK, and with more than 100000 displacements for the discretizations nodal "
         "and mortar, otherwise saddle point.");
       prm.add_parameter("Linear solver",
                         linear_solver,
@@ -130,7 +130,7 @@ namespace Contact
       prm.add_parameter("Levels",
                         n_levels,
                         "How often the mesh is refined after a solution, which "
-                        "is carried over [-].",
+                        "is transferred [-].",
                         Patterns::Integer(0));
       prm.add_parameter("Strategy",
                         strategy,

@@ -28,7 +28,7 @@ namespace Contact
       if (n_modes >= quadrature.size())
         return {};
 
-      // What is left out stays zero.
+      // Modes that are left out stay zero.
       std::vector<std::array<double, 3>> modes(quadrature.size(), {{0, 0, 0}});
       const auto product = [&](const unsigned int m, const unsigned int n) {
         double sum = 0;
@@ -64,7 +64,7 @@ namespace Contact
                         CellTable            &cell)
     {
       const auto &fe    = fe_values.get_fe();
-      const bool  bound = discretization.bound_centre &&
+      const bool  bound = discretization.serendipity &&
                          dof_cell->reference_cell().is_hyper_cube();
       const unsigned int n_nodes = fe.base_element(0).n_dofs_per_cell();
       const unsigned int n_free  = bound ? n_nodes - 1 : n_nodes;

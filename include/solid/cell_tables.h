@@ -19,7 +19,7 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * What of a cell stays the same on a mesh. The gradients of the shape
+   * The data of a cell that stay the same on a mesh. The gradients of the shape
    * functions are with respect to the reference configuration. Where the centre
    * of a quadrangle is bound, they are those of the eight free nodes, so that
    * the centre costs nothing in assembly.
@@ -36,8 +36,8 @@ namespace Contact
     std::vector<Tensor<1, 2>>            gradients;      // by point, then node
     std::vector<double>                  hoop_gradients; // N_a/X, of rings
 
-    /// Where the dilatation is projected: polynomials phi_m with
-    /// sum_q JxW phi_m phi_n = delta_mn, by point. Else empty.
+    /// Modes of the projected dilatation: polynomials phi_m with sum_q JxW
+    /// phi_m phi_n = delta_mn, by point. Else empty.
     std::vector<std::array<double, 3>> modes;
 
     unsigned int n_nodes() const

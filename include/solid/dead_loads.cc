@@ -49,9 +49,9 @@ namespace Contact
     const auto        &boundary  = discretization.boundary;
     const Tensor<1, 2> direction = Point<2>::unit_vector(c);
 
-    const std::string spread = std::string("Spread force ") + "xy"[c];
+    const std::string spread = std::string("Resultant force ") + "xy"[c];
     for (const auto &[name, force] :
-         c == 0 ? boundary.spread_force_x : boundary.spread_force_y)
+         c == 0 ? boundary.resultant_force_x : boundary.resultant_force_y)
       {
         // The shares add up to the length; of rings, to their area.
         const Vector<double> shares =

@@ -45,7 +45,7 @@ namespace Contact
       return nodal_forces.count(dof) > 0;
     }
 
-    /// Whether a spread force, a pressure or a traction acts on a boundary.
+    /// Whether a resultant force, a pressure or a traction acts on a boundary.
     bool is_loaded(const types::boundary_id id) const
     {
       return loaded.count(id) > 0;
@@ -78,7 +78,7 @@ namespace Contact
       const std::function<Tensor<1, 2>(const unsigned int q)> &density,
       Vector<double>                                          &integrals) const;
 
-    /// What the forces of an entry add up to.
+    /// The sum of the magnitudes of the forces of an entry.
     Vector<double> &load_of(const std::string &entry);
 
     const Discretization                 &discretization;

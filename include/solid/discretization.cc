@@ -20,6 +20,7 @@
 
 #include "base/all_ranks.h"
 #include "base/errors.h"
+#include "base/string_utilities.h"
 #include "parameters/formula.h"
 
 namespace Contact
@@ -27,8 +28,8 @@ namespace Contact
   namespace
   {
     /// One point, or three points that are exact for polynomials of degree 2.
-    /// Which corner of a triangle comes first does not matter to them, as it
-    /// does to the four points of QGaussSimplex<2>(2).
+    /// The choice of the first corner of a triangle does not matter to them, as
+    /// it does to the four points of QGaussSimplex<2>(2).
     Quadrature<2> triangle_rule(const unsigned int degree)
     {
       if (degree == 1)
@@ -64,8 +65,8 @@ namespace Contact
     : mesh(mesh)
     , communicator(communicator)
     , degree(parameters.element.degree)
-    , bound_centre(degree == 2 && parameters.element.centre_node ==
-                                    Parameters::CentreNode::bound)
+    , serendipity(degree == 2 && parameters.element.centre_node ==
+                                   Parameters::CentreNode::serendipity)
     , axisymmetric(parameters.solids.symmetry ==
                    Parameters::Symmetry::axisymmetric)
     , mapping(MappingQ<2>(degree), MappingFE<2>(FE_SimplexP<2>(degree)))
@@ -98,8 +99,8 @@ namespace Contact
         if (const Point<2> X = cell->vertex(v); X[0] < -axis_tolerance)
           throw InputError("with axisymmetry x is the radius, but the node at "
                            "(" +
-                             std::to_string(X[0]) + ", " +
-                             std::to_string(X[1]) + ") mm has a negative one",
+                             brief(X[0]) + ", " + brief(X[1]) +
+                             ") mm has a negative one",
                            "Solids/Symmetry",
                            "mesh the half x >= 0 of the section, move it there "
                            "with Mesh/Shift, or set 'Symmetry = plane strain'");
@@ -115,7 +116,7 @@ namespace Contact
     ties.clear();
     updates_vanish = true;
     collect_vertex_dofs();
-    share_named_points();
+    gather_named_points();
     collect_supports();
     collect_ties();
     make_constraints({});
@@ -162,7 +163,7 @@ namespace Contact
       return;
     Vector<double> move(u.size());
     constraints.distribute(move);
-    share(move);
+    gather(move);
     u += move;
 
     // To the last digit.
@@ -188,7 +189,7 @@ namespace Contact
 
 
 
-  void Discretization::share(Vector<double> &u) const
+  void Discretization::gather(Vector<double> &u) const
   {
     if (Utilities::MPI::n_mpi_processes(communicator) == 1)
       return;
@@ -245,7 +246,7 @@ namespace Contact
 
 
   // A named point is a vertex of the coarse mesh, which all ranks number alike.
-  void Discretization::share_named_points()
+  void Discretization::gather_named_points()
   {
     std::vector<types::global_dof_index *> shared;
     std::vector<types::global_dof_index>   dofs;
@@ -316,7 +317,7 @@ namespace Contact
 
 
 
-  // A ring of no radius can not grow.
+  // u_r = 0 on the axis.
   void Discretization::hold_axis()
   {
     std::vector<types::global_dof_index> dofs;
@@ -393,7 +394,7 @@ namespace Contact
         constraints.add_line(dof);
         constraints.add_entry(dof, partner, 1.);
       }
-    if (bound_centre)
+    if (serendipity)
       bind_centres();
     constraints.close();
   }

@@ -44,7 +44,7 @@ namespace Contact
    *
    * Quadrature: 2x2 and 1 point at degree 1, 3x3 and 3 points at degree 2.
    *
-   * With <code>bound_centre</code> the centre value of a quadrangle of degree 2
+   * With <code>serendipity</code> the centre value of a quadrangle of degree 2
    * is 1/2 sum(mid-sides) - 1/4 sum(corners): the 8-node element.
    *
    * With axisymmetry x is the radius and y the axis. Whatever integrates
@@ -62,8 +62,9 @@ namespace Contact
                    const Parameters::All &parameters,
                    const MPI_Comm         communicator = MPI_COMM_SELF);
 
-    /// How much of the body stands behind a place X of the plane: 1 in plane
-    /// strain, the circumference 2 pi x of its ring with axisymmetry [mm].
+    /// The volume of the body by the area of the plane, at a place X: 1 in
+    /// plane strain, the circumference 2 pi x of its ring with axisymmetry
+    /// [mm].
     double circumference(const Point<2> &X) const
     {
       return circumference_at(X[0]);
@@ -88,7 +89,7 @@ namespace Contact
     const Mesh        &mesh;
     const MPI_Comm     communicator;
     const unsigned int degree;
-    const bool         bound_centre;
+    const bool         serendipity;
     const bool         axisymmetric;
 
     const hp::MappingCollection<2> mapping;
@@ -110,8 +111,8 @@ namespace Contact
     /// by its history.
     double factor(const std::string &entry, const double load_factor) const;
 
-    /// Supports, ties, bound centres and hanging nodes, for the next Newton
-    /// update.
+    /// Supports, ties, serendipity constraints and hanging nodes, for the next
+    /// Newton update.
     AffineConstraints<double> constraints;
 
     /// By component: the groups that are supported, and the unknowns of each
@@ -139,7 +140,7 @@ namespace Contact
 
     /// Give all ranks what the owner of each unknown has in @p u: a rank knows
     /// the constraints of its own unknowns, not those of all others.
-    void share(Vector<double> &u) const;
+    void gather(Vector<double> &u) const;
 
     /// The largest displacement that a support prescribes now [mm].
     double largest_prescribed() const
@@ -150,8 +151,8 @@ namespace Contact
     /// The costly operations on these spaces. Counting changes nothing.
     mutable Counters counters;
 
-    /// How far a supported unknown of @p u is at most from where it has to be
-    /// under @p load_factor [mm].
+    /// The largest distance of a supported unknown of @p u from its prescribed
+    /// value under @p load_factor [mm].
     double distance_from_supports(const Vector<double> &u,
                                   const double          load_factor) const;
 
@@ -195,7 +196,7 @@ namespace Contact
     void check_radii();
     void hold_axis();
     void collect_vertex_dofs();
-    void share_named_points();
+    void gather_named_points();
     void collect_supports();
     void collect_ties();
     void

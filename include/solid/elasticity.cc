@@ -22,9 +22,10 @@ namespace Contact
     {
       const std::string                      entry = "Solids/Young's modulus";
       std::map<types::material_id, Material> materials;
-      for (const auto &[name, young] : parameters.young)
+      for (const auto &[name, youngs_modulus] : parameters.youngs_modulus)
         materials.emplace(mesh.body(name, entry),
-                          Material(young, parameters.poisson.at(name)));
+                          Material(youngs_modulus,
+                                   parameters.poisson.at(name)));
       for (const auto &[name, body] : mesh.bodies)
         if (materials.count(body) == 0)
           throw InputError("body '" + name + "' has no material",
@@ -42,7 +43,7 @@ namespace Contact
     {
       std::set<types::material_id> projected;
       for (const auto &[body, material] : materials)
-        if (dilatation == Parameters::Dilatation::projected ||
+        if (dilatation == Parameters::Dilatation::B_bar ||
             (dilatation == Parameters::Dilatation::automatic &&
              material.lambda > 10 * material.mu))
           projected.insert(body);
@@ -76,7 +77,7 @@ namespace Contact
     , materials(find_materials(discretization.mesh, parameters))
     , projected(find_projected(materials, parameters.dilatation))
     , tables(tabulate_cells(discretization, materials, projected))
-    , soft_hold(discretization, tables.own)
+    , springs(discretization, tables.own)
   {
   }
 
@@ -106,7 +107,7 @@ namespace Contact
           cell_forces(cell, u, stress_stiffness, wanted, forces);
         if (of_cell.value < smallest.value)
           smallest = {of_cell.value, cell.body, cell.points[of_cell.point]};
-        soft_hold.add_springs(cell, u, wanted, forces);
+        springs.add_springs(cell, u, wanted, forces);
         visitor(cell.dofs, tangent, forces);
       }
     return smallest;
@@ -152,7 +153,7 @@ namespace Contact
         constraints.distribute_local_to_global(i, load[i], rhs);
 
     // Bodies at rest exert nothing.
-    if (matrix == nullptr && soft_hold.held().empty() && u.all_zero())
+    if (matrix == nullptr && springs.held().empty() && u.all_zero())
       return VolumeRatio();
 
     Vector<double> cell_rhs;

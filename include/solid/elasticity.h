@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "solid/dead_loads.h"
-#include "solid/soft_hold.h"
+#include "solid/stabilization_springs.h"
 
 namespace Contact
 {
@@ -96,7 +96,7 @@ namespace Contact
     /// Add the couplings of the bodies.
     void add_couplings(DynamicSparsityPattern &pattern) const;
 
-    /// What is done with a cell: its unknowns, its tangent (empty if there was
+    /// The work on a cell, given its unknowns, its tangent (empty if there was
     /// none asked for) and its internal forces.
     using CellVisitor =
       std::function<void(const std::vector<types::global_dof_index> &dofs,
@@ -113,7 +113,7 @@ namespace Contact
                             const std::vector<unsigned int> &chosen,
                             const CellVisitor               &visitor) const;
 
-    /// How many cells this rank has, and the unknowns of one of them.
+    /// The number of cells of this rank, and the unknowns of one of them.
     unsigned int n_cells() const
     {
       return tables.own.size();
@@ -146,16 +146,16 @@ namespace Contact
 
     /**
      * The energy stored in the bodies [N mm per mm of thickness]: its
-     * derivative are the internal forces. Without that of a soft hold.
+     * derivative are the internal forces. Without that of stabilization.
      * Collective.
      */
     double strain_energy(const Vector<double> &u) const;
 
     /// Grows whenever the tangent becomes another one under the same u: with
-    /// the soft hold.
+    /// the stabilization.
     unsigned int tangent_version() const
     {
-      return soft_hold.version();
+      return springs.version();
     }
 
     /// Whether the dilatation of the quadrangles of a body is projected.
@@ -178,9 +178,9 @@ namespace Contact
                    const SymmetricTensor<2, 3> &stress) const = 0;
 
     /// Young's modulus [MPa] of a body.
-    double young(const types::material_id body) const
+    double youngs_modulus(const types::material_id body) const
     {
-      return material(body).young;
+      return material(body).youngs_modulus;
     }
 
     /// The material of a body.
@@ -228,7 +228,7 @@ namespace Contact
   public:
     /// The springs at the cells, which are part of their residual and of their
     /// tangent, whoever visits them.
-    SoftHold soft_hold;
+    StabilizationSprings springs;
   };
 } // namespace Contact
 

@@ -34,10 +34,10 @@ namespace Contact
    */
   struct Material
   {
-    Material(const double young, const double poisson)
-      : young(young)
-      , lambda(young * poisson / ((1 + poisson) * (1 - 2 * poisson)))
-      , mu(young / (2 * (1 + poisson)))
+    Material(const double youngs_modulus, const double poisson)
+      : youngs_modulus(youngs_modulus)
+      , lambda(youngs_modulus * poisson / ((1 + poisson) * (1 - 2 * poisson)))
+      , mu(youngs_modulus / (2 * (1 + poisson)))
     {
     }
 
@@ -92,7 +92,7 @@ namespace Contact
       return (s * s - lambda * trace(s) * tr) / (2 * mu);
     }
 
-    const double young; // [MPa]
+    const double youngs_modulus; // [MPa]
     const double lambda;
     const double mu;
   };

@@ -60,14 +60,14 @@ namespace Contact
     for (unsigned int v = 0; v < n_vertices; ++v)
       if (n_cells[v] > 0)
         at_vertices[v] /= n_cells[v];
-    share_named_points(at_vertices);
+    gather_named_points(at_vertices);
     return at_vertices;
   }
 
 
 
   // A rank that has a cell at a vertex knows all cells around it.
-  void StressRecovery::share_named_points(
+  void StressRecovery::gather_named_points(
     std::vector<SymmetricTensor<2, 3>> &at_vertices) const
   {
     const MPI_Comm communicator = discretization.communicator;

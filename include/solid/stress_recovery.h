@@ -32,7 +32,7 @@ namespace Contact
 
   private:
     void
-    share_named_points(std::vector<SymmetricTensor<2, 3>> &at_vertices) const;
+    gather_named_points(std::vector<SymmetricTensor<2, 3>> &at_vertices) const;
 
     const Discretization &discretization;
 

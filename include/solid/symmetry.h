@@ -15,7 +15,7 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * What the plane of the mesh is a section of. Both symmetries have
+   * The body that the plane of the mesh is a section of. Both symmetries have
    *  - has_hoop: whether the bodies strain across the plane;
    *  - StrainRow: what an unknown adds to the strains (E11, E22, 2 E12 and,
    *    with a hoop, E33), and the trace of that;

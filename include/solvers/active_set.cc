@@ -71,7 +71,7 @@ namespace Contact
     bool                               one_by_one = false;
     unsigned int                       n_rounds   = 0;
     const unsigned int                 max_rounds = 20 + 20 * points.size();
-    while (decide(corrected, one_by_one))
+    while (updated_status(corrected, one_by_one))
       {
         if (++n_rounds > max_rounds)
           return false;
@@ -87,12 +87,12 @@ namespace Contact
   bool ActiveSetSearch::search_by_turns(const Vector<double> &update,
                                         Vector<double>       &corrected)
   {
-    // What decides are signs: bounds to a thousandth are enough.
+    // Only signs matter: bounds to a thousandth are enough.
     const unsigned int max_turns = 20;
     const double       tolerance = 1e-3;
 
     for (unsigned int q = 0; q < points.size(); ++q)
-      points[q].decision = interface.points[q].decision;
+      points[q].status = interface.points[q].status;
     bounds_are_frozen = true;
     corrected         = update;
     bool   is_found   = true;
@@ -110,7 +110,7 @@ namespace Contact
 
     // A point that has opened and closed again on the way has lost its bound.
     corrected = solve_changes(update);
-    return !decide(corrected, /*one_by_one=*/false);
+    return !updated_status(corrected, /*one_by_one=*/false);
   }
 
 
@@ -121,8 +121,9 @@ namespace Contact
     for (unsigned int q = 0; q < points.size(); ++q)
       {
         const ContactPoint &point = interface.points[q];
-        points[q].decision        = point.decision;
-        points[q].has_changed     = point.facing && !interface.zone(point).tied;
+        points[q].status          = point.status;
+        points[q].has_changed =
+          point.facing && !interface.contact_pair(point).tied;
       }
     add_responses();
     FullMatrix<double> matrix;
@@ -139,11 +140,11 @@ namespace Contact
         const ContactPoint &point = interface.points[q];
         if (!responses[i].tangential)
           {
-            const FrictionLaw frozen{point.tresca_bound, 0};
+            const FrictionLaw frozen{point.friction_bound, 0};
             tractions.push_back(
               {i,
                numbers::invalid_unsigned_int,
-               bound_moves() ? interface.zone(point).law : frozen});
+               bound_moves() ? interface.contact_pair(point).law : frozen});
             number_of.push_back(q);
           }
         else if (interface.can_stick(point))
@@ -156,21 +157,21 @@ namespace Contact
       return false;
 
     for (unsigned int i = 0; i < number_of.size(); ++i)
-      points[number_of[i]].decision =
-        interface.decide(interface.points[number_of[i]],
-                         Decision(),
-                         z[tractions[i].p],
-                         tractions[i].q == numbers::invalid_unsigned_int
-                           ? 0.
-                           : z[tractions[i].q],
-                         bound_moves());
+      points[number_of[i]].status =
+        interface.updated_status(interface.points[number_of[i]],
+                                 PointStatus(),
+                                 z[tractions[i].p],
+                                 tractions[i].q == numbers::invalid_unsigned_int
+                                   ? 0.
+                                   : z[tractions[i].q],
+                                 bound_moves());
     corrected = solve_changes(update);
     return true;
   }
 
 
 
-  // The tractions t are those of the old decisions, a + D z, and the excess
+  // The tractions t are those of the old statuses, a + D z, and the excess
   // eta, and z = z_0 - G eta: (1 - G D) z = z_0 + G a - G t.
   bool ActiveSetSearch::find_trial_values(const Vector<double> &update,
                                           FullMatrix<double>   &matrix,
@@ -231,10 +232,10 @@ namespace Contact
         const double  p =
           points[q].p +
           dot(points[q].rows.unknowns, points[q].rows.p_trial, update);
-        const double bound = interface.zone(point).law.bound(p);
-        change  = std::max(change, std::abs(bound - point.tresca_bound));
+        const double bound = interface.contact_pair(point).law.bound(p);
+        change  = std::max(change, std::abs(bound - point.friction_bound));
         largest = std::max(largest, bound);
-        point.tresca_bound = bound;
+        point.friction_bound = bound;
       }
     return largest > 0 ? change / largest : 0;
   }
@@ -253,7 +254,7 @@ namespace Contact
         interface.rows(point, solution, u_start, linearization, points[q].rows);
         points[q].p           = now.p_trial;
         points[q].q           = now.q_trial;
-        points[q].decision    = point.decision;
+        points[q].status      = point.status;
         points[q].old_p       = traction(q, false);
         points[q].old_q       = traction(q, true);
         points[q].has_changed = false;
@@ -262,27 +263,27 @@ namespace Contact
 
 
 
-  bool ActiveSetSearch::decide(const Vector<double> &update,
-                               const bool            one_by_one)
+  bool ActiveSetSearch::updated_status(const Vector<double> &update,
+                                       const bool            one_by_one)
   {
     bool changed = false;
     for (unsigned int q = 0; q < points.size() && !(changed && one_by_one); ++q)
       {
-        LinearPoint   &point    = points[q];
-        const auto    &unknowns = point.rows.unknowns;
-        const Decision decision =
-          interface.decide(interface.points[q],
-                           point.decision,
-                           point.p + dot(unknowns, point.rows.p_trial, update),
-                           point.q + dot(unknowns, point.rows.q_trial, update),
-                           bound_moves());
-        if (decision == point.decision)
+        LinearPoint      &point    = points[q];
+        const auto       &unknowns = point.rows.unknowns;
+        const PointStatus status   = interface.updated_status(
+          interface.points[q],
+          point.status,
+          point.p + dot(unknowns, point.rows.p_trial, update),
+          point.q + dot(unknowns, point.rows.q_trial, update),
+          bound_moves());
+        if (status == point.status)
           continue;
         changed           = true;
         point.has_changed = true;
-        point.decision    = decision;
-        if (!bound_moves() && decision.status == Status::open)
-          interface.drop_bound(q);
+        point.status      = status;
+        if (!bound_moves() && status.kind == Status::open)
+          interface.reset_bound(q);
       }
     return changed;
   }
@@ -300,7 +301,7 @@ namespace Contact
   {
     std::vector<signed char> signature;
     for (const LinearPoint &point : points)
-      signature.push_back(point.decision.code());
+      signature.push_back(point.status.code());
     return signature;
   }
 
@@ -317,7 +318,7 @@ namespace Contact
                          });
     };
 
-    // What a prescribed displacement adds to every distributed vector.
+    // The part that a prescribed displacement adds to every distributed vector.
     const unsigned int n_unknowns =
       discretization.dof_handler.n_dofs() + interface.n_multipliers();
     Vector<double> inhomogeneity(n_unknowns);
@@ -327,8 +328,8 @@ namespace Contact
       for (const bool tangential : {false, true})
         {
           if (!points[q].has_changed || is_known(q, tangential) ||
-              (tangential &&
-               interface.zone(interface.points[q]).law.is_frictionless()))
+              (tangential && interface.contact_pair(interface.points[q])
+                               .law.is_frictionless()))
             continue;
 
           const auto    &rows = points[q].rows;
@@ -361,7 +362,7 @@ namespace Contact
     // A point that opens or closes is linearised from the side of contact.
     const double   p = std::max(points[q].p, 0.);
     const Traction t = interface.traction(interface.points[q],
-                                          points[q].decision,
+                                          points[q].status,
                                           p,
                                           points[q].q,
                                           bound_moves());
@@ -440,7 +441,7 @@ namespace Contact
       }
     catch (const LACExceptions::ExcSingular &)
       {
-        throw NotConverged("the search of the active set meets decisions "
+        throw NotConverged("the search of the active set meets statuses "
                            "under which nothing holds a body");
       }
     D.vmult_add(eta, z);

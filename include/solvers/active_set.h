@@ -17,7 +17,7 @@ namespace Contact
    * The active set of the linearised problem, found without a second
    * factorization.
    *
-   * A semismooth Newton step solves A(S) delta_0 = -R(S) with the decisions S
+   * A semismooth Newton step solves A(S) delta_0 = -R(S) with the statuses S
    * the points made before. The plain primal-dual active set method would now
    * let the points decide anew, factorize A(S'), and so on: one factorization
    * for every small change of the set. But a point acts on everything else
@@ -51,21 +51,21 @@ namespace Contact
                     const ContactInterface::Linearization &linearization);
 
     /**
-     * Given the Newton @p update under the present decisions at @p solution,
+     * Given the Newton @p update under the present statuses at @p solution,
      * constraints distributed, make it the update of the linearised problem.
      * A point that opens loses its frozen bound, see
-     * ContactInterface::drop_bound(); the decisions in the points stay:
-     * ContactInterface::decide_all() makes the new ones after the step. Returns
-     * whether no point wants to change its mind; otherwise, as can be where
-     * bounds of friction are frozen,
-     * @p update is left as it is. Throws NotConverged if decisions let a body
+     * ContactInterface::reset_bound(); the statuses in the points stay:
+     * ContactInterface::update_statuses() makes the new ones after the step.
+     * Returns whether no point wants to change its mind; otherwise, as can be
+     * where bounds of friction are frozen,
+     * @p update is left as it is. Throws NotConverged if statuses let a body
      * go.
      */
     bool correct(const Vector<double> &solution,
                  const Vector<double> &u_start,
                  Vector<double>       &update);
 
-    /// Whether the decisions found are those in the points.
+    /// Whether the statuses found are those in the points.
     bool keeps_decisions() const;
 
   private:
@@ -80,8 +80,8 @@ namespace Contact
     {
       ContactInterface::Rows rows;
       double                 p, q; // trial values before the update
-      Decision               decision;
-      AffineTraction         old_p, old_q; // under the old decision
+      PointStatus            status;
+      AffineTraction         old_p, old_q; // under the old status
       bool                   has_changed = false;
     };
 
@@ -100,7 +100,7 @@ namespace Contact
     bool search(const Vector<double> &update, Vector<double> &corrected);
 
     /// The same with bounds that are frozen in turns. Where this ends, the
-    /// decisions are those of the last turn.
+    /// statuses are those of the last turn.
     bool search_by_turns(const Vector<double> &update,
                          Vector<double>       &corrected);
 
@@ -128,17 +128,17 @@ namespace Contact
     }
 
     /// Let the points decide under the @p update, all or only the first that
-    /// changes its mind. Returns whether there was one.
-    bool decide(const Vector<double> &update, const bool one_by_one);
+    /// changes its status. Returns whether there was one.
+    bool updated_status(const Vector<double> &update, const bool one_by_one);
     std::vector<signed char> signature() const;
     void                     add_responses();
 
     const Vector<double> &trial_row(const unsigned int q,
                                     const bool         tangential) const;
 
-    /// The traction of a point under its decision.
+    /// The traction of a point under its status.
     AffineTraction traction(const unsigned int q, const bool tangential) const;
-    /// The same minus that under the old decision.
+    /// The same minus that under the old status.
     AffineTraction excess(const unsigned int q, const bool tangential) const;
 
     /// The trial values z of the points that respond under the @p update, and

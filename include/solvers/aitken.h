@@ -15,16 +15,16 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * Aitken's extrapolation of a fixed-point iteration x <- G(x) of vectors.
-   * Where one mode is left, the steps r = G(x) - x are parallel, and each is a
-   * factor s times the one before it: the limit is x + r / (1 - s). It serves
-   * where s is between about 0.3 and 1, which takes many steps, and where it is
+   * Aitken's extrapolation of a fixed-point iteration x <- G(x) of vectors. If
+   * one mode is left, the steps r = G(x) - x are parallel, and each is a factor
+   * s times the one before it: the limit is x + r / (1 - s). It serves where s
+   * is between about 0.3 and 1, which takes many steps, and where it is
    * negative, which is an iteration that jumps to and fro.
    */
   class AitkenExtrapolation
   {
   public:
-    /// How far to go along the @p step from here: 1 is to its end.
+    /// The part of the @p step to take: 1 is to its end.
     double length(const Vector<double> &step)
     {
       if (last.size() == step.size() && last.l2_norm() > 0)

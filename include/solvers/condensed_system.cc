@@ -109,7 +109,7 @@ namespace Contact
 
 
 
-  // What is eliminated beside the slave nodes, which shows in the lines only.
+  // The unknowns eliminated beside the slave nodes, which only the lines show.
   bool CondensedSystem::add_eliminable()
   {
     bool is_more = false;
@@ -252,14 +252,15 @@ namespace Contact
                        : 1e-6 * size,
                      x);
 
-    // Everybody gets everything, first what is solved for, then what follows.
+    // Allgather the unknowns that are solved for, then distribute the
+    // constraints.
     row = 0;
     rhs = 0;
     for (const auto i : owned)
       rhs[i] = x.begin()[row++];
     Utilities::MPI::sum(rhs, communicator, rhs);
     elimination.distribute(rhs);
-    discretization.share(rhs);
+    discretization.gather(rhs);
     std::copy_n(rhs.begin(), rhs.size(), update.begin());
     return n_iterations;
   }
@@ -384,7 +385,7 @@ namespace Contact
                            });
 
     // Bound centres are in no cell.
-    if (discretization.bound_centre)
+    if (discretization.serendipity)
       {
         const std::set<types::global_dof_index> of_interface(
           interface_dofs.begin(),
@@ -392,7 +393,7 @@ namespace Contact
         for (const auto i : owned)
           if (base.is_constrained(i) && of_interface.count(i) == 0 &&
               matrix.diag_element(i) == 0)
-            matrix.set(i, i, elasticity.young(0));
+            matrix.set(i, i, elasticity.youngs_modulus(0));
         matrix.compress(VectorOperation::insert);
       }
 

@@ -43,7 +43,7 @@ namespace Contact
     void update_pattern();
 
     /**
-     * The Newton update under the present decisions, from minus the residual
+     * The Newton update under the present statuses, from minus the residual
      * of bodies and contact. @p tolerance is that of the linear residual [N per
      * mm of thickness]; 0: six digits. Returns the number of linear iterations.
      */
@@ -90,13 +90,14 @@ namespace Contact
     TimerOutput          &timer;
     const IndexSet        owned;
 
-    /// What has been eliminated or may be.
+    /// The unknowns that have been eliminated or may be.
     std::set<types::global_dof_index> eliminable;
 
     /// The cells that see the active set, and the others.
     std::vector<unsigned int> interface_cells, bulk_cells;
 
-    /// What the pattern provides for, and all unknowns at the interface.
+    /// The couplings that the pattern provides for, and all unknowns at the
+    /// interface.
     InterfaceCouplings couplings;
     Dofs               interface_dofs;
 

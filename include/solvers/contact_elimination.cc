@@ -20,8 +20,8 @@ namespace Contact
     /// lost.
     const double smallest_of_own = 1e-2;
 
-    /// What is left of an equation that follows from others is round-off: of
-    /// the same sums in another order, and of the pairing.
+    /// The rest of an equation that follows from others is round-off: of the
+    /// same sums in another order, and of the pairing.
     const double smallest_of_any = 1e-8;
 
 
@@ -109,18 +109,18 @@ namespace Contact
     contradicting    = nullptr;
     largest_conflict = 0;
 
-    // What slips with a moving bound makes the matrix unsymmetric.
+    // A point that slips under a moving bound makes the matrix unsymmetric.
     symmetric = true;
     if (interface != nullptr && moving_bound)
       for (const ContactPoint &point : interface->points)
-        if (point.decision.slip_direction != 0 &&
-            interface->zone(point).law.coulomb_coefficient > 0)
+        if (point.status.slip_direction != 0 &&
+            interface->contact_pair(point).law.coulomb_coefficient > 0)
           symmetric = false;
 
     add_base_lines(surroundings, lines);
     if (interface != nullptr)
       for (const ContactPoint &point : interface->points)
-        if (point.decision.status != Status::open)
+        if (point.status.kind != Status::open)
           eliminate_point(point, interface->state(point, solution, u_start));
 
     add_contact_lines(rows, lines);
@@ -138,11 +138,11 @@ namespace Contact
 
 
 
-  // Where a point sticks, normal and tangent span both coordinates.
+  // Normal and tangent of a sticking point span both coordinates.
   void ContactElimination::eliminate_point(const ContactPoint &point,
                                            const ContactState &now)
   {
-    if (point.decision.status == Status::stick)
+    if (point.status.kind == Status::stick)
       {
         ++discretization.counters.tangential_rows;
         for (unsigned int i = 0; i < 2; ++i)
@@ -165,8 +165,8 @@ namespace Contact
 
 
 
-  // What is tied to another unknown is replaced by that. What is held stays in
-  // the equation: it has a line of its own.
+  // An unknown that is tied to another is replaced by that. One that is held
+  // stays in the equation: it has a line of its own.
   ContactElimination::Row
   ContactElimination::equation(const ContactPoint &point,
                                const Tensor<1, 2> &direction,
@@ -201,8 +201,8 @@ namespace Contact
                                                    const double p_trial) const
   {
     return point.normal +
-           point.decision.slip_direction *
-             interface->zone(point).law.bound_derivative(p_trial) *
+           point.status.slip_direction *
+             interface->contact_pair(point).law.bound_derivative(p_trial) *
              point.tangent;
   }
 
@@ -415,16 +415,16 @@ namespace Contact
     for (unsigned int k = 0; k < tractions.size(); ++k)
       {
         const ContactPoint &point = interface->points[k];
-        const FrictionLaw  &law   = interface->zone(point).law;
+        const FrictionLaw  &law   = interface->contact_pair(point).law;
         if (law.is_frictionless())
           continue;
         const double bound =
-          moving_bound ? law.bound(tractions[k].p) : point.tresca_bound;
+          moving_bound ? law.bound(tractions[k].p) : point.friction_bound;
         double &q = solution[interface->tangential_index(point.multipliers[0])];
-        if (point.decision.status == Status::stick)
+        if (point.status.kind == Status::stick)
           q = tractions[k].q;
-        else if (point.decision.slip_direction != 0)
-          q = point.decision.slip_direction * bound;
+        else if (point.status.slip_direction != 0)
+          q = point.status.slip_direction * bound;
         else
           q = 0;
       }

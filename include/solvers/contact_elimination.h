@@ -16,8 +16,8 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * The active points as constraints on the displacements, for rules whose
-   * points belong to one slave node each (nodal, mortar).
+   * The active points as constraints on the displacements, for discretizations
+   * whose points belong to one slave node each (nodal, mortar).
    *
    * With the coefficients C_a of a point, its gap g and slip s, the Newton
    * update du has to fulfil
@@ -59,7 +59,7 @@ namespace Contact
     std::set<Dof> slave_dofs;
 
     /**
-     * Make the constraints of the present decisions, together with those that
+     * Make the constraints of the present statuses, together with those that
      * Discretization puts on the unknowns @p surroundings. Throws NotConverged
      * where a point penetrates and supports leave none of its unknowns free.
      */
@@ -84,7 +84,7 @@ namespace Contact
       return symmetric;
     }
 
-    /// What is eliminated by the points, in the order of the unknowns.
+    /// The unknowns that the points eliminate, in ascending order.
     const Dofs &eliminated_dofs() const
     {
       return eliminated;
@@ -106,7 +106,7 @@ namespace Contact
 
     /**
      * Set the multipliers in @p solution from @p residual, minus the residual
-     * of the bodies alone, under the decisions and bounds the points have now,
+     * of the bodies alone, under the statuses and bounds the points have now,
      * and the lines of the last make(). See MultiplierRecovery.
      */
     void recover_pressures(const Vector<double> &residual,
@@ -114,8 +114,8 @@ namespace Contact
     void recover_shears(const Vector<double> &residual,
                         Vector<double>       &solution) const;
 
-    /// Where the last equations contradict each other: for the message of a
-    /// Newton's method that does not converge. Else empty.
+    /// A description of the last equations that contradict each other, for the
+    /// message of a Newton's method that does not converge. Else empty.
     std::string contradiction() const;
 
   private:

@@ -22,7 +22,7 @@ namespace Contact
   /**
    * A solver for symmetric positive definite systems, distributed by rows, or
    * for the unsymmetric ones that friction with a moving bound makes of them.
-   * What can be kept from one matrix to the next is its own business.
+   * It decides by itself what to keep from one matrix to the next.
    */
   class DefiniteSolver
   {
@@ -55,7 +55,7 @@ namespace Contact
                        Counters                    &counters);
 
     /**
-     * What "automatic" stands for. In two dimensions CHOLMOD is as fast as AMG
+     * The meaning of "automatic". In two dimensions CHOLMOD is as fast as AMG
      * at a hundred thousand unknowns, and faster the more often an analysis or
      * a factorization serves; beyond, its time and memory grow faster.
      */

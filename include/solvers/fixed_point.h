@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "base/errors.h"
-#include "base/words.h"
+#include "base/string_utilities.h"
 #include "solvers/relaxation.h"
 
 namespace Contact

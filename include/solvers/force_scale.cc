@@ -53,7 +53,7 @@ namespace Contact
       {
         const Vector<double> undeformed(discretization.dof_handler.n_dofs());
         for (const ContactPoint &point : interface->points)
-          if (point.facing && !interface->zone(point).tied)
+          if (point.facing && !interface->contact_pair(point).tied)
             overlap =
               std::max(overlap,
                        -interface->state(point, undeformed, undeformed).gap);
@@ -95,11 +95,11 @@ namespace Contact
   {
     double sum = 0;
     for (const ContactPoint &point : interface->points)
-      if (point.decision.status != Status::open)
+      if (point.status.kind != Status::open)
         {
           const ContactState now = interface->state(point, solution, u_start);
           const Traction     t   = interface->traction(point,
-                                                 point.decision,
+                                                 point.status,
                                                  now.p_trial,
                                                  now.q_trial,
                                                  moving_bound);

@@ -15,12 +15,12 @@ namespace Contact
     , interface(interface)
   {
     if (interface != nullptr)
-      for (const auto &zone : interface->zones)
+      for (const auto &contact_pair : interface->pairs)
         {
-          if (zone->master)
-            collect_neighbors(*zone->master);
-          if (zone->has_corner_points())
-            collect_neighbors(zone->slave);
+          if (contact_pair->master)
+            collect_neighbors(*contact_pair->master);
+          if (contact_pair->has_corner_points())
+            collect_neighbors(contact_pair->slave);
         }
   }
 

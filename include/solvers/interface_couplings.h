@@ -65,7 +65,7 @@ namespace Contact
     std::map<types::global_dof_index, std::set<types::global_dof_index>>
       partners;
 
-    /// Of the unknowns where feet may be those of the edges around them.
+    /// Of the unknowns where projections may be those of the edges around them.
     std::map<types::global_dof_index, std::set<types::global_dof_index>>
       neighbors;
   };

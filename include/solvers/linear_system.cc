@@ -163,7 +163,7 @@ namespace Contact
       {
         elimination.recover_pressures(rhs, state.solution);
         if (model.has_friction() &&
-            parameters.friction == Parameters::FrictionLoop::each_step)
+            parameters.friction == Parameters::FrictionLoop::lagged_bound)
           model.interface->update_bounds(state.solution, state.start);
         elimination.recover_shears(rhs, state.solution);
       }

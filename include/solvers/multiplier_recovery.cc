@@ -31,7 +31,7 @@ namespace Contact
   void MultiplierRecovery::collect_equations(const std::vector<Dof> &eliminated)
   {
     for (const ContactPoint &point : points)
-      if (point.decision.status != Status::open)
+      if (point.status.kind != Status::open)
         for (const auto dof : point.dofs[0])
           if (!discretization.constraints.is_constrained(dof))
             equations[dof];
@@ -52,7 +52,7 @@ namespace Contact
             {share.point, share.coordinate, part * share.factor});
       };
     for (unsigned int k = 0; k < points.size(); ++k)
-      if (points[k].decision.status != Status::open)
+      if (points[k].status.kind != Status::open)
         for (unsigned int a = 0; a < points[k].n_nodes; ++a)
           for (unsigned int i = 0; i < 2; ++i)
             {
@@ -70,8 +70,8 @@ namespace Contact
 
 
 
-  // Alone is who shares the equations of its node with nobody, has no part in
-  // others, and no more multipliers than equations.
+  // A point is alone if it shares the equations of its node with no other, has
+  // no part in others, and no more multipliers than equations.
   void MultiplierRecovery::find_coupled_points()
   {
     std::vector<unsigned int> n_equations(points.size(), 0);
@@ -84,7 +84,7 @@ namespace Contact
             coupled[share.point] = true;
         }
     for (unsigned int k = 0; k < points.size(); ++k)
-      if (points[k].decision.status != Status::open &&
+      if (points[k].status.kind != Status::open &&
           n_equations[k] < (has_shear_unknown(k) ? 2 : 1))
         coupled[k] = true;
   }
@@ -93,7 +93,7 @@ namespace Contact
 
   bool MultiplierRecovery::has_shear_unknown(const unsigned int point) const
   {
-    return points[point].decision.status == Status::stick;
+    return points[point].status.kind == Status::stick;
   }
 
 
@@ -102,10 +102,10 @@ namespace Contact
   MultiplierRecovery::factors(const Share &share) const
   {
     const ContactPoint &point   = points[share.point];
-    const FrictionLaw  &law     = interface.zone(point).law;
+    const FrictionLaw  &law     = interface.contact_pair(point).law;
     const double        normal  = point.normal[share.coordinate];
     const double        tangent = point.tangent[share.coordinate];
-    const int           slips   = point.decision.slip_direction;
+    const int           slips   = point.status.slip_direction;
     if (has_shear_unknown(share.point))
       return {share.factor * normal, share.factor * tangent, 0};
     if (slips == 0)
@@ -117,7 +117,7 @@ namespace Contact
               share.factor * slips * law.tresca_limit * tangent};
     return {share.factor * normal,
             0,
-            share.factor * slips * point.tresca_bound * tangent};
+            share.factor * slips * point.friction_bound * tangent};
   }
 
 
@@ -130,7 +130,7 @@ namespace Contact
     for (unsigned int k = 0; k < points.size(); ++k)
       if (coupled[k])
         any_coupled = true;
-      else if (points[k].decision.status != Status::open)
+      else if (points[k].status.kind != Status::open)
         tractions[k] = traction_of_single(k, residual);
     if (any_coupled)
       solve_coupled(residual, tractions);

@@ -15,19 +15,17 @@ namespace Contact
   /**
    * The multipliers of eliminated points, from the forces f that the bodies
    * exert on the nodes:
-   *   sum over the active points of w C_k (p n + q t) = f_k.
-   * Where a point slips, its shear is known, q = s bound, or with a bound that
-   * moves a part of it is: q = s (tresca_limit + mu p). Equations are those of
-   * the unknowns of slave nodes that no support holds, and of what else was
-   * eliminated.
+   * sum over the active points of w C_k (p n + q t) = f_k. The shear of a
+   * slipping point is known, q = s bound, or with a bound that moves a part of
+   * it is: q = s (tresca_limit + mu p). Equations are those of the unknowns of
+   * slave nodes that no support holds, and of what else was eliminated.
    *
    * Most points are alone with the two equations of their node. The others
-   * (coupled by slave nodes that several see, by chains of zones, by supports)
-   * are solved for together: the least squares
-   *   min |sum of w C (p n + q t) - f|^2,
-   * because there may be more equations than multipliers; where active points
-   * say the same twice, the multipliers with the smallest integral of their
-   * square share the force.
+   * (coupled by slave nodes that several see, by chains of contact pairs, by
+   * supports) are solved for together: the least squares min |sum of w C (p n +
+   * q t) - f|^2, because there may be more equations than multipliers; where
+   * active points say the same twice, the multipliers with the smallest
+   * integral of their square share the force.
    */
   class MultiplierRecovery
   {
@@ -51,8 +49,8 @@ namespace Contact
   private:
     using Dof = types::global_dof_index;
 
-    /// What the points exert on an equation: the point, and its w C times the
-    /// coordinate.
+    /// The contributions of the points to an equation: the point, and its w C
+    /// times the coordinate.
     struct Share
     {
       unsigned int point;
@@ -83,7 +81,7 @@ namespace Contact
       double                         rhs;
     };
 
-    /// Where the unknowns of each point begin, and their number.
+    /// The first unknown of each point, and the number of unknowns.
     std::vector<unsigned int> first_columns() const;
     std::vector<Equation>
     coupled_equations(const std::vector<unsigned int> &first_column,

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "base/errors.h"
-#include "base/words.h"
+#include "base/string_utilities.h"
 #include "contact/contact_results.h"
 
 namespace Contact
@@ -40,7 +40,7 @@ namespace Contact
 
   void NewtonState::begin()
   {
-    guard         = NewtonGuard();
+    guard         = NewtonGlobalization();
     n_steps       = 0;
     one_at_a_time = false;
     last_residual = std::numeric_limits<double>::max();
@@ -54,7 +54,7 @@ namespace Contact
   void NewtonState::remember_status()
   {
     if (model.interface)
-      last_decisions = model.interface->decisions();
+      last_statuses = model.interface->statuses();
   }
 
 
@@ -106,18 +106,18 @@ namespace Contact
     if (after_a_step)
       system->recover_multipliers(rhs, state);
     const unsigned int n =
-      interface.decide_all(state.solution,
-                           state.start,
-                           moving_bound,
-                           /*keep=*/after_a_step && !single_changes);
+      interface.update_statuses(state.solution,
+                                state.start,
+                                moving_bound,
+                                /*keep=*/after_a_step && !single_changes);
     if (after_a_step && n > 0)
       ++model.discretization->counters.active_set_changes;
     // As the search does. Without it the points go on from step to step, and
     // that would begin each turn of the friction loop anew.
     if (system->has_multipliers() && after_a_step && !moving_bound)
-      interface.drop_bounds_of_open_points();
+      interface.reset_bounds_of_open_points();
     if (after_a_step && single_changes)
-      interface.decide_one(state.solution, state.start, moving_bound);
+      interface.update_first_status(state.solution, state.start, moving_bound);
     return n;
   }
 
@@ -144,12 +144,12 @@ namespace Contact
                        [&](const ContactPoint &point) {
                          const ContactState now =
                            interface.state(point, state.solution, state.start);
-                         return interface.decide(point,
-                                                 Decision(),
-                                                 now.p_trial,
-                                                 now.q_trial,
-                                                 moving_bound) ==
-                                point.decision;
+                         return interface.updated_status(point,
+                                                         PointStatus(),
+                                                         now.p_trial,
+                                                         now.q_trial,
+                                                         moving_bound) ==
+                                point.status;
                        });
   }
 
@@ -174,7 +174,7 @@ namespace Contact
         model.discretization->constrain_update(state.solution,
                                                state.load_factor);
         if (model.interface)
-          model.interface->set_decisions(last_decisions);
+          model.interface->set_statuses(last_statuses);
         evaluate_with(/*single_changes=*/false);
         residuals.push_back(convergence.residual());
       }
@@ -262,7 +262,7 @@ namespace Contact
            " mm from where they were paired, of " + brief(pairing.way(state)) +
            " mm of the increment. Where a node of the slave slides over a "
            "corner of the master it may face the edges on either side in turn: "
-           "a finer master, Mesh/Arcs, or the rule mortar";
+           "a finer master, Mesh/Arcs, or the mortar discretization";
   }
 
 
@@ -270,7 +270,7 @@ namespace Contact
   std::string NewtonState::changes() const
   {
     return model.interface ? describe_changes(*model.interface,
-                                              last_decisions,
+                                              last_statuses,
                                               state.solution,
                                               state.start)
                            : "";

@@ -8,7 +8,7 @@
 
 #include "solvers/convergence_test.h"
 #include "solvers/linear_system.h"
-#include "solvers/newton_guard.h"
+#include "solvers/newton_globalization.h"
 #include "solvers/pairing.h"
 
 namespace Contact
@@ -18,7 +18,7 @@ namespace Contact
   /**
    * The state of Newton's method: the residual where it is, the status of the
    * points there, and where the last step came from. The line search and the
-   * search for the active set are those of NewtonGuard.
+   * search for the active set are those of NewtonGlobalization.
    */
   class NewtonState
   {
@@ -41,9 +41,9 @@ namespace Contact
 
     /**
      * A step that turns a cell inside out, or leads to a residual that
-     * NewtonGuard does not accept though no point has changed its status, was
-     * too long: half of it, and half of that. Returns the residuals of these
-     * attempts. Collective.
+     * NewtonGlobalization does not accept though no point has changed its
+     * status, was too long: half of it, and half of that. Returns the residuals
+     * of these attempts. Collective.
      */
     std::vector<double> search_along_line();
 
@@ -100,12 +100,12 @@ namespace Contact
     VolumeRatio    smallest_volume;
     unsigned int   n_status_changes = 0;
 
-    NewtonGuard           guard;
-    unsigned int          n_steps       = 0;
-    bool                  one_at_a_time = false;
-    Vector<double>        last;           // where the last step began
-    std::vector<Decision> last_decisions; // under which it was made
-    double                last_residual = 0;
+    NewtonGlobalization      guard;
+    unsigned int             n_steps       = 0;
+    bool                     one_at_a_time = false;
+    Vector<double>           last;          // where the last step began
+    std::vector<PointStatus> last_statuses; // under which it was made
+    double                   last_residual = 0;
   };
 } // namespace Contact
 

@@ -160,8 +160,8 @@ namespace Contact
 
 
 
-  // How far the surfaces, paired where they are now, would be from touching
-  // each other where they are in contact, and from being apart elsewhere.
+  // The gaps that the surfaces, paired where they are now, would have where
+  // they are in contact, and the penetrations elsewhere.
   double Pairing::misfit_of_new_pairing(const Vector<double> &solution)
   {
     const Vector<double> last = paired_at;

@@ -35,7 +35,7 @@ namespace Contact
     /// A new mesh, whose linear system is @p system.
     void begin_level(LinearSystem &system);
 
-    /// How the kernel linearises at present.
+    /// The terms that the kernel linearises at present.
     const ContactInterface::Linearization &linearization() const
     {
       return present;

@@ -15,7 +15,7 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * How far to go along the steps of a fixed-point iteration: all the way, as
+   * The part of the steps of a fixed-point iteration to take: all of it, as
    * long as they get smaller. If an iterate is less than half as far from the
    * one before the last as from the last, the iteration jumps to and fro, and
    * if four steps in a row are no smaller than one before, it goes round in

@@ -33,22 +33,25 @@ namespace Contact
 
 
 
-  bool RigidBodyStabilization::hold_free_pieces(const ContactInterface *contact)
+  bool
+  RigidBodyStabilization::stabilize_free_pieces(const ContactInterface *contact)
   {
-    auto free = free_motions(*model.discretization, contact);
+    auto free = rigid_body_modes(*model.discretization, contact);
     for (const TurningPiece &piece : turning)
       free.push_back({piece.piece, "rotation", 1});
     bool news = false;
-    for (const FreeMotion &motion : free)
-      if (std::none_of(held.begin(), held.end(), [&](const FreeMotion &known) {
-            return known.piece == motion.piece;
-          }))
+    for (const RigidBodyMode &motion : free)
+      if (std::none_of(held.begin(),
+                       held.end(),
+                       [&](const RigidBodyMode &known) {
+                         return known.piece == motion.piece;
+                       }))
         {
           held.push_back(motion);
           news = true;
           screen << "  nothing holds " << model.mesh->piece_name(motion.piece)
-                 << " against: " << motion.name << "; it is held softly"
-                 << std::endl;
+                 << " against: " << motion.name
+                 << "; it is stabilized by springs" << std::endl;
         }
     return news;
   }
@@ -86,15 +89,15 @@ namespace Contact
   Vector<double> RigidBodyStabilization::release(const IncrementState &state)
   {
     Elasticity &elasticity = *model.elasticity;
-    const bool  is_held    = !elasticity.soft_hold.held().empty();
+    const bool  is_held    = !elasticity.springs.held().empty();
     if (!is_held)
       {
-        elasticity.soft_hold.release();
+        elasticity.springs.release();
         return {};
       }
     Vector<double> springs =
       elasticity.forces(state.solution, state.load_factor);
-    elasticity.soft_hold.release();
+    elasticity.springs.release();
     springs.sadd(-1, 1, elasticity.forces(state.solution, state.load_factor));
     return springs;
   }
@@ -104,12 +107,13 @@ namespace Contact
   // Far softer than any body, yet far above the round-off of the stiffest.
   void RigidBodyStabilization::choose_stiffness(const double force)
   {
-    const auto &springs = model.elasticity->soft_hold;
+    const auto &springs = model.elasticity->springs;
     double      softest = std::numeric_limits<double>::max();
     for (const auto &body : model.mesh->bodies)
-      softest = std::min(softest, model.elasticity->young(body.second));
+      softest =
+        std::min(softest, model.elasticity->youngs_modulus(body.second));
     stiffness.clear();
-    for (const FreeMotion &motion : held)
+    for (const RigidBodyMode &motion : held)
       stiffness[motion.piece] =
         1e-6 * softest * springs.mean_circumference(motion.piece);
 
@@ -130,7 +134,7 @@ namespace Contact
   {
     Vector<double> rest = solution;
     remove_rotations(*model.discretization, turning, rest);
-    model.elasticity->soft_hold.hold(stiffness, rest);
+    model.elasticity->springs.hold(stiffness, rest);
   }
 
 
@@ -140,7 +144,7 @@ namespace Contact
   {
     Vector<double> u = solution;
     remove_rotations(*model.discretization, turning, u);
-    const auto   works = model.elasticity->soft_hold.energy(u);
+    const auto   works = model.elasticity->springs.energy(u);
     const auto   most  = std::max_element(works.begin(),
                                        works.end(),
                                        [](const auto &a, const auto &b) {
@@ -156,12 +160,12 @@ namespace Contact
                                        const unsigned int n_turns) const
   {
     const auto motion =
-      std::find_if(held.begin(), held.end(), [&](const FreeMotion &motion) {
+      std::find_if(held.begin(), held.end(), [&](const RigidBodyMode &motion) {
         return motion.piece == work.piece;
       });
     std::ostringstream message;
     message << "nothing stops " << model.mesh->piece_name(motion->piece)
-            << " in its " << motion->name << ": a soft hold still carries "
+            << " in its " << motion->name << ": stabilization still carries "
             << work.force << " N" << model.discretization->per_thickness()
             << " after " << n_turns << " turns";
     throw NotConverged(message.str());

@@ -9,7 +9,7 @@
 #include <deal.II/base/conditional_ostream.h>
 
 #include "contact/increment_state.h"
-#include "solvers/free_motions.h"
+#include "solvers/rigid_body_modes.h"
 #include "solvers/rigid_rotation.h"
 
 namespace Contact
@@ -36,7 +36,7 @@ namespace Contact
     /// Hold the pieces that could move without resistance, those that points in
     /// contact with @p contact (may be null) hold excepted. Returns whether
     /// that is news. Collective.
-    bool hold_free_pieces(const ContactInterface *contact);
+    bool stabilize_free_pieces(const ContactInterface *contact);
 
     /// The increment that begins or is repeated; the next one needs none of
     /// what is held.
@@ -80,7 +80,7 @@ namespace Contact
     const ContactModel &model;
     ConditionalOStream &screen;
 
-    std::vector<FreeMotion>        held;
+    std::vector<RigidBodyMode>     held;
     std::size_t                    n_at_start = 0;
     std::vector<TurningPiece>      turning;   // in itself, on this mesh
     std::map<unsigned int, double> stiffness; // by piece

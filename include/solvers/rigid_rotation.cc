@@ -15,8 +15,8 @@
 #include <set>
 
 #include "base/errors.h"
-#include "base/words.h"
-#include "solvers/free_motions.h"
+#include "base/string_utilities.h"
+#include "solvers/rigid_body_modes.h"
 
 namespace Contact
 {
@@ -55,11 +55,10 @@ namespace Contact
         if (cell->is_locally_owned() &&
             discretization.mesh.pieces.of_cell(cell) == piece)
           for (const auto &stress : stresses[cell->active_cell_index()])
-            largest =
-              std::max(largest,
-                       std::sqrt(elasticity.energy_density(cell->material_id(),
-                                                           stress) /
-                                 elasticity.young(cell->material_id())));
+            largest = std::max(
+              largest,
+              std::sqrt(elasticity.energy_density(cell->material_id(), stress) /
+                        elasticity.youngs_modulus(cell->material_id())));
       return Utilities::MPI::max(largest, discretization.communicator);
     }
 
@@ -85,12 +84,13 @@ namespace Contact
                 rough.insert(piece);
             }
       };
-      for (const auto &zone : interface.zones)
+      for (const auto &contact_pair : interface.pairs)
         {
-          const bool smooth = zone->law.is_frictionless() && !zone->tied;
-          collect(zone->slave, smooth);
-          if (zone->master)
-            collect(*zone->master, smooth);
+          const bool smooth =
+            contact_pair->law.is_frictionless() && !contact_pair->tied;
+          collect(contact_pair->slave, smooth);
+          if (contact_pair->master)
+            collect(*contact_pair->master, smooth);
         }
       for (const unsigned int piece : rough)
         corners.erase(piece);
@@ -274,7 +274,8 @@ namespace Contact
   {
     std::vector<TurningPiece> turning;
     const auto corners = frictionless_corners(discretization, interface);
-    for (const FreeMotion &motion : free_motions(discretization, nullptr))
+    for (const RigidBodyMode &motion :
+         rigid_body_modes(discretization, nullptr))
       {
         const auto of_piece = corners.find(motion.piece);
         if (motion.n < 3 || of_piece == corners.end() ||
@@ -317,7 +318,8 @@ namespace Contact
       return;
     const double yield  = 1e-3;
     const auto   angles = rigid_rotations(discretization, u);
-    for (const FreeMotion &motion : free_motions(discretization, nullptr))
+    for (const RigidBodyMode &motion :
+         rigid_body_modes(discretization, nullptr))
       {
         const double angle     = std::abs(angles[motion.piece]);
         const double elongates = std::sqrt(1 + angle * angle) - 1;

@@ -52,7 +52,7 @@ namespace Contact
     /// Solve a reduced equation for @p pivot, and replace it in all lines.
     void eliminate(const Dof pivot, const Row &equation);
 
-    /// What is eliminated, by what it depends on.
+    /// The eliminated unknowns, by the unknowns that they depend on.
     const std::map<Dof, Row> &lines() const
     {
       return known;

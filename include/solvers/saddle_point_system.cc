@@ -84,7 +84,7 @@ namespace Contact
     // A body that springs hold is far from where contact will hold it.
     const bool stands_anyway =
       elasticity.is_linear() && !linearization.moving_geometry;
-    if (stands_anyway || elasticity.soft_hold.held().empty())
+    if (stands_anyway || elasticity.springs.held().empty())
       {
         TimerOutput::Scope scope(timer, "active set");
         if (ActiveSetSearch(discretization, *interface, solver, linearization)
@@ -97,7 +97,7 @@ namespace Contact
 
 
 
-  // Where the decisions turn out to be those at hand, Newton's step is the one
+  // Where the statuses turn out to be those at hand, Newton's step is the one
   // under them that knows the motion of the geometry.
   bool SaddlePointSystem::search_standing(const Vector<double> &solution,
                                           const Vector<double> &u_start,
@@ -134,14 +134,14 @@ namespace Contact
 
 
 
-  // Under decisions that stay linear bodies keep their matrix, if the points do
+  // Under statuses that stay linear bodies keep their matrix, if the points do
   // not follow them.
   bool SaddlePointSystem::factorization_serves(const double residual,
                                                const double last_residual) const
   {
     if (!solver.is_factorized() || discretization.update_is_prescribed() ||
         factorized_version != elasticity.tangent_version() ||
-        (interface && factorized_decisions != interface->signature()))
+        (interface && factorized_statuses != interface->signature()))
       return false;
     if (elasticity.is_linear() && !geometry_follows)
       return true;
@@ -195,7 +195,7 @@ namespace Contact
     solver.factorize(matrix);
     factorized_version = elasticity.tangent_version();
     if (interface)
-      factorized_decisions = interface->signature();
+      factorized_statuses = interface->signature();
   }
 
 

@@ -19,9 +19,9 @@ namespace Contact
 
   /**
    * The linear system of a Newton step in displacements and multipliers, a
-   * saddle point: every contact rule can have it, on one process. It is solved
-   * directly, and as a factorization is what costs, it is kept while it serves.
-   * See CondensedSystem for the other form.
+   * saddle point: every contact discretization can have it, on one process. It
+   * is solved directly, and as a factorization is what costs, it is kept while
+   * it serves. See CondensedSystem for the other form.
    */
   class SaddlePointSystem
   {
@@ -46,7 +46,7 @@ namespace Contact
     void forget_pattern();
 
     /**
-     * The Newton update under the present decisions, from minus the residual
+     * The Newton update under the present statuses, from minus the residual
      * of bodies and contact. The factorization at hand may serve if the last
      * one reduced the residual well: @p residual, @p last_residual [-]. With
      * @p search the active set is searched in the linearised problem; returns
@@ -56,7 +56,7 @@ namespace Contact
      * problem need not be that of a body at rest on springs: gaps close along
      * other directions than pressures act in, and stresses that turn with the
      * body may let it yield to its loads. If little holds the body, there may
-     * be no active set at all, or one that is far away. So where a soft hold
+     * be no active set at all, or one that is far away. So where stabilization
      * is at work, and where the search does not settle, projections, normals
      * and stresses stand still for the search: then it always has a solution
      * if something holds each body, see ContactComplementarity.
@@ -103,8 +103,8 @@ namespace Contact
     SparseMatrix<double> bodies_tangent;
     unsigned int         bodies_version = 0;
 
-    // What the matrix was factorized under.
-    std::vector<signed char> factorized_decisions;
+    // The state that the matrix was factorized in.
+    std::vector<signed char> factorized_statuses;
     unsigned int             factorized_version = 0;
   };
 } // namespace Contact

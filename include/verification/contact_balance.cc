@@ -22,23 +22,24 @@ namespace Contact
 
 
 
-  ContactCheck::Resultant ContactCheck::resultant(const ContactZone &zone) const
+  ContactCheck::Resultant
+  ContactCheck::resultant(const ContactPair &contact_pair) const
   {
     // The middle of the slave and its size.
-    Point<2> low = position(zone.slave, 0), high = low;
-    for (unsigned int n = 1; n < zone.slave.nodes.size(); ++n)
+    Point<2> low = position(contact_pair.slave, 0), high = low;
+    for (unsigned int n = 1; n < contact_pair.slave.nodes.size(); ++n)
       for (unsigned int i = 0; i < 2; ++i)
         {
-          const Point<2> x = position(zone.slave, n);
+          const Point<2> x = position(contact_pair.slave, n);
           low[i]           = std::min(low[i], x[i]);
           high[i]          = std::max(high[i], x[i]);
         }
     const Point<2> middle = low + 0.5 * (high - low);
 
-    // A node may see other zones as well.
+    // A node may see other contact pairs as well.
     std::map<types::global_dof_index, Tensor<1, 2>> forces;
-    for (unsigned int k = zone.first_point;
-         k < zone.first_point + zone.n_points;
+    for (unsigned int k = contact_pair.first_point;
+         k < contact_pair.first_point + contact_pair.n_points;
          ++k)
       {
         const ContactPoint &point = interface.points[k];
@@ -50,7 +51,7 @@ namespace Contact
 
     Resultant all;
     all.size = low.distance(high);
-    for (const Surface *surface : {&zone.slave, &*zone.master})
+    for (const Surface *surface : {&contact_pair.slave, &*contact_pair.master})
       for (unsigned int n = 0; n < surface->nodes.size(); ++n)
         {
           const Tensor<1, 2> f   = forces[surface->nodes[n].dofs[0]];
@@ -64,14 +65,14 @@ namespace Contact
 
 
 
-  double ContactCheck::moment_of_rule(const ContactZone &zone) const
+  double ContactCheck::moment_of_rule(const ContactPair &contact_pair) const
   {
     const bool undeformed =
       parameters.geometry == Parameters::GeometryLoop::undeformed;
     const double foot_moves = std::sqrt(2.) * moved;
     double       moment     = 0;
-    for (unsigned int k = zone.first_point;
-         k < zone.first_point + zone.n_points;
+    for (unsigned int k = contact_pair.first_point;
+         k < contact_pair.first_point + contact_pair.n_points;
          ++k)
       {
         const ContactPoint &point = interface.points[k];
@@ -85,7 +86,7 @@ namespace Contact
                 point.C[a] * (point.X[a][i] +
                               (undeformed ? 0. : solution[point.dofs[a][i]]));
           }
-        const double offset = point.foot_is_clipped || zone.tied
+        const double offset = point.projection_is_clipped || contact_pair.tied
                                 ? std::abs(r * point.tangent)
                                 : foot_moves * sum_of_C;
         moment +=
@@ -97,17 +98,17 @@ namespace Contact
 
 
 
-  void ContactCheck::check_balance(const ContactZone &zone,
+  void ContactCheck::check_balance(const ContactPair &contact_pair,
                                    const Slack       &slack,
                                    ContactInvariants &found) const
   {
-    const Resultant all = resultant(zone);
+    const Resultant all = resultant(contact_pair);
     if (all.magnitude == 0)
       return;
     const std::string unit      = " N" + discretization.per_thickness();
     const double      of_forces = all.force.norm() / all.magnitude;
     found.force_imbalance       = larger(found.force_imbalance, of_forces);
-    found.judge("balance of forces",
+    found.check("balance of forces",
                 of_forces,
                 slack.relative,
                 "the forces of contact on both bodies add up to " +
@@ -121,12 +122,13 @@ namespace Contact
     const double whole      = all.magnitude * all.size;
     const double of_moments = std::abs(all.moment) / whole;
     found.moment_imbalance  = larger(found.moment_imbalance, of_moments);
-    found.judge("balance of moments",
-                of_moments,
-                slack.relative + moment_of_rule(zone) / whole,
-                "the forces of contact on both bodies have the moment " +
-                  brief(all.moment) + " N",
-                "Slave points and their feet are apart along the surface: "
-                "lower 'Solution/Geometry tolerance'.");
+    found.check(
+      "balance of moments",
+      of_moments,
+      slack.relative + moment_of_rule(contact_pair) / whole,
+      "the forces of contact on both bodies have the moment " +
+        brief(all.moment) + " N",
+      "Slave points and their projections are apart along the surface: "
+      "lower 'Solution/Geometry tolerance'.");
   }
 } // namespace Contact

@@ -11,7 +11,7 @@
 
 namespace Contact
 {
-  void ContactInvariants::judge(const std::string &name,
+  void ContactInvariants::check(const std::string &name,
                                 const double       value,
                                 const double       limit,
                                 const std::string &sentence,
@@ -43,15 +43,15 @@ namespace Contact
         states.push_back(interface.state(point, solution, u_start));
         tractions.push_back(
           interface.traction(point,
-                             point.decision,
+                             point.status,
                              states.back().p_trial,
                              states.back().q_trial,
                              parameters.friction ==
                                Parameters::FrictionLoop::newton));
-        const ContactZone &zone = interface.zone(point);
-        if (!zone.tied && point.decision.status != Status::open)
+        const ContactPair &contact_pair = interface.contact_pair(point);
+        if (!contact_pair.tied && point.status.kind != Status::open)
           largest_bound =
-            std::max(largest_bound, zone.law.bound(tractions.back().p));
+            std::max(largest_bound, contact_pair.law.bound(tractions.back().p));
       }
   }
 
@@ -63,7 +63,7 @@ namespace Contact
         interface.has_coulomb_friction())
       slack.shear = parameters.friction_tolerance * largest_bound;
     for (const ContactPoint &point : interface.points)
-      if (point.decision.status == Status::slip)
+      if (point.status.kind == Status::slip)
         slack.shear_force += slack.shear * point.weight;
   }
 
@@ -85,7 +85,7 @@ namespace Contact
               shears[point.dofs[a][i]] += share * t.q * point.tangent[i];
             }
         // Implicit Euler.
-        if (!interface.zone(point).tied)
+        if (!interface.contact_pair(point).tied)
           dissipation -= point.weight * t.q * states[k].slip;
       }
   }
@@ -94,12 +94,12 @@ namespace Contact
 
   void ContactCheck::check(const Slack &slack, ContactInvariants &found) const
   {
-    for (const auto &zone : interface.zones)
-      if (zone->master)
+    for (const auto &contact_pair : interface.pairs)
+      if (contact_pair->master)
         {
-          check_balance(*zone, slack, found);
-          if (!zone->tied)
-            check_depth(*zone, found);
+          check_balance(*contact_pair, slack, found);
+          if (!contact_pair->tied)
+            check_depth(*contact_pair, found);
         }
     check_normal(slack, found);
     check_tangential(slack, found);
@@ -107,19 +107,19 @@ namespace Contact
 
 
 
-  void ContactCheck::check_depth(const ContactZone &zone,
+  void ContactCheck::check_depth(const ContactPair &contact_pair,
                                  ContactInvariants &found) const
   {
     const Vector<double> none(u_start.size());
-    const ContactDepth   now = largest_depth(zone, solution);
+    const ContactDepth   now = largest_depth(contact_pair, solution);
     if (now.depth == 0)
       return;
     double way = 0;
-    for (const Surface *surface : {&zone.slave, &*zone.master})
+    for (const Surface *surface : {&contact_pair.slave, &*contact_pair.master})
       for (const Surface::Node &node : surface->nodes)
         for (const auto dof : node.dofs)
           way = std::max(way, std::abs(solution[dof]));
-    const double overlap = largest_depth(zone, none).depth;
+    const double overlap = largest_depth(contact_pair, none).depth;
     if (now.depth - overlap <= 0.5 * way)
       return;
     const std::string what =
@@ -135,10 +135,10 @@ namespace Contact
                     : "No contact point looks there: refine the mesh.";
     // Surfaces that push each other overlap by what the mesh does not resolve;
     // others have passed each other unseen.
-    if (carries_force(zone, now.slave_edge))
+    if (carries_force(contact_pair, now.slave_edge))
       found.notes.push_back("depth: " + what + ". " + advice);
     else
-      found.judge("depth",
+      found.check("depth",
                   now.depth - overlap,
                   0.5 * way,
                   what + ", and no force acts there",
@@ -147,17 +147,20 @@ namespace Contact
 
 
 
-  bool ContactCheck::carries_force(const ContactZone &zone,
+  bool ContactCheck::carries_force(const ContactPair &contact_pair,
                                    const unsigned int slave_edge) const
   {
     for (const ContactPoint &point : interface.points)
-      if (&interface.zone(point) == &zone &&
-          point.decision.status != Status::open)
+      if (&interface.contact_pair(point) == &contact_pair &&
+          point.status.kind != Status::open)
         for (unsigned int a = 0; a < point.n_nodes; ++a)
-          for (unsigned int b = 0; b < zone.slave.n_nodes_per_edge(); ++b)
+          for (unsigned int b = 0; b < contact_pair.slave.n_nodes_per_edge();
+               ++b)
             if (point.is_on_slave(a) &&
                 point.dofs[a] ==
-                  zone.slave.nodes[zone.slave.edges[slave_edge].nodes[b]].dofs)
+                  contact_pair.slave
+                    .nodes[contact_pair.slave.edges[slave_edge].nodes[b]]
+                    .dofs)
               return true;
     return false;
   }
@@ -166,7 +169,7 @@ namespace Contact
 
   std::string ContactCheck::at(const ContactPoint &point) const
   {
-    const Point<2> place = interface.zone(point).place(point);
+    const Point<2> place = interface.contact_pair(point).place(point);
     return " at X = (" + brief(place[0]) + ", " + brief(place[1]) + ") mm";
   }
 } // namespace Contact

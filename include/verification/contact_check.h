@@ -6,7 +6,7 @@
 #ifndef contact_contact_check_h
 #define contact_contact_check_h
 
-#include "base/words.h"
+#include "base/string_utilities.h"
 #include "contact/contact_interface.h"
 
 namespace Contact
@@ -16,10 +16,10 @@ namespace Contact
   struct Worst;
 
   /**
-   * What has to hold between bodies in contact, whatever the mesh: how far it
-   * does not. All ranks get the same numbers.
+   * The conditions on bodies in contact, whatever the mesh, and by how much
+   * they are not met. All ranks get the same numbers.
    *
-   * What is relative to the force F [N per mm] is so to the one that Newton's
+   * The force F [N per mm] of relative quantities is the one that Newton's
    * method is relative to; a gap g becomes a force as w k g, with the weight w
    * of the point and the stiffness k = E/h of its slave edge.
    */
@@ -32,22 +32,22 @@ namespace Contact
     double moment_imbalance = 0;
 
     /// The largest of: a negative pressure in contact; a gap in contact, a
-    /// multiplier where open (in the weak sense of the rule); with the nodal
-    /// and the mortar rule, a penetration where open. By F.
-    double complementarity = 0;
+    /// multiplier where open (in the weak sense of the discretization); with
+    /// the nodal and the mortar discretization, a penetration where open. By F.
+    double augmentation_parameter = 0;
 
     /// The largest |q| - bound of the friction law under the present pressure,
     /// by the largest bound.
     double cone = 0;
 
-    /// The largest slip of what sticks (in the weak sense of the rule) and,
-    /// with the nodal and the mortar rule, slip along the shear instead of
-    /// against it. By F.
+    /// The largest slip of what sticks (in the weak sense of the
+    /// discretization) and, with the nodal and the mortar discretization, slip
+    /// along the shear instead of against it. By F.
     double slip = 0;
 
     /// The largest -gap [mm] of all points, also by the length of the slave
-    /// edge, and where, undeformed. With the Gauss rule surfaces penetrate
-    /// each other between the nodes: no violation.
+    /// edge, and where, undeformed. With the Gauss-point discretization
+    /// surfaces penetrate each other between the nodes: no violation.
     double   penetration          = 0;
     double   relative_penetration = 0;
     Point<2> deepest;
@@ -61,7 +61,7 @@ namespace Contact
     std::vector<std::string> notes;
 
     /// Add a sentence if @p value is above @p limit, or not a number.
-    void judge(const std::string &name,
+    void check(const std::string &name,
                const double       value,
                const double       limit,
                const std::string &sentence,
@@ -70,7 +70,7 @@ namespace Contact
 
 
 
-  /// What the tolerances leave open in a state.
+  /// The uncertainty of a state due to the tolerances.
   struct Slack
   {
     double reference;       // F [N per mm]
@@ -84,32 +84,32 @@ namespace Contact
 
   /**
    * Check the contact of one converged state, by a computation of its own: from
-   * the displacements, the decisions and multipliers of the points.
+   * the displacements, the statuses and multipliers of the points.
    *
    * @par Forces
    * A point exerts w (p n + q t) C_a on its node a. These add up to zero
    * because the C_a do. With r = sum C_a x_a = g n + o t their moment is
    *   w (g q - o p):
-   * zero where the gap is, if the foot is the closest point (o = 0). With the
-   * Gauss rule the gap is zero in the mean only; over a corner of the master
-   * the foot stays behind; where the surfaces have moved by d since they were
-   * paired, the foot is that of the pairing: |o| <= sqrt(2) sum |C_a| d. So
-   * much is the method's own. With undeformed geometry the moments are those of
-   * the undeformed bodies.
+   * zero where the gap is, if the projection is the closest point (o = 0). With
+   * the Gauss-point discretization the gap is zero in the mean only; over a
+   * corner of the master the projection stays behind; where the surfaces have
+   * moved by d since they were paired, the projection is that of the pairing:
+   * |o| <= sqrt(2) sum |C_a| d. So much is the method's own. With undeformed
+   * geometry the moments are those of the undeformed bodies.
    *
    * @par Complementarity and friction
-   * The weak conditions of the rule are what Newton's method has solved, for
-   * each multiplier k,
-   *   sum w psi_k (p - lambda_n)/c = 0,  sum w psi_k (q - lambda_t)/c = 0.
-   * With a point per multiplier (nodal, mortar; there gap and slip are the
-   * weighted ones) they say g = 0 in contact, lambda = 0 where open, s = 0
-   * where it sticks; from p = max(0, lambda - c g) follow p >= 0 and g >= 0,
-   * from the slip law q s <= 0, point by point. The Gauss rule has several
-   * points per multiplier and promises the weak conditions and p >= 0. Gaps
-   * are those of the pairing of the last turn. Where most points of an edge
-   * face nothing, they pull its multipliers to zero, and what is left is a
-   * penalty -c g, with c far below the stiffness of the bodies: if that makes
-   * half of the largest pressure, the bodies pass through each other.
+   * The weak conditions of the discretization are what Newton's method has
+   * solved, for each multiplier k, sum w psi_k (p - lambda_n)/c = 0,  sum w
+   * psi_k (q - lambda_t)/c = 0. With a point per multiplier (nodal, mortar;
+   * there gap and slip are the weighted ones) they say g = 0 in contact, lambda
+   * = 0 where open, s = 0 where it sticks; from p = max(0, lambda - c g) follow
+   * p >= 0 and g >= 0, from the slip law q s <= 0, point by point. The
+   * Gauss-point discretization has several points per multiplier and promises
+   * the weak conditions and p >= 0. Gaps are those of the pairing of the last
+   * turn. Where most points of an edge face nothing, they pull its multipliers
+   * to zero, and what is left is a penalty -c g, with c far below the stiffness
+   * of the bodies: if that makes half of the largest pressure, the bodies pass
+   * through each other.
    *
    * @par Depth
    * On a mesh that is too coarse the discrete conditions may hold while a node
@@ -142,27 +142,28 @@ namespace Contact
     void check(const Slack &slack, ContactInvariants &found) const;
 
   private:
-    void check_balance(const ContactZone &zone,
+    void check_balance(const ContactPair &contact_pair,
                        const Slack       &slack,
                        ContactInvariants &found) const;
-    void check_depth(const ContactZone &zone, ContactInvariants &found) const;
+    void check_depth(const ContactPair &contact_pair,
+                     ContactInvariants &found) const;
 
-    /// The forces of a zone on both bodies together; the moment is about the
-    /// middle of the slave, whose size [mm] is that of its box.
+    /// The forces of a contact pair on both bodies together; the moment is
+    /// about the middle of the slave, whose size [mm] is that of its box.
     struct Resultant
     {
       Tensor<1, 2> force;
       double       moment = 0, magnitude = 0, size = 0;
     };
 
-    Resultant resultant(const ContactZone &zone) const;
+    Resultant resultant(const ContactPair &contact_pair) const;
 
     /// The moment that the discretization of contact leaves.
-    double   moment_of_rule(const ContactZone &zone) const;
+    double   moment_of_rule(const ContactPair &contact_pair) const;
     Point<2> position(const Surface &surface, const unsigned int node) const;
 
     /// Whether a node of a slave edge is pushed.
-    bool carries_force(const ContactZone &zone,
+    bool carries_force(const ContactPair &contact_pair,
                        const unsigned int slave_edge) const;
     void check_normal(const Slack &slack, ContactInvariants &found) const;
     void check_penalty(ContactInvariants &found) const;
@@ -187,7 +188,7 @@ namespace Contact
     WeakConditions weak_conditions(const bool   tangential,
                                    const Slack &slack) const;
 
-    /// Where a point is, in a sentence.
+    /// The place of a point, in a sentence.
     std::string at(const ContactPoint &point) const;
 
     const Discretization       &discretization;

@@ -32,9 +32,10 @@ namespace Contact
                         std::vector<unsigned int>(n)};
     for (unsigned int k = 0; k < interface.points.size(); ++k)
       {
-        const ContactPoint &point = interface.points[k];
-        const ContactZone  &zone  = interface.zone(point);
-        if (tangential && (zone.tied || zone.law.is_frictionless()))
+        const ContactPoint &point        = interface.points[k];
+        const ContactPair  &contact_pair = interface.contact_pair(point);
+        if (tangential &&
+            (contact_pair.tied || contact_pair.law.is_frictionless()))
           continue;
         const double difference = tangential
                                     ? tractions[k].q - states[k].lambda_t
@@ -43,10 +44,10 @@ namespace Contact
           {
             const unsigned int l     = point.multipliers[m];
             const double       share = point.weight * point.psi[m];
-            weak.defect[l] += share * difference / point.complementarity;
-            if (tangential && point.decision.status == Status::slip)
+            weak.defect[l] += share * difference / point.augmentation_parameter;
+            if (tangential && point.status.kind == Status::slip)
               weak.allowed[l] += std::abs(share) * slack.shear;
-            weak.stiffness[l] = zone.stiffness(point);
+            weak.stiffness[l] = contact_pair.stiffness(point);
             weak.point[l]     = k;
           }
       }
@@ -59,16 +60,16 @@ namespace Contact
                                           const Slack       &slack,
                                           Worst             &worst) const
   {
-    const ContactPoint &point = interface.points[k];
-    const ContactState &now   = states[k];
-    const ContactZone  &zone  = interface.zone(point);
-    if (point.decision.status != Status::open)
+    const ContactPoint &point        = interface.points[k];
+    const ContactState &now          = states[k];
+    const ContactPair  &contact_pair = interface.contact_pair(point);
+    if (point.status.kind != Status::open)
       worst.add(-point.weight * tractions[k].p, 0, [&]() {
         return "the pressure in contact is " + brief(tractions[k].p) + " MPa" +
                at(point);
       });
-    else if (zone.has_point_per_multiplier())
-      worst.add(-point.weight * zone.stiffness(point) * now.gap,
+    else if (contact_pair.has_point_per_multiplier())
+      worst.add(-point.weight * contact_pair.stiffness(point) * now.gap,
                 slack.force,
                 [&]() {
                   return "where it is open, the gap is " + brief(now.gap) +
@@ -86,17 +87,18 @@ namespace Contact
     Worst worst;
     for (unsigned int k = 0; k < interface.points.size(); ++k)
       {
-        const ContactPoint &point = interface.points[k];
-        const ContactZone  &zone  = interface.zone(point);
-        if (zone.tied || !point.facing)
+        const ContactPoint &point        = interface.points[k];
+        const ContactPair  &contact_pair = interface.contact_pair(point);
+        if (contact_pair.tied || !point.facing)
           continue;
         add_normal_condition(k, slack, worst);
         const double penetration = -states[k].gap;
         if (penetration > found.penetration)
           {
-            found.penetration          = penetration;
-            found.relative_penetration = penetration / zone.edge_length(point);
-            found.deepest              = zone.place(point);
+            found.penetration = penetration;
+            found.relative_penetration =
+              penetration / contact_pair.edge_length(point);
+            found.deepest = contact_pair.place(point);
           }
       }
     const WeakConditions weak = weak_conditions(/*tangential=*/false, slack);
@@ -112,9 +114,9 @@ namespace Contact
                 });
 
     check_penalty(found);
-    found.complementarity = worst.value / slack.reference;
+    found.augmentation_parameter = worst.value / slack.reference;
     if (worst.is_violated())
-      found.judge("complementarity",
+      found.check("complementarity",
                   worst.value / slack.reference,
                   (worst.value - worst.excess) / slack.reference,
                   worst.sentence,
@@ -131,10 +133,10 @@ namespace Contact
     unsigned int worst = 0;
     for (unsigned int k = 0; k < interface.points.size(); ++k)
       {
-        const ContactPoint &point = interface.points[k];
-        const ContactZone  &zone  = interface.zone(point);
-        if (point.decision.status == Status::open || zone.tied ||
-            zone.has_point_per_multiplier())
+        const ContactPoint &point        = interface.points[k];
+        const ContactPair  &contact_pair = interface.contact_pair(point);
+        if (point.status.kind == Status::open || contact_pair.tied ||
+            contact_pair.has_point_per_multiplier())
           continue;
         largest_pressure = std::max(largest_pressure, tractions[k].p);
         if (const double penalty = tractions[k].p - states[k].lambda_n;
@@ -145,7 +147,7 @@ namespace Contact
           }
       }
     if (largest_pressure > 0)
-      found.judge(
+      found.check(
         "penetration",
         largest_penalty / largest_pressure,
         0.5,
@@ -153,7 +155,7 @@ namespace Contact
           brief(largest_penalty) + " MPa come from a penetration of " +
           brief(-states[worst].gap) + " mm" + at(interface.points[worst]),
         "An edge of the slave faces the master with a part of its points "
-        "only: take the other surface as the slave, or another rule.");
+        "only: take the other surface as the slave, or another discretization.");
   }
 
 
@@ -163,22 +165,24 @@ namespace Contact
                                               Worst             &cone,
                                               Worst             &slip) const
   {
-    const ContactPoint &point = interface.points[k];
-    const ContactZone  &zone  = interface.zone(point);
-    const double        q     = tractions[k].q;
-    const double        bound = zone.law.bound(tractions[k].p);
+    const ContactPoint &point        = interface.points[k];
+    const ContactPair  &contact_pair = interface.contact_pair(point);
+    const double        q            = tractions[k].q;
+    const double        bound        = contact_pair.law.bound(tractions[k].p);
     cone.add(std::abs(q) - bound,
              slack.shear + slack.relative * largest_bound,
              [&]() {
                return "the shear is " + brief(q) + " MPa under a bound of " +
                       brief(bound) + " MPa" + at(point);
              });
-    if (point.decision.status != Status::slip || q == 0 ||
-        !zone.has_point_per_multiplier())
+    if (point.status.kind != Status::slip || q == 0 ||
+        !contact_pair.has_point_per_multiplier())
       return;
-    const double s            = states[k].slip;
-    const double per_traction = zone.stiffness(point) / point.complementarity;
-    slip.add(point.weight * zone.stiffness(point) * std::copysign(s, s * q),
+    const double s = states[k].slip;
+    const double per_traction =
+      contact_pair.stiffness(point) / point.augmentation_parameter;
+    slip.add(point.weight * contact_pair.stiffness(point) *
+               std::copysign(s, s * q),
              slack.force + point.weight * per_traction * slack.shear,
              [&]() {
                return "the slip is " + brief(s) + " mm along the shear of " +
@@ -197,10 +201,10 @@ namespace Contact
     Worst cone, slip;
     for (unsigned int k = 0; k < interface.points.size(); ++k)
       {
-        const ContactPoint &point = interface.points[k];
-        const ContactZone  &zone  = interface.zone(point);
-        if (!zone.tied && !zone.law.is_frictionless() &&
-            point.decision.status != Status::open)
+        const ContactPoint &point        = interface.points[k];
+        const ContactPair  &contact_pair = interface.contact_pair(point);
+        if (!contact_pair.tied && !contact_pair.law.is_frictionless() &&
+            point.status.kind != Status::open)
           add_tangential_condition(k, slack, cone, slip);
       }
     const WeakConditions weak = weak_conditions(/*tangential=*/true, slack);
@@ -208,8 +212,8 @@ namespace Contact
       {
         const ContactPoint &point = interface.points[weak.point[l]];
         slip.add(weak.stiffness[l] * std::abs(weak.defect[l]),
-                 slack.force +
-                   weak.stiffness[l] * weak.allowed[l] / point.complementarity,
+                 slack.force + weak.stiffness[l] * weak.allowed[l] /
+                                 point.augmentation_parameter,
                  [&]() {
                    return "the slip law q = projection of lambda - c s fails "
                           "by the force " +
@@ -221,7 +225,7 @@ namespace Contact
     found.cone = largest_bound > 0 ? cone.value / largest_bound : cone.value;
     found.slip = slip.value / slack.reference;
     if (cone.is_violated())
-      found.judge(
+      found.check(
         "friction cone",
         found.cone,
         found.cone * (1 - cone.excess / cone.value),
@@ -229,7 +233,7 @@ namespace Contact
         "Lower 'Solution/Friction tolerance', or set 'Solution/Friction = "
         "Newton'.");
     if (slip.is_violated())
-      found.judge("slip",
+      found.check("slip",
                   slip.value / slack.reference,
                   (slip.value - slip.excess) / slack.reference,
                   slip.sentence,

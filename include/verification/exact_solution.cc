@@ -21,15 +21,15 @@ namespace Contact
   namespace
   {
     /// The slave node with the smallest initial gap.
-    unsigned int first_touch(const ContactZone    &zone,
+    unsigned int first_touch(const ContactPair    &contact_pair,
                              const Discretization &discretization)
     {
       const Vector<double> no_displacement(discretization.dof_handler.n_dofs());
-      const SurfaceSearch  search(*zone.master, no_displacement);
+      const SurfaceSearch  search(*contact_pair.master, no_displacement);
       const auto           gap_square = [&](const Surface::Node &node) {
         return search.distance_square(node.X, search.closest_point(node.X));
       };
-      const auto &nodes = zone.slave.nodes;
+      const auto &nodes = contact_pair.slave.nodes;
       return std::min_element(nodes.begin(),
                               nodes.end(),
                               [&](const auto &a, const auto &b) {
@@ -48,20 +48,20 @@ namespace Contact
 
     HertzLineContact hertz_contact(const Parameters::All &parameters,
                                    const Discretization  &discretization,
-                                   const ContactZone     &zone,
+                                   const ContactPair     &contact_pair,
                                    const ContactResults  &results)
     {
       const auto &solids = parameters.solids;
       const auto &given  = parameters.probes.hertz;
       const auto  slave =
-        discretization.mesh.body_name(zone.slave.edges[0].body);
+        discretization.mesh.body_name(contact_pair.slave.edges[0].body);
       const auto master =
-        discretization.mesh.body_name(zone.master->edges[0].body);
+        discretization.mesh.body_name(contact_pair.master->edges[0].body);
       return {given[0],
               given.size() > 1 ? given[1] : results.normal_force,
-              solids.young.at(slave),
+              solids.youngs_modulus.at(slave),
               solids.poisson.at(slave),
-              solids.young.at(master),
+              solids.youngs_modulus.at(master),
               solids.poisson.at(master)};
     }
 
@@ -74,7 +74,8 @@ namespace Contact
                      const ContactResults   &results,
                      ExactSolution          &exact)
     {
-      // Where all slides, round-off must not make more of it than friction.
+      // If all points slide, round-off must not make the shear larger than
+      // friction.
       const double          limit = mu * hertz.force;
       const CattaneoMindlin mindlin{hertz,
                                     mu,
@@ -119,13 +120,13 @@ namespace Contact
 
     ExactSolution make_hertz(const Parameters::All &parameters,
                              const Discretization  &discretization,
-                             const ContactZone     &zone,
+                             const ContactPair     &contact_pair,
                              const ContactResults  &results)
     {
       const HertzLineContact hertz =
-        hertz_contact(parameters, discretization, zone, results);
-      const unsigned int node = first_touch(zone, discretization);
-      const double       axis = zone.slave.nodes[node].X[0];
+        hertz_contact(parameters, discretization, contact_pair, results);
+      const unsigned int node = first_touch(contact_pair, discretization);
+      const double       axis = contact_pair.slave.nodes[node].X[0];
 
       ExactSolution exact;
       exact.values["half_width"]   = hertz.half_width();
@@ -134,7 +135,7 @@ namespace Contact
         return hertz.pressure(X[0] - axis);
       };
 
-      const double mu = zone.law.coulomb_coefficient;
+      const double mu = contact_pair.law.coulomb_coefficient;
       if (mu == 0 || !parameters.probes.frictional_theory)
         return exact;
       if (std::abs(hertz.dundurs()) < 1e-12) // round-off
@@ -147,7 +148,7 @@ namespace Contact
       // degrees; body 1 is the slave.
       const Vector<double> no_displacement(discretization.dof_handler.n_dofs());
       const double         along_x =
-        zone.slave.normals(no_displacement)[node][1] > 0 ? 1. : -1.;
+        contact_pair.slave.normals(no_displacement)[node][1] > 0 ? 1. : -1.;
       add_half_planes(hertz,
                       mu,
                       parameters.solution.n_increments,
@@ -161,22 +162,24 @@ namespace Contact
 
     ExactSolution make_cylinders(const Parameters::All &parameters,
                                  const Discretization  &discretization,
-                                 const ContactZone     &zone)
+                                 const ContactPair     &contact_pair)
     {
       // The inner body is the one with the convex surface.
-      const auto           slave  = zone.slave.edges[0].body;
-      const auto           master = zone.master->edges[0].body;
+      const auto           slave  = contact_pair.slave.edges[0].body;
+      const auto           master = contact_pair.master->edges[0].body;
       const Vector<double> no_displacement(discretization.dof_handler.n_dofs());
       const bool           slave_is_inner =
-        zone.slave.normals(no_displacement)[0] * zone.slave.nodes[0].X > 0;
+        contact_pair.slave.normals(no_displacement)[0] *
+          contact_pair.slave.nodes[0].X >
+        0;
       const auto outer = slave_is_inner ? master : slave;
       const auto inner = slave_is_inner ? slave : master;
 
       const auto material = [&](const types::material_id body) {
         const auto name = discretization.mesh.body_name(body);
-        return ConcentricCylinders::Material{parameters.solids.young.at(name),
-                                             parameters.solids.poisson.at(
-                                               name)};
+        return ConcentricCylinders::Material{
+          parameters.solids.youngs_modulus.at(name),
+          parameters.solids.poisson.at(name)};
       };
       const auto &given = parameters.probes.concentric_cylinders;
       const auto  cylinders =
@@ -226,10 +229,10 @@ namespace Contact
     /// Of a multiplier over the slave, which every rank has. Where contact ends
     /// the exact one has a kink within an edge: hence many points.
     double error_on_slave(const std::function<double(const Point<2> &)> &exact,
-                          const ContactZone                             &zone,
-                          const std::vector<double>                     &values)
+                          const ContactPair         &contact_pair,
+                          const std::vector<double> &values)
     {
-      const Surface     &slave = zone.slave;
+      const Surface     &slave = contact_pair.slave;
       const QIterated<1> quadrature(QGauss<1>(4), 4);
       Squares            squares;
       for (const Surface::Edge &edge : slave.edges)
@@ -308,13 +311,13 @@ namespace Contact
   std::optional<ExactSolution>
   make_exact_solution(const Parameters::All &parameters,
                       const Discretization  &discretization,
-                      const ContactZone     &zone,
+                      const ContactPair     &contact_pair,
                       const ContactResults  &results)
   {
     if (!parameters.probes.hertz.empty())
-      return make_hertz(parameters, discretization, zone, results);
+      return make_hertz(parameters, discretization, contact_pair, results);
     if (!parameters.probes.concentric_cylinders.empty())
-      return make_cylinders(parameters, discretization, zone);
+      return make_cylinders(parameters, discretization, contact_pair);
     return {};
   }
 
@@ -325,18 +328,18 @@ namespace Contact
                   const Discretization   &discretization,
                   const Elasticity       &elasticity,
                   const ContactInterface &interface,
-                  const ContactZone      &zone,
+                  const ContactPair      &contact_pair,
                   const Vector<double>   &solution)
   {
     std::map<std::string, double> errors;
     const auto                    add_on_slave =
       [&](const std::string &name, const auto &function, const auto &index) {
-        std::vector<double> values(zone.slave.nodes.size());
+        std::vector<double> values(contact_pair.slave.nodes.size());
         for (unsigned int n = 0; n < values.size(); ++n)
-          if (const unsigned int k = zone.multipliers.of_node[n];
+          if (const unsigned int k = contact_pair.multipliers.of_node[n];
               k != numbers::invalid_unsigned_int)
             values[n] = solution[index(k)];
-        errors[name] = error_on_slave(function, zone, values);
+        errors[name] = error_on_slave(function, contact_pair, values);
       };
     if (exact.pressure)
       add_on_slave("pressure", exact.pressure, [&](const unsigned int k) {

@@ -17,7 +17,7 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// What theory knows of a case; functions that it does not know are empty.
+  /// The closed form of a case; functions that it does not give are empty.
   struct ExactSolution
   {
     /// On the slave by reference position [MPa]; the shear as it acts on the
@@ -46,7 +46,7 @@ namespace Contact
   std::optional<ExactSolution>
   make_exact_solution(const Parameters::All &parameters,
                       const Discretization  &discretization,
-                      const ContactZone     &zone,
+                      const ContactPair     &contact_pair,
                       const ContactResults  &results);
 
   /**
@@ -62,7 +62,7 @@ namespace Contact
                   const Discretization   &discretization,
                   const Elasticity       &elasticity,
                   const ContactInterface &interface,
-                  const ContactZone      &zone,
+                  const ContactPair      &contact_pair,
                   const Vector<double>   &solution);
 } // namespace Contact
 

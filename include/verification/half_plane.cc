@@ -45,7 +45,8 @@ namespace Contact
 
 
 
-  // What element j and its mirror image do to the midpoint of element i.
+  // The influence of element j and its mirror image on the midpoint of element
+  // i.
   double HalfPlaneContact::influence(const unsigned int i,
                                      const unsigned int j,
                                      const int          parity) const
@@ -81,7 +82,7 @@ namespace Contact
                                "half planes cycle."));
         solve_equations(load_factor, start);
       }
-    while (decide());
+    while (updated_status());
     AssertThrow(!elements[elements.size() - 3].in_contact,
                 ExcMessage("The half planes touch beyond their elements."));
   }
@@ -152,8 +153,8 @@ namespace Contact
 
 
 
-  // Let all elements decide anew; returns whether one changed its mind.
-  bool HalfPlaneContact::decide()
+  // Let all elements decide anew; returns whether one changed its status.
+  bool HalfPlaneContact::updated_status()
   {
     const double round_off = 1e-12;
 

@@ -45,7 +45,7 @@ namespace Contact
     /**
      * Solve for the force of @p hertz in @p n_increments equal increments, with
      * @p n_elements elements over the half width of the frictionless contact. A
-     * stick zone of less than a few elements is not resolved.
+     * stick contact pair of less than a few elements is not resolved.
      */
     HalfPlaneContact(const HertzLineContact &hertz,
                      const double            friction,
@@ -61,7 +61,8 @@ namespace Contact
     /// The half width a [mm] of the contact.
     double half_width() const;
 
-    /// The half width c [mm] of the zone that sticks in the last increment.
+    /// The half width c [mm] of the contact pair that sticks in the last
+    /// increment.
     double stick_half_width() const;
 
     /// The largest p [MPa] of all elements.
@@ -86,7 +87,7 @@ namespace Contact
     void solve_increment(const double load_factor);
     void solve_equations(const double               load_factor,
                          const std::vector<double> &start);
-    bool decide();
+    bool updated_status();
 
     double position(const unsigned int i) const;
     double influence(const unsigned int i,

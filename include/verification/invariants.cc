@@ -28,7 +28,7 @@ namespace Contact
             {"moment_imbalance", moment_imbalance},
             {"equilibrium", equilibrium},
             {"supports", supports},
-            {"complementarity", complementarity},
+            {"complementarity", augmentation_parameter},
             {"friction_cone", cone},
             {"slip", slip},
             {"penetration", penetration},
@@ -123,7 +123,7 @@ namespace Contact
       }
     found.supports =
       discretization.distance_from_supports(end.displacement, load_factor);
-    found.judge("supports",
+    found.check("supports",
                 found.supports,
                 std::numeric_limits<double>::epsilon() *
                   discretization.largest_prescribed(),
@@ -139,7 +139,7 @@ namespace Contact
 
   // @sect4{The bodies}
   //
-  // What their forces leave where contact, loads and holds have been taken off:
+  // The forces of the bodies less those of contact, loads and springs:
   // reactions where the constraints hold an unknown by itself, nothing
   // elsewhere. The force on an unknown that others move goes to those. Every
   // rank knows the constraints of its own unknowns.
@@ -218,7 +218,7 @@ namespace Contact
     const double allowed = (slack.force + slack.shear_force) / slack.reference;
     found.equilibrium    = residual / slack.reference;
     if (loads > 0 && found.equilibrium <= allowed)
-      found.judge("resolution",
+      found.check("resolution",
                   residual / loads,
                   1e-3,
                   "of loads of " + in_words(loads) + " " + in_words(residual) +
@@ -226,14 +226,14 @@ namespace Contact
                   "Take a smaller Young's modulus, or an obstacle instead of "
                   "that body.");
     if (is_held)
-      found.judge("stabilization",
+      found.check("stabilization",
                   end.holds.l2_norm() / slack.reference,
                   1e-3,
                   "springs that hold a body still carry " +
                     in_words(end.holds.l2_norm()),
                   "Support the body in the motion that is named above, or "
                   "refine its surfaces.");
-    found.judge("equilibrium",
+    found.check("equilibrium",
                 found.equilibrium,
                 allowed,
                 "a force of " + in_words(residual) +
@@ -303,7 +303,7 @@ namespace Contact
     if (scale == 0)
       return;
     found.energy_imbalance = missing / std::max(scale, works);
-    found.judge("energy",
+    found.check("energy",
                 missing / scale,
                 ((slack.force + slack.shear_force) * d.l2_norm() + round_off) /
                   scale,

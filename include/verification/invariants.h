@@ -38,7 +38,7 @@ namespace Contact
 
 
   /**
-   * What has to hold after a load increment, of contact and of the bodies. Of
+   * The invariants of contact and of the bodies after a load increment. Of
    * several levels of refinement each starts from the undeformed bodies.
    */
   struct Invariants
@@ -56,9 +56,9 @@ namespace Contact
     /// and external work.
     double energy_imbalance = 0;
 
-    /// What each group of supports exerts on the bodies, by direction, in the
-    /// frame of the mesh [N per mm of thickness; axisymmetric: N]. A node of
-    /// two groups counts in both.
+    /// The reactions of each group of supports on the bodies, by direction, in
+    /// the frame of the mesh [N per mm of thickness; axisymmetric: N]. A node
+    /// of two groups counts in both.
     std::map<std::string, std::map<std::string, double>> reactions;
 
     /// By name, for the summary.
@@ -148,7 +148,7 @@ namespace Contact
     /// from its end. Without, the increment is repeated from the same start.
     void advance();
 
-    /// Where the next increment starts.
+    /// The start of the next increment.
     const State &state() const;
     void         restore(const State &state);
 

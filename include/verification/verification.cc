@@ -50,7 +50,7 @@ namespace Contact
                                   const Material &material)
     : inner_radius(inner_radius)
     , outer_radius(outer_radius)
-    , shear_modulus(material.young / (2 * (1 + material.poisson)))
+    , shear_modulus(material.youngs_modulus / (2 * (1 + material.poisson)))
   {
     // Of r^2, ln r and of r^2, r^4, r^-2, 1 times cos(2 theta).
     const double            kappa = 3 - 4 * material.poisson;
@@ -168,8 +168,8 @@ namespace Contact
     AssertThrow(0 <= a && a < b && b < c,
                 ExcMessage("The radii have to be 0 <= a < b < c."));
 
-    // How far both bodies yield at r = b to a unit of contact pressure, and
-    // the outer one to the load.
+    // The displacement of both bodies at r = b under a unit of contact
+    // pressure, and of the outer one under the load.
     inner.load({}, {{1, 1}});
     outer.load({{1, 1}}, {});
     const Harmonics inner_yield = inner.radial_displacement(b);

@@ -157,8 +157,8 @@ namespace Contact
   public:
     struct Material
     {
-      double young;   // E [MPa]
-      double poisson; // nu [-]
+      double youngs_modulus; // E [MPa]
+      double poisson;        // nu [-]
     };
 
     /**

@@ -90,7 +90,7 @@ def linear(s):
         for rule in ("nodal", "mortar"):
             r = s.run("tied, rule %s, increments: %d" % (rule, increments),
                       scenes.BLOCKS, scenes.CONTACT, tied,
-                      {"Contact/Rule": rule})
+                      {"Contact/Discretization": rule})
             once(r, s.cells(r), increments)
             all_zero(r, ("large_displacement_cells", "geometry_updates",
                          "stress_recoveries", "error_estimates",
@@ -112,7 +112,7 @@ def frozen_pairing(s):
             r = s.run("contact paired once, rule %s, %s, %s" %
                       (rule, system, friction or "no friction"),
                       scenes.BLOCKS, scenes.CONTACT, friction,
-                      {"Contact/Rule": rule, "Solution/System": system,
+                      {"Contact/Discretization": rule, "Solution/System": system,
                        "Solution/Increments": "3"})
             c = r.counters
             check("one tangent", c["tangents"], 1)

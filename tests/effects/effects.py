@@ -20,8 +20,8 @@ import scenes
 CONTACT = {**scenes.CONTACT}
 TIED = {**CONTACT, "Contact/Tied": "true"}
 SADDLE_POINT = {"Solution/System": "saddle point"}
-NODAL = {**CONTACT, "Contact/Rule": "nodal"}
-GAUSS = {**CONTACT, "Contact/Rule": "Gauss"}
+NODAL = {**CONTACT, "Contact/Discretization": "nodal"}
+GAUSS = {**CONTACT, "Contact/Discretization": "Gauss"}
 TRESCA = {**CONTACT, "Contact/Tresca limit": "20"}
 COULOMB = {**CONTACT, "Contact/Friction coefficient": "0.2"}
 LOOP = {"Solution/Geometry": "fixed point"}
@@ -41,7 +41,7 @@ EFFECTS = (
     ("friction of Tresca", TRESCA, "contact, mortar rule"),
     ("friction of Coulomb", COULOMB, "contact, mortar rule"),
     ("bound of Coulomb in each step",
-     {**COULOMB, "Solution/Friction": "each step"}, "friction of Coulomb"),
+     {**COULOMB, "Solution/Friction": "lagged bound"}, "friction of Coulomb"),
     ("quadratic elements", {"Element/Degree": "2"}, "bodies alone"),
     ("large displacement", {**LARGE}, "bodies alone"),
     ("geometry loop", {**CONTACT, **LOOP}, "contact, mortar rule"),
@@ -50,7 +50,7 @@ EFFECTS = (
     ("axisymmetry", {"Solids/Symmetry": "axisymmetric", "Mesh/Shift": "1, 0"},
      "bodies alone"),
     ("rigid obstacle instead of a master",
-     {"Contact/Slave": "Slave", "Contact/Rule": "mortar",
+     {"Contact/Slave": "Slave", "Contact/Discretization": "mortar",
       "Contact/Obstacle": "half plane: 0, 0, 0, 1"}, "contact, mortar rule"),
     ("four increments", {"Solution/Increments": "4"}, "bodies alone"),
     ("four increments, contact", {**CONTACT, "Solution/Increments": "4"},

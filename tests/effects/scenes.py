@@ -24,7 +24,7 @@ HELD_BLOCK = {"Solids/Young's modulus": "Block: 210000",
               "Solids/Kinematics": "small strain",
               "Boundary conditions/Displacement x": "Base: 0",
               "Boundary conditions/Displacement y": "Base: 0",
-              "Boundary conditions/Spread force y": "Top: -1"}
+              "Boundary conditions/Resultant force y": "Top: -1"}
 
 
 class MshFile:
@@ -116,7 +116,7 @@ BLOCKS = {
     "Probes/Probes": "head: displacement y, Head",
 }
 CONTACT = {"Contact/Slave": "Slave", "Contact/Master": "Master",
-           "Contact/Rule": "mortar"}
+           "Contact/Discretization": "mortar"}
 
 
 class Run:

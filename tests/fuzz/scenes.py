@@ -188,7 +188,7 @@ class Scene:
         degree = self.features["degree"] = rng.choice([1, 1, 2])
         self.set("Element/Degree", str(degree))
         if degree == 2:
-            self.set("Element/Centre node", rng.choice(["bound", "free"]))
+            self.set("Element/Centre node", rng.choice(["serendipity", "free"]))
 
     def choose_contact(self, rng):
         f = self.features
@@ -199,7 +199,7 @@ class Scene:
         self.set("Contact/Slave", faces[0 if upper_slave else 1])
         self.set("Contact/Master", faces[1 if upper_slave else 0])
         f["rule"] = rng.choice(["nodal"] * 4 + ["mortar"] * 5 + ["Gauss"])
-        self.set("Contact/Rule", f["rule"])
+        self.set("Contact/Discretization", f["rule"])
         f["friction"] = rng.choice(["none"] * 3 + ["Coulomb"] * 5 +
                                    ["Tresca"])
         self.mu = 0.0
@@ -303,8 +303,8 @@ class Scene:
                 self.add("Force y", "Top_point: " + number(-force))
                 pressing.append("Force y")
             elif load == "spread force":
-                self.add("Spread force y", "Top: " + number(-force))
-                pressing.append("Spread force y")
+                self.add("Resultant force y", "Top: " + number(-force))
+                pressing.append("Resultant force y")
             else:
                 self.add("Pressure", "Top: " + number(force / loaded), "; ")
                 pressing.append("Pressure")
@@ -319,8 +319,8 @@ class Scene:
                 push = 0.4 * self.mu * min(
                     1, self.overlap() / self.height / self.mu / 2)
                 push *= force * rng.uniform(-1, 1)
-                self.add("Spread force x", "Top: " + number(push))
-                pressing.append("Spread force x")
+                self.add("Resultant force x", "Top: " + number(push))
+                pressing.append("Resultant force x")
                 self.force_x = push * factor_at_end
         entries = []
         if histories[history]:
@@ -371,7 +371,7 @@ class Scene:
         self.set("Solution/Geometry", f["geometry"])
         f["friction_solver"] = "-"
         if f["friction"] != "none":
-            other = "Newton" if system == "saddle point" else "each step"
+            other = "Newton" if system == "saddle point" else "lagged bound"
             f["friction_solver"] = rng.choice(["fixed point", other, other])
             self.set("Solution/Friction", f["friction_solver"])
         f["levels"] = 0

@@ -31,11 +31,11 @@ import time
 RULES = ("nodal", "Gauss", "mortar")
 KINEMATICS = ("large displacement", "small strain")
 # The program's default first.
-FRICTION = ("Newton", "fixed point", "each step")
+FRICTION = ("Newton", "fixed point", "lagged bound")
 
 # The system that a loop of friction can have: see Parameters::All::check().
 SYSTEM = {"Newton": "automatic", "fixed point": "automatic",
-          "each step": "condensed"}
+          "lagged bound": "condensed"}
 
 # Sums over increments and largest values; from the program that knows them.
 COLUMNS = ("case", "rule", "kinematics", "friction", "required", "status",
@@ -160,7 +160,7 @@ def run(options, case, rule, kinematics, friction, required):
     directory.mkdir(parents=True, exist_ok=True)
     command = [str(options.contact),
                str(options.parameters / "hard" / (case.name + ".prm")),
-               "--quiet", "--set", "Contact/Rule=" + rule,
+               "--quiet", "--set", "Contact/Discretization=" + rule,
                "--set", "Solids/Kinematics=" + kinematics,
                "--set", "Solution/Friction=" + friction,
                "--set", "Solution/System=" + SYSTEM[friction],

@@ -102,7 +102,7 @@ def other_loops(rng, scene):
     if system == "condensed":
         entries["Solution/Linear solver"] = rng.choice(["CHOLMOD", "AMG"])
     geometry = list(loops)
-    friction_loops = list(loops)
+    friction_loops = ["fixed point", "lagged bound"]
     if system != "automatic":
         friction_loops.append("Newton")
     if system == "saddle point":
@@ -114,7 +114,7 @@ def other_loops(rng, scene):
     if any(zone.mu for zone in scene.zones):
         entries["Solution/Friction"] = rng.choice(friction_loops)
     if rng.random() < 0.2:
-        entries["Solids/Dilatation"] = rng.choice(["full", "projected"])
+        entries["Solids/Dilatation"] = rng.choice(["full", "B-bar"])
 
 
 def swap(rng, a, b):

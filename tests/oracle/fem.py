@@ -40,7 +40,7 @@ class Block:
             self.w = self.w * 2 * np.pi * radius
         self.modes = None
         dilatation = model.scene.entries.get("Solids/Dilatation", "automatic")
-        if dilatation == "projected" or (dilatation == "automatic" and
+        if dilatation == "B-bar" or (dilatation == "automatic" and
                                          self.lame > 10 * self.shear):
             self.make_modes([p for p, _ in points], kind, model.degree)
         self.dofs = (2 * cells[:, :, None] + np.arange(2)).reshape(

@@ -127,7 +127,7 @@ def pulled_off(rng, seed):
     """Nothing holds the upper block against what pulls it."""
     scene, s = two_blocks(rng, "pulled_off", seed)
     scene.contact(*swap(rng, "Up_below", "Low_above"), friction(rng))
-    scene.load(rng.choice(["Spread force y", "Spread force x"]), "Up_above",
+    scene.load(rng.choice(["Resultant force y", "Resultant force x"]), "Up_above",
                uniform(rng, 0.001, 0.01) * stiffness(scene) * s)
     scene.expected = HOPELESS
     return settle(rng, scene)

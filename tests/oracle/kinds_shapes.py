@@ -207,8 +207,8 @@ def beam(rng, seed):
     large = rng.random() < 0.7
     part = uniform(rng, 0.01, 0.3) * (1 if large else 0.2)
     force = part * young * h ** 3 / 4 / length ** 2
-    load = rng.choice(["Spread force y", "Pressure", "Displacement y"])
-    if load == "Spread force y":
+    load = rng.choice(["Resultant force y", "Pressure", "Displacement y"])
+    if load == "Resultant force y":
         scene.load(load, "Beam_right", -force)
     elif load == "Pressure":
         scene.load(load, "Beam_above", force / length)

@@ -154,7 +154,7 @@ class Scene:
             entries["Obstacle"] = zone.obstacle
         else:
             entries["Master"] = zone.master
-        entries["Rule"] = self.rule_of(zone)
+        entries["Discretization"] = self.rule_of(zone)
         entries["Friction coefficient"] = number(zone.mu)
         return entries
 

@@ -177,7 +177,7 @@ def cantilever():
         scene.entries.update({"Element/Degree": degree,
                               "Solids/Kinematics": "small strain"})
         scene.hold("B_left", 0).hold("middle", None, 0)
-        scene.load("Spread force y", "B_right", -F)
+        scene.load("Resultant force y", "B_right", -F)
         u = fem.Model(scene).solve()
         plane = E / (1 - poisson ** 2)
         shear = E / (2 * (1 + poisson))

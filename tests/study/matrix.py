@@ -10,8 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 ELEMENTS = {
-    "linear": {"Element/Degree": "1", "Element/Centre node": "bound"},
-    "q8": {"Element/Degree": "2", "Element/Centre node": "bound"},
+    "linear": {"Element/Degree": "1", "Element/Centre node": "serendipity"},
+    "q8": {"Element/Degree": "2", "Element/Centre node": "serendipity"},
     "q9": {"Element/Degree": "2", "Element/Centre node": "free"},
 }
 RULES = ["nodal", "mortar", "Gauss"]
@@ -121,7 +121,7 @@ class Run:
     def entries(self) -> dict[str, str]:
         """The parameters that differ from those of the file."""
         entries = dict(ELEMENTS[self.element])
-        entries["Contact/Rule"] = self.rule
+        entries["Contact/Discretization"] = self.rule
         if self.refinement == "uniform":
             entries["Mesh/Refinements"] = str(self.level)
             entries["Refinement/Levels"] = "0"
@@ -273,10 +273,10 @@ def ssnp154_friction() -> list[Run]:
         for rule in ["nodal", "mortar"]:
             runs += [Run(problem, file, element, rule, "nested", level,
                          "condensed", "", friction)
-                     for friction in ["each step", "fixed point"]
+                     for friction in ["lagged bound", "fixed point"]
                      for level in levels(problem, element, last, False)]
         runs += [Run(problem, file, element, "mortar", "adaptive", level,
-                     "condensed", "", "each step")
+                     "condensed", "", "lagged bound")
                  for level in range(2, 15 if element == "linear" else 18, 3)]
         runs += [Run(problem, file, element, rule, "uniform", level,
                      "saddle point", "", friction)

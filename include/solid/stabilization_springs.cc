@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "solid/soft_hold.h"
+#include "solid/stabilization_springs.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -11,8 +11,9 @@
 
 namespace Contact
 {
-  SoftHold::SoftHold(const Discretization         &discretization,
-                     const std::vector<CellTable> &cells)
+  StabilizationSprings::StabilizationSprings(
+    const Discretization         &discretization,
+    const std::vector<CellTable> &cells)
     : discretization(discretization)
     , cells(cells)
     , areas(discretization.mesh.pieces.size())
@@ -31,8 +32,9 @@ namespace Contact
 
 
 
-  void SoftHold::hold(const std::map<unsigned int, double> &stiffness,
-                      const Vector<double>                 &rest)
+  void
+  StabilizationSprings::hold(const std::map<unsigned int, double> &stiffness,
+                             const Vector<double>                 &rest)
   {
     Assert(rest.size() >= discretization.dof_handler.n_dofs(),
            ExcDimensionMismatch(rest.size(),
@@ -53,7 +55,7 @@ namespace Contact
 
 
 
-  void SoftHold::release()
+  void StabilizationSprings::release()
   {
     if (!stiffness.empty())
       ++n_changes;
@@ -63,7 +65,7 @@ namespace Contact
 
 
 
-  double SoftHold::spring(const CellTable &cell) const
+  double StabilizationSprings::spring(const CellTable &cell) const
   {
     const auto held = stiffness.find(cell.piece);
     if (held == stiffness.end())
@@ -76,10 +78,10 @@ namespace Contact
 
 
 
-  void SoftHold::add_springs(const CellTable      &cell,
-                             const Vector<double> &u,
-                             FullMatrix<double>   *tangent,
-                             Vector<double>       &forces) const
+  void StabilizationSprings::add_springs(const CellTable      &cell,
+                                         const Vector<double> &u,
+                                         FullMatrix<double>   *tangent,
+                                         Vector<double>       &forces) const
   {
     if (stiffness.empty())
       return;
@@ -94,7 +96,8 @@ namespace Contact
 
 
 
-  std::map<unsigned int, double> SoftHold::energy(const Vector<double> &u) const
+  std::map<unsigned int, double>
+  StabilizationSprings::energy(const Vector<double> &u) const
   {
     std::map<unsigned int, double> energies;
     for (const auto &[piece, k] : stiffness)
@@ -111,7 +114,8 @@ namespace Contact
 
 
 
-  double SoftHold::mean_circumference(const unsigned int piece) const
+  double
+  StabilizationSprings::mean_circumference(const unsigned int piece) const
   {
     return volumes[piece] / areas[piece];
   }

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "output/ledger.h"
+#include "output/effects.h"
 
 #include <deal.II/base/utilities.h>
 
@@ -45,7 +45,7 @@ namespace Contact
         {
           case FrictionLoop::fixed_point:
             return "tangential multipliers, a loop over Tresca problems";
-          case FrictionLoop::each_step:
+          case FrictionLoop::lagged_bound:
             return "tangential multipliers, a bound for each Newton step";
           case FrictionLoop::newton:
             return "tangential multipliers, the bound in the tangent";
@@ -65,63 +65,69 @@ namespace Contact
 
 
 
-    Effect friction_of(const Parameters::Contact  &zone,
+    Effect friction_of(const Parameters::Contact  &contact_pair,
                        const Parameters::Solution &solution)
     {
-      const std::string coulomb = zone.section() + "/Friction coefficient";
-      if (zone.tied)
+      const std::string coulomb =
+        contact_pair.section() + "/Friction coefficient";
+      if (contact_pair.tied)
         return {"friction",
                 "none, tied",
-                "normal and tangential multipliers, no decisions",
-                zone.section() + "/Tied"};
-      if (zone.friction_coefficient > 0)
+                "normal and tangential multipliers, no statuses",
+                contact_pair.section() + "/Tied"};
+      if (contact_pair.friction_coefficient > 0)
         return {"friction",
-                with_number("Coulomb", zone.friction_coefficient) + ", " +
-                  solution.friction.name(),
+                with_number("Coulomb", contact_pair.friction_coefficient) +
+                  ", " + solution.friction.name(),
                 following(solution.friction),
                 coulomb};
-      if (zone.tresca_limit > 0)
+      if (contact_pair.tresca_limit > 0)
         return {"friction",
-                with_number("Tresca", zone.tresca_limit) + " MPa",
+                with_number("Tresca", contact_pair.tresca_limit) + " MPa",
                 "tangential multipliers, a bound that stays",
-                zone.section() + "/Tresca limit"};
+                contact_pair.section() + "/Tresca limit"};
       return {"friction", "none", "no tangential unknowns", coulomb};
     }
 
 
 
-    /// On an obstacle the rules nodal and mortar are one, see ContactZone.
-    std::string rule_of(const ContactZone         &zone,
+    /// On an obstacle the nodal and mortar discretizations are one, see
+    /// ContactPair.
+    std::string rule_of(const ContactPair         &contact_pair,
                         const Parameters::Contact &parameters)
     {
-      const std::string points = std::to_string(zone.n_points) + " points";
-      if (zone.master)
-        return parameters.rule.name() + " rule, " + points;
-      return (parameters.rule == Parameters::Rule::mortar
-                ? "nodal rule, which mortar is here, "
-                : parameters.rule.name() + " rule, ") +
+      const std::string points =
+        std::to_string(contact_pair.n_points) + " points";
+      if (contact_pair.master)
+        return parameters.discretization.name() + " discretization, " + points;
+      return (parameters.discretization ==
+                  Parameters::ContactDiscretization::mortar
+                ? "nodal discretization, which mortar is here, "
+                : parameters.discretization.name() + " discretization, ") +
              points + " on an obstacle";
     }
 
 
 
-    void add_zone(const ContactZone          &zone,
+    void add_pair(const ContactPair          &contact_pair,
                   const Parameters::Contact  &parameters,
                   const Parameters::Solution &solution,
                   std::vector<Effect>        &effects)
     {
       effects.push_back(
         {"contact",
-         rule_of(zone, parameters),
-         std::to_string((zone.law.is_frictionless() ? 1 : 2) *
-                        zone.multipliers.n_multipliers) +
-           " multipliers" + (zone.tied ? "" : ", active set"),
+         rule_of(contact_pair, parameters),
+         std::to_string((contact_pair.law.is_frictionless() ? 1 : 2) *
+                        contact_pair.multipliers.n_multipliers) +
+           " multipliers" + (contact_pair.tied ? "" : ", active set"),
          parameters.section() +
-           (zone.tied ? "/Tied" : (zone.master ? "/Slave" : "/Obstacle"))});
+           (contact_pair.tied
+              ? "/Tied"
+              : (contact_pair.master ? "/Slave" : "/Obstacle"))});
       effects.push_back(friction_of(parameters, solution));
-      if (!zone.name.empty())
+      if (!contact_pair.name.empty())
         for (unsigned int i = 1; i <= 2; ++i)
-          effects[effects.size() - i].name += " " + zone.name;
+          effects[effects.size() - i].name += " " + contact_pair.name;
     }
 
 
@@ -142,8 +148,8 @@ namespace Contact
         {"element",
          parameters.element.degree == 1
            ? "linear"
-           : (discretization.bound_centre ? "quadratic, 8 nodes"
-                                          : "quadratic, 9 nodes"),
+           : (discretization.serendipity ? "quadratic, 8 nodes"
+                                         : "quadratic, 9 nodes"),
          std::to_string(discretization.dof_handler.n_dofs()) + " displacements",
          "Element/Degree"}};
     }
@@ -155,10 +161,10 @@ namespace Contact
                      const ContactInterface *interface,
                      std::vector<Effect>    &effects)
     {
-      const auto zones = parameters.zones();
-      for (unsigned int z = 0; z < zones.size(); ++z)
-        add_zone(*interface->zones[z], zones[z], parameters.solution, effects);
-      if (zones.empty())
+      const auto pairs = parameters.pairs();
+      for (unsigned int z = 0; z < pairs.size(); ++z)
+        add_pair(*interface->pairs[z], pairs[z], parameters.solution, effects);
+      if (pairs.empty())
         effects.push_back(
           {"contact", "none", "no multipliers", "Contact/Slave"});
       else if (!interface->is_tied())

@@ -3,12 +3,13 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "contact/contact_zone.h"
+#include "contact/contact_pair.h"
 
 #include <algorithm>
 #include <limits>
 
 #include "base/errors.h"
+#include "base/string_utilities.h"
 #include "contact/corner_points.h"
 
 namespace Contact
@@ -53,7 +54,7 @@ namespace Contact
     {
       const auto at = [&](const unsigned int node) {
         const Point<2> &X = surface.nodes[node].X;
-        return "(" + std::to_string(X[0]) + ", " + std::to_string(X[1]) + ")";
+        return "(" + brief(X[0]) + ", " + brief(X[1]) + ")";
       };
       const unsigned int n_named = 3;
       std::string        names;
@@ -110,7 +111,7 @@ namespace Contact
 
 
 
-  ContactZone::ContactZone(const Discretization      &discretization,
+  ContactPair::ContactPair(const Discretization      &discretization,
                            const Elasticity          &elasticity,
                            const Parameters::Contact &parameters)
     : name(parameters.name)
@@ -121,7 +122,7 @@ namespace Contact
                          parameters.slave,
                          parameters.section() + "/Slave"))
     , master(make_master(discretization, parameters))
-    , complementarity(parameters.complementarity)
+    , augmentation_parameter(parameters.augmentation_parameter)
     , discretization(discretization)
     , elasticity(elasticity)
     , parameters(parameters)
@@ -158,7 +159,7 @@ namespace Contact
     // Over a ring, the shape function of degree 2 of a node on the axis has the
     // integral zero: it has no dual function.
     if (slave.degree == 2 && master &&
-        parameters.rule == Parameters::Rule::mortar)
+        parameters.discretization == Parameters::ContactDiscretization::mortar)
       for (unsigned int i = 0; i < slave.nodes.size(); ++i)
         if (discretization.is_on_axis(slave.nodes[i].X) &&
             excluded.count(i) == 0)
@@ -167,8 +168,8 @@ namespace Contact
 
 
 
-  // Not with glue, which the nodes of the rule hold.
-  void ContactZone::make_axis_points(std::vector<ContactPoint> &points)
+  // Not with glue, which the nodes of the discretization hold.
+  void ContactPair::make_axis_points(std::vector<ContactPoint> &points)
   {
     if (on_axis.empty() || tied)
       return;
@@ -186,21 +187,24 @@ namespace Contact
 
 
   std::vector<ContactPoint>
-  ContactZone::make_points(const unsigned int first_multiplier,
+  ContactPair::make_points(const unsigned int first_multiplier,
                            const unsigned int first_point)
   {
     std::vector<ContactPoint> points;
-    if (parameters.rule == Parameters::Rule::mortar && master)
+    if (parameters.discretization ==
+          Parameters::ContactDiscretization::mortar &&
+        master)
       {
         auto without_dual_function = excluded;
         without_dual_function.insert(on_axis.begin(), on_axis.end());
-        mortar = std::make_unique<MortarRule>(slave,
-                                              *master,
-                                              discretization,
-                                              without_dual_function);
+        mortar = std::make_unique<MortarDiscretization>(slave,
+                                                        *master,
+                                                        discretization,
+                                                        without_dual_function);
         points = mortar->make_points(multipliers);
       }
-    else if (parameters.rule == Parameters::Rule::gauss)
+    else if (parameters.discretization ==
+             Parameters::ContactDiscretization::gauss)
       points = make_gauss_points(slave, parameters.n_gauss_points, multipliers);
     else
       points = make_nodal_points(slave, excluded, multipliers);
@@ -225,16 +229,17 @@ namespace Contact
       {
         for (unsigned int k = 0; k < point.n_multipliers; ++k)
           point.multipliers[k] += first_multiplier;
-        point.complementarity = complementarity * stiffness(point);
-        point.tresca_bound    = law.bound(0);
+        point.augmentation_parameter =
+          augmentation_parameter * stiffness(point);
+        point.friction_bound = law.bound(0);
       }
     return points;
   }
 
 
 
-  // What is glued is glued where it faces each other undeformed.
-  bool ContactZone::pair(const ArrayView<ContactPoint> &points,
+  // Glued surfaces keep the pairs of the undeformed state.
+  bool ContactPair::pair(const ArrayView<ContactPoint> &points,
                          const Vector<double>          &u,
                          const bool                     with_derivatives) const
   {
@@ -244,7 +249,7 @@ namespace Contact
 
 
 
-  bool ContactZone::pair_all(const ArrayView<ContactPoint> &points,
+  bool ContactPair::pair_all(const ArrayView<ContactPoint> &points,
                              const Vector<double>          &u,
                              const bool with_derivatives) const
   {
@@ -271,7 +276,7 @@ namespace Contact
 
 
 
-  bool ContactZone::pair_corners(const ArrayView<ContactPoint> &points,
+  bool ContactPair::pair_corners(const ArrayView<ContactPoint> &points,
                                  const Vector<double>          &u) const
   {
     // Whether a node of the slave edge sees the master.
@@ -309,7 +314,7 @@ namespace Contact
 
 
 
-  bool ContactZone::project(const ArrayView<ContactPoint> &points,
+  bool ContactPair::project(const ArrayView<ContactPoint> &points,
                             const Vector<double>          &u) const
   {
     bool changed = false;
@@ -334,40 +339,42 @@ namespace Contact
                          u);
         changed = changed || point.dofs != old_dofs;
 
-        // Where several points share multipliers, one that faces nothing pulls
+        // If several points share multipliers, one that faces nothing pulls
         // them to zero, as weakly as a spring of the stiffness c: it must not
         // be the softer one beside points in contact.
         if (!has_point_per_multiplier())
-          point.complementarity =
-            (point.facing ? complementarity : 1e3) * stiffness(point);
+          point.augmentation_parameter =
+            (point.facing ? augmentation_parameter : 1e3) * stiffness(point);
       }
     return changed;
   }
 
 
 
-  double ContactZone::stiffness(const ContactPoint &point) const
+  double ContactPair::stiffness(const ContactPoint &point) const
   {
-    const Surface &own    = surface_of(point);
-    const double   of_own = elasticity.young(own.edges[point.slave_edge].body);
-    const Surface *other  = point.is_master_corner ? &slave
-                            : master               ? &*master
-                                                   : nullptr;
-    return (other ? std::min(of_own, elasticity.young(other->edges[0].body))
+    const Surface &own = surface_of(point);
+    const double   of_own =
+      elasticity.youngs_modulus(own.edges[point.slave_edge].body);
+    const Surface *other = point.is_master_corner ? &slave
+                           : master               ? &*master
+                                                  : nullptr;
+    return (other ? std::min(of_own,
+                             elasticity.youngs_modulus(other->edges[0].body))
                   : of_own) /
            edge_length(point);
   }
 
 
 
-  const Surface &ContactZone::surface_of(const ContactPoint &point) const
+  const Surface &ContactPair::surface_of(const ContactPoint &point) const
   {
     return point.is_master_corner ? *master : slave;
   }
 
 
 
-  double ContactZone::edge_length(const ContactPoint &point) const
+  double ContactPair::edge_length(const ContactPoint &point) const
   {
     return surface_of(point).reference_length(point.slave_edge);
   }
@@ -376,14 +383,15 @@ namespace Contact
 
   // A parabola over the radius whose slope vanishes on the axis.
   std::vector<std::pair<unsigned int, double>>
-  ContactZone::pressure_at(const unsigned int node) const
+  ContactPair::pressure_at(const unsigned int node) const
   {
     const auto multiplier = [&](const unsigned int i) {
       return multipliers.of_node[i];
     };
-    const bool on_axis = slave.degree == 2 &&
-                         parameters.rule != Parameters::Rule::gauss &&
-                         discretization.is_on_axis(slave.nodes[node].X);
+    const bool on_axis =
+      slave.degree == 2 &&
+      parameters.discretization != Parameters::ContactDiscretization::gauss &&
+      discretization.is_on_axis(slave.nodes[node].X);
     if (on_axis)
       for (const Surface::Edge &edge : slave.edges)
         for (unsigned int a = 0; a < 2; ++a)
@@ -402,14 +410,14 @@ namespace Contact
 
 
 
-  bool ContactZone::has_point_per_multiplier() const
+  bool ContactPair::has_point_per_multiplier() const
   {
     return parameters.has_point_per_multiplier();
   }
 
 
 
-  Point<2> ContactZone::place(const ContactPoint &point) const
+  Point<2> ContactPair::place(const ContactPoint &point) const
   {
     const Surface  &own = surface_of(point);
     const EdgeShape shape(own.degree, point.slave_xi);

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "base/words.h"
+#include "base/string_utilities.h"
 
 #include <deal.II/base/utilities.h>
 

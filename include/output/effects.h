@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#ifndef contact_ledger_h
-#define contact_ledger_h
+#ifndef contact_effects_h
+#define contact_effects_h
 
 #include <iosfwd>
 #include <string>
@@ -17,7 +17,7 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// A line of the ledger.
+  /// A line of the list of effects.
   struct Effect
   {
     std::string name;
@@ -27,8 +27,8 @@ namespace Contact
   };
 
   /**
-   * The ledger at the start of a run: what the scene switches on, what that
-   * entails, and the entry that asks for it. @p interface is null without
+   * The list of effects at the start of a run: what the scene switches on, what
+   * that entails, and the entry that asks for it. @p interface is null without
    * contact, @p system says which linear system is solved how.
    */
   std::vector<Effect> find_effects(const Parameters::All  &parameters,

@@ -3,9 +3,10 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// Proves of bodies that are held softly: springs add up to the stiffness asked
-// for on any mesh, forces are the derivative of the energy and the tangent that
-// of the forces, nothing else changes, and what was released is as before.
+// Proves of bodies that are stabilized by springs: springs add up to the
+// stiffness asked for on any mesh, forces are the derivative of the energy and
+// the tangent that of the forces, nothing else changes, and what was released
+// is as before.
 
 #include "derivatives.h"
 
@@ -48,7 +49,7 @@ namespace
   double energy(const Elasticity &elasticity, const Vector<double> &u)
   {
     double sum = elasticity.strain_energy(u);
-    for (const auto &[body, of_hold] : elasticity.soft_hold.energy(u))
+    for (const auto &[body, of_hold] : elasticity.springs.energy(u))
       sum += of_hold;
     return sum;
   }
@@ -95,24 +96,24 @@ namespace
       bodies.displacement([&](const Point<2> &X) { return X + d; });
     Vector<double> none(u.size());
     const auto     version = elasticity.tangent_version();
-    elasticity.soft_hold.hold({{lower, k}, {upper, 0}}, none);
+    elasticity.springs.hold({{lower, k}, {upper, 0}}, none);
     check("one body is held",
-          elasticity.soft_hold.held() ==
+          elasticity.springs.held() ==
             std::map<unsigned int, double>{{lower, k}});
     check("the tangent is new", elasticity.tangent_version() == version + 1);
     auto sums = resultants(bodies, translated);
     check_small("its force", (sums[lower] - k * d).norm(), 1e-10);
     check_small("force of the other one", sums[upper].norm(), 1e-10);
     check_small("its energy",
-                std::abs(elasticity.soft_hold.energy(translated).at(lower) -
+                std::abs(elasticity.springs.energy(translated).at(lower) -
                          0.5 * k * d.norm_square()),
                 1e-12);
 
     // From anywhere to anywhere, with another place of rest first.
-    elasticity.soft_hold.hold({{lower, k}}, rest);
+    elasticity.springs.hold({{lower, k}}, rest);
     check("it is not for another rest",
           elasticity.tangent_version() == version + 1);
-    elasticity.soft_hold.hold({{lower, k}, {upper, 2 * k}}, rest);
+    elasticity.springs.hold({{lower, k}, {upper, 2 * k}}, rest);
     check("but for another stiffness",
           elasticity.tangent_version() == version + 2);
 
@@ -125,14 +126,14 @@ namespace
                 1e-8);
     check_small("tangent against those of the forces", found.tangent, 1e-8);
 
-    elasticity.soft_hold.release();
+    elasticity.springs.release();
     check("released",
-          elasticity.soft_hold.held().empty() &&
-            elasticity.soft_hold.energy(u).empty() &&
+          elasticity.springs.held().empty() &&
+            elasticity.springs.energy(u).empty() &&
             elasticity.forces(u, 0) == free_forces);
     check("the tangent is new again",
           elasticity.tangent_version() == version + 3);
-    elasticity.soft_hold.release();
+    elasticity.springs.release();
     check("but once only", elasticity.tangent_version() == version + 3);
   }
 
@@ -160,7 +161,7 @@ namespace
     const Vector<double> translated =
       bodies.displacement([&](const Point<2> &X) { return X + d; });
     Elasticity &elasticity = *bodies.elasticity;
-    elasticity.soft_hold.hold({{1, k}}, Vector<double>(translated.size()));
+    elasticity.springs.hold({{1, k}}, Vector<double>(translated.size()));
 
     const auto   forces     = elasticity.forces(translated, 0);
     const auto   components = bodies.components();
@@ -180,9 +181,9 @@ namespace
   {
     headline("a free body under a force");
     Parameters::All parameters = make_case(1, "small strain");
-    parameters.boundary.spread_force_x["lower top"] = 7;
-    parameters.boundary.displacement_x["upper top"] = 0;
-    parameters.boundary.displacement_y["upper top"] = 0;
+    parameters.boundary.resultant_force_x["lower top"] = 7;
+    parameters.boundary.displacement_x["upper top"]    = 0;
+    parameters.boundary.displacement_y["upper top"]    = 0;
     const Bodies bodies(parameters);
     Elasticity  &elasticity = *bodies.elasticity;
     const double k          = 50;
@@ -199,7 +200,7 @@ namespace
     Vector<double> u(bodies.n_dofs());
     for (unsigned int step = 1; step <= 2; ++step)
       {
-        elasticity.soft_hold.hold({{piece_of(bodies.mesh, "lower"), k}}, u);
+        elasticity.springs.hold({{piece_of(bodies.mesh, "lower"), k}}, u);
         Vector<double> rhs(u.size());
         matrix = 0;
         elasticity.assemble(u, 1, rhs, &matrix);
@@ -217,7 +218,7 @@ namespace
                       .norm(),
                     1e-9);
         const double energy =
-          elasticity.soft_hold.energy(u).at(piece_of(bodies.mesh, "lower"));
+          elasticity.springs.energy(u).at(piece_of(bodies.mesh, "lower"));
         check("energy of step " + std::to_string(step) +
                 " at least that of a translation",
               energy > 0.5 * 7 * 7 / k * (1 - 1e-10));

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#ifndef contact_soft_hold_h
-#define contact_soft_hold_h
+#ifndef contact_stabilization_springs_h
+#define contact_stabilization_springs_h
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
@@ -19,17 +19,17 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * What holds a piece of a body (MeshPieces) for a while, before it touches
-   * another one: springs at the corners of its cells, to x and to y, from where
+   * Springs that hold a piece of a body (MeshPieces) for a while, before it
+   * touches another one, at the corners of its cells, to x and to y, from where
    * these were under the displacement "rest".
    */
-  class SoftHold
+  class StabilizationSprings
   {
   public:
     /// Of the pieces that the cells @p cells of all ranks make up. Holds
     /// nothing yet. Collective.
-    SoftHold(const Discretization         &discretization,
-             const std::vector<CellTable> &cells);
+    StabilizationSprings(const Discretization         &discretization,
+                         const std::vector<CellTable> &cells);
 
     /**
      * Hold pieces, by piece with a stiffness k [N/mm per mm of thickness;

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#ifndef contact_newton_guard_h
-#define contact_newton_guard_h
+#ifndef contact_newton_globalization_h
+#define contact_newton_globalization_h
 
 #include <deque>
 #include <limits>
@@ -12,8 +12,9 @@
 namespace Contact
 {
   /**
-   * What keeps a semismooth Newton method from running away and its active set
-   * from cycling, without being in the way where it converges.
+   * The globalization of a semismooth Newton method: it keeps the residual from
+   * running away and the active set from cycling, without being in the way
+   * where the method converges.
    *
    * Runaway: the merit function is the norm of the residual. Where an active
    * set is looked for it need not fall in every step, so that the line search
@@ -33,7 +34,7 @@ namespace Contact
    * has: the safeguarded block pivoting of Portugal, Judice and Vicente (Math.
    * Comp. 63, 1994), finite for every uniquely solvable linear problem.
    */
-  class NewtonGuard
+  class NewtonGlobalization
   {
   public:
     /// Whether a step may end with this residual.
@@ -46,7 +47,7 @@ namespace Contact
     /// moves supports does.
     void forget();
 
-    /// Whether, as @p n_changes points want to change their decisions, only
+    /// Whether, as @p n_changes points want to change their statuses, only
     /// one may.
     bool one_at_a_time(const unsigned int n_changes);
 

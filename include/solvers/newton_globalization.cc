@@ -3,14 +3,14 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "solvers/newton_guard.h"
+#include "solvers/newton_globalization.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace Contact
 {
-  bool NewtonGuard::accepts(const double residual) const
+  bool NewtonGlobalization::accepts(const double residual) const
   {
     return std::isfinite(residual) &&
            (residuals.empty() || n_uphill < patience ||
@@ -19,7 +19,7 @@ namespace Contact
 
 
 
-  bool NewtonGuard::advance(const double residual)
+  bool NewtonGlobalization::advance(const double residual)
   {
     residuals.push_back(residual);
     if (residuals.size() > memory)
@@ -31,7 +31,7 @@ namespace Contact
 
 
 
-  void NewtonGuard::forget()
+  void NewtonGlobalization::forget()
   {
     residuals.clear();
     best     = std::numeric_limits<double>::max();
@@ -40,7 +40,7 @@ namespace Contact
 
 
 
-  bool NewtonGuard::one_at_a_time(const unsigned int n_changes)
+  bool NewtonGlobalization::one_at_a_time(const unsigned int n_changes)
   {
     if (n_changes == 0)
       return false;

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#ifndef contact_contact_zone_h
-#define contact_contact_zone_h
+#ifndef contact_contact_pair_h
+#define contact_contact_pair_h
 
 #include <deal.II/base/array_view.h>
 
@@ -21,23 +21,23 @@ namespace Contact
 
   /**
    * Two surfaces that may touch, and what all points between them have in
-   * common: the rule by which they are made and paired, and the law of
-   * friction. The master is a surface of a body, or a rigid obstacle.
+   * common: the discretization by which they are made and paired, and the law
+   * of friction. The master is a surface of a body, or a rigid obstacle.
    *
-   * The points are those of the rule, and behind them what it can not see: with
-   * the mortar rule at degree 2 a nodal point for a node on an axis of
-   * symmetry, which has no dual function; with the rules mortar and nodal the
-   * corners of the master (corner_points.h).
+   * The points are those of the discretization, and behind them what it can not
+   * see: with the mortar discretization at degree 2 a nodal point for a node on
+   * an axis of symmetry, which has no dual function; with the discretizations
+   * mortar and nodal the corners of the master (corner_points.h).
    *
-   * On an obstacle the rules nodal and mortar are one: of a gap that is linear
-   * along the edge, which it is over a half plane, the dual functions leave the
-   * value at the node.
+   * On an obstacle the nodal and mortar discretizations are one: of a gap that
+   * is linear along the edge, which it is over a half plane, the dual functions
+   * leave the value at the node.
    */
-  class ContactZone
+  class ContactPair
   {
   public:
     /// Throws InputError if the surfaces do not exist or have a common node.
-    ContactZone(const Discretization      &discretization,
+    ContactPair(const Discretization      &discretization,
                 const Elasticity          &elasticity,
                 const Parameters::Contact &parameters);
 
@@ -53,12 +53,12 @@ namespace Contact
     const std::optional<Surface> master; // none: an obstacle
 
     /// The c of all points, by the stiffness E/h of their slave edges [-].
-    const double complementarity;
+    const double augmentation_parameter;
 
-    /// Numbered among those of all zones.
+    /// Numbered among those of all contact pairs.
     MultiplierSpace multipliers;
 
-    /// Their place among the points of all zones.
+    /// Their place among the points of all contact pairs.
     unsigned int first_point = 0, n_points = 0;
 
     /// The points, not paired yet, and their multipliers, behind those that
@@ -66,9 +66,9 @@ namespace Contact
     std::vector<ContactPoint> make_points(const unsigned int first_multiplier,
                                           const unsigned int first_point);
 
-    /// Pair the points of this zone in the configuration @p u, with what the
-    /// tangent needs to know how the pairing moves or without. Returns whether
-    /// one has other unknowns than before.
+    /// Pair the points of this contact pair in the configuration @p u, with
+    /// what the tangent needs to know how the pairing moves or without. Returns
+    /// whether one has other unknowns than before.
     bool pair(const ArrayView<ContactPoint> &points,
               const Vector<double>          &u,
               const bool                     with_derivatives) const;
@@ -95,7 +95,7 @@ namespace Contact
       return n_of_slave < n_points;
     }
 
-    /// Each multiplier belongs to one point: rules nodal and mortar.
+    /// Each multiplier belongs to one point: nodal and mortar discretizations.
     bool has_point_per_multiplier() const;
 
     /**
@@ -118,15 +118,16 @@ namespace Contact
     bool pair_corners(const ArrayView<ContactPoint> &points,
                       const Vector<double>          &u) const;
 
-    const Discretization           &discretization;
-    const Elasticity               &elasticity;
-    const Parameters::Contact       parameters;
-    std::unique_ptr<const Obstacle> obstacle;
-    std::set<unsigned int>          excluded; // nodes of the slave
-    std::set<unsigned int>          on_axis;  // without a dual function
-    std::unique_ptr<MortarRule>     mortar;
+    const Discretization                 &discretization;
+    const Elasticity                     &elasticity;
+    const Parameters::Contact             parameters;
+    std::unique_ptr<const Obstacle>       obstacle;
+    std::set<unsigned int>                excluded; // nodes of the slave
+    std::set<unsigned int>                on_axis;  // without a dual function
+    std::unique_ptr<MortarDiscretization> mortar;
 
-    /// Of the points those of the rule, and those that belong to the slave.
+    /// Of the points those of the discretization, and those that belong to the
+    /// slave.
     unsigned int n_of_rule = 0, n_of_slave = 0;
     unsigned int first_multiplier = 0;
   };

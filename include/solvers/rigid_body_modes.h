@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#ifndef contact_free_motions_h
-#define contact_free_motions_h
+#ifndef contact_rigid_body_modes_h
+#define contact_rigid_body_modes_h
 
 #include <map>
 #include <string>
@@ -18,7 +18,7 @@ namespace Contact
   using namespace dealii;
 
   /// A rigid motion of a piece of a body that nothing resists.
-  struct FreeMotion
+  struct RigidBodyMode
   {
     unsigned int piece; // see MeshPieces
     std::string  name;  // as in "displacement in x with rotation"
@@ -27,8 +27,8 @@ namespace Contact
 
 
 
-  /// What the points in contact resist along their tangents: nothing; what
-  /// sticks, as they have decided; or as if all of them stuck.
+  /// The points in contact that resist motions along their tangents: none;
+  /// those that stick; or all of them.
   enum class Tangents
   {
     free,
@@ -50,10 +50,10 @@ namespace Contact
    * that two pieces that hold but each other are both free. What is free is the
    * null space of the sum of the rows' squares. Collective.
    */
-  std::vector<FreeMotion>
-  free_motions(const Discretization   &discretization,
-               const ContactInterface *interface,
-               const Tangents          tangents = Tangents::as_decided);
+  std::vector<RigidBodyMode>
+  rigid_body_modes(const Discretization   &discretization,
+                   const ContactInterface *interface,
+                   const Tangents          tangents = Tangents::as_decided);
 
   /// The pieces of the nodes of all surfaces, by the first unknown of the node.
   /// Collective.

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "solvers/free_motions.h"
+#include "solvers/rigid_body_modes.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/symmetric_tensor.h>
@@ -29,7 +29,7 @@ namespace Contact
 
 
 
-    /// What is resisted, in terms of the rigid motions of all pieces:
+    /// The resisted directions, in terms of the rigid motions of all pieces:
     /// displacement in x, in y, and rotation about the centre times the size.
     class ResistedMotions
     {
@@ -190,13 +190,13 @@ namespace Contact
     {
       const auto sticks = [&](const ContactPoint &point) {
         return tangents == Tangents::as_decided
-                 ? point.decision.status == Status::stick
+                 ? point.status.kind == Status::stick
                  : tangents == Tangents::stuck &&
-                     !interface.zone(point).law.is_frictionless();
+                     !interface.contact_pair(point).law.is_frictionless();
       };
       for (const ContactPoint &point : interface.points)
         {
-          if (point.decision.status == Status::open)
+          if (point.status.kind == Status::open)
             continue;
           std::vector<Share> shares;
           for (unsigned int a = 0; a < point.n_nodes; ++a)
@@ -221,11 +221,11 @@ namespace Contact
             motions.resist({{of_node.at(node.dofs[0]), node.X, 1}},
                            Point<2>::unit_vector(c));
       };
-      for (const auto &zone : interface.zones)
+      for (const auto &contact_pair : interface.pairs)
         {
-          hold(zone->slave);
-          if (zone->master)
-            hold(*zone->master);
+          hold(contact_pair->slave);
+          if (contact_pair->master)
+            hold(*contact_pair->master);
         }
     }
 
@@ -265,11 +265,11 @@ namespace Contact
 
 
 
-    std::vector<FreeMotion> find_free(const MeshPieces      &pieces,
-                                      const ResistedMotions &motions)
+    std::vector<RigidBodyMode> find_free(const MeshPieces      &pieces,
+                                         const ResistedMotions &motions)
     {
-      const FullMatrix<double> projection = motions.projection_onto_free();
-      std::vector<FreeMotion>  free;
+      const FullMatrix<double>   projection = motions.projection_onto_free();
+      std::vector<RigidBodyMode> free;
       for (unsigned int piece = 0; piece < pieces.size(); ++piece)
         {
           SymmetricTensor<2, 3> part;
@@ -296,11 +296,11 @@ namespace Contact
       for (const Surface::Node &node : surface.nodes)
         of_node[node.dofs[0]] = 0;
     };
-    for (const auto &zone : interface.zones)
+    for (const auto &contact_pair : interface.pairs)
       {
-        add(zone->slave);
-        if (zone->master)
-          add(*zone->master);
+        add(contact_pair->slave);
+        if (contact_pair->master)
+          add(*contact_pair->master);
       }
 
     // One more than the number, so that zero is none.
@@ -326,9 +326,10 @@ namespace Contact
 
 
 
-  std::vector<FreeMotion> free_motions(const Discretization   &discretization,
-                                       const ContactInterface *interface,
-                                       const Tangents          tangents)
+  std::vector<RigidBodyMode>
+  rigid_body_modes(const Discretization   &discretization,
+                   const ContactInterface *interface,
+                   const Tangents          tangents)
   {
     ResistedMotions motions(discretization.mesh.pieces);
     resist_by_supports(discretization, motions);

@@ -33,8 +33,8 @@ namespace Contact
   ContactInterface::save(const Vector<double> &solution) const
   {
     std::vector<SurfaceState> states;
-    for (const auto &zone : zones)
-      states.push_back(save_zone(*zone, solution));
+    for (const auto &contact_pair : pairs)
+      states.push_back(save_pair(*contact_pair, solution));
     return states;
   }
 
@@ -43,41 +43,42 @@ namespace Contact
   void ContactInterface::restore(const std::vector<SurfaceState> &states,
                                  Vector<double>                  &solution)
   {
-    for (unsigned int z = 0; z < zones.size(); ++z)
-      restore_zone(*zones[z], states[z], solution);
+    for (unsigned int z = 0; z < pairs.size(); ++z)
+      restore_pair(*pairs[z], states[z], solution);
   }
 
 
 
   ContactInterface::SurfaceState
-  ContactInterface::save_zone(const ContactZone    &zone,
+  ContactInterface::save_pair(const ContactPair    &contact_pair,
                               const Vector<double> &solution) const
   {
-    const auto   all_places = places(zone.slave);
+    const auto   all_places = places(contact_pair.slave);
     SurfaceState state;
-    for (unsigned int i = 0; i < zone.slave.nodes.size(); ++i)
+    for (unsigned int i = 0; i < contact_pair.slave.nodes.size(); ++i)
       {
-        const unsigned int k = zone.multipliers.of_node[i];
+        const unsigned int k = contact_pair.multipliers.of_node[i];
         if (k == numbers::invalid_unsigned_int)
           continue;
         state.place.push_back(all_places[i]);
         state.pressure.push_back(solution[normal_index(k)]);
-        state.shear.push_back(
-          zone.law.is_frictionless() ? 0. : solution[tangential_index(k)]);
-        state.bound.push_back(points[k].tresca_bound);
-        state.decisions.push_back(points[k].decision);
+        state.shear.push_back(contact_pair.law.is_frictionless()
+                                ? 0.
+                                : solution[tangential_index(k)]);
+        state.bound.push_back(points[k].friction_bound);
+        state.statuses.push_back(points[k].status);
       }
-    for (const ContactPoint &point : points_of(zone))
+    for (const ContactPoint &point : points_of(contact_pair))
       if (point.is_master_corner)
         {
           const unsigned int k = point.multipliers[0];
           state.corners.push_back(
             {point.weight * solution[normal_index(k)],
-             zone.law.is_frictionless()
+             contact_pair.law.is_frictionless()
                ? 0.
                : point.weight * solution[tangential_index(k)],
-             point.tresca_bound,
-             point.decision});
+             point.friction_bound,
+             point.status});
         }
     return state;
   }
@@ -87,7 +88,8 @@ namespace Contact
   namespace
   {
     /**
-     * Where between a point @p last in contact and an open one beside it,
+     * The place between a point @p last in contact and an open one beside it at
+     * which,
      * @p open, the contact ends. Between smooth bodies p^2 falls to zero there
      * with a finite slope, as in Hertz' solution: the parabola of p^2 through
      * three points is extrapolated. They are two apart, so that with elements
@@ -127,16 +129,16 @@ namespace Contact
 
 
 
-  // Values are interpolated; a decision is that of the nearer point, but that
+  // Values are interpolated; a status is that of the nearer point, but that
   // the end of the contact is looked for between the points.
-  void ContactInterface::restore_zone(const ContactZone  &zone,
+  void ContactInterface::restore_pair(const ContactPair  &contact_pair,
                                       const SurfaceState &state,
                                       Vector<double>     &solution)
   {
-    const auto all_places = places(zone.slave);
-    for (unsigned int i = 0; i < zone.slave.nodes.size(); ++i)
+    const auto all_places = places(contact_pair.slave);
+    for (unsigned int i = 0; i < contact_pair.slave.nodes.size(); ++i)
       {
-        const unsigned int k = zone.multipliers.of_node[i];
+        const unsigned int k = contact_pair.multipliers.of_node[i];
         if (k == numbers::invalid_unsigned_int)
           continue;
         const auto above = std::lower_bound(state.place.begin(),
@@ -157,49 +159,50 @@ namespace Contact
         };
 
         solution[normal_index(k)] = between(state.pressure);
-        if (!zone.law.is_frictionless())
+        if (!contact_pair.law.is_frictionless())
           solution[tangential_index(k)] = between(state.shear);
-        points[k].tresca_bound = between(state.bound);
-        points[k].decision     = state.decisions[x < 0.5 ? a : b];
-        const bool a_is_open   = state.decisions[a].status == Status::open;
-        const bool b_is_open   = state.decisions[b].status == Status::open;
+        points[k].friction_bound = between(state.bound);
+        points[k].status         = state.statuses[x < 0.5 ? a : b];
+        const bool a_is_open     = state.statuses[a].kind == Status::open;
+        const bool b_is_open     = state.statuses[b].kind == Status::open;
         if (a_is_open != b_is_open)
           {
-            const double end   = b_is_open ? end_of_contact(state, a, b)
-                                           : end_of_contact(state, b, a);
-            points[k].decision = state.decisions[all_places[i] < end ? a : b];
+            const double end = b_is_open ? end_of_contact(state, a, b)
+                                         : end_of_contact(state, b, a);
+            points[k].status = state.statuses[all_places[i] < end ? a : b];
           }
         if (!points[k].facing)
-          points[k].decision = Decision();
-        else if (points[k].decision.status == Status::stick &&
+          points[k].status = PointStatus();
+        else if (points[k].status.kind == Status::stick &&
                  !can_stick(points[k]))
-          points[k].decision = {Status::slip, 0};
+          points[k].status = {Status::slip, 0};
       }
-    restore_corners(zone, state, solution);
+    restore_corners(contact_pair, state, solution);
   }
 
 
 
   // They come in the order of the chain. Where a finer slave has got a node
   // close to a corner, that does not face it any more.
-  void ContactInterface::restore_corners(const ContactZone  &zone,
+  void ContactInterface::restore_corners(const ContactPair  &contact_pair,
                                          const SurfaceState &state,
                                          Vector<double>     &solution)
   {
     auto corner = state.corners.begin();
-    for (unsigned int q = zone.first_point;
-         q < zone.first_point + zone.n_points && corner != state.corners.end();
+    for (unsigned int q = contact_pair.first_point;
+         q < contact_pair.first_point + contact_pair.n_points &&
+         corner != state.corners.end();
          ++q)
       if (points[q].is_master_corner)
         {
-          ContactPoint &point = points[q];
-          point.decision      = point.facing ? corner->decision : Decision();
-          point.tresca_bound  = corner->bound;
-          if (point.decision.status == Status::stick && !can_stick(point))
-            point.decision = {Status::slip, 0};
+          ContactPoint &point  = points[q];
+          point.status         = point.facing ? corner->status : PointStatus();
+          point.friction_bound = corner->bound;
+          if (point.status.kind == Status::stick && !can_stick(point))
+            point.status = {Status::slip, 0};
           const unsigned int k      = point.multipliers[0];
           solution[normal_index(k)] = corner->force / point.weight;
-          if (!zone.law.is_frictionless())
+          if (!contact_pair.law.is_frictionless())
             solution[tangential_index(k)] = corner->shear / point.weight;
           ++corner;
         }

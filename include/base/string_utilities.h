@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#ifndef contact_words_h
-#define contact_words_h
+#ifndef contact_string_utilities_h
+#define contact_string_utilities_h
 
 #include <string>
 #include <utility>
@@ -25,7 +25,7 @@ namespace Contact
   /// Names are compared word by word: 'Gauss   points' is 'Gauss points'.
   std::string with_single_blanks(const std::string &text);
 
-  /// What is before and behind the character at @p position, trimmed; without
+  /// The texts before and behind the character at @p position, trimmed; without
   /// one, std::string::npos, the second part is empty.
   std::pair<std::string, std::string> split_at(const std::string &text,
                                                const std::size_t  position);
