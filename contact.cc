@@ -81,6 +81,7 @@
 // is behind the classes of this program, whose order is in include/README.md
 // under "A map of the code".
 
+#include <algorithm>
 #include <memory>
 #include <sstream>
 
@@ -125,8 +126,11 @@ namespace Contact
     // Setting up.
     void setup_system();
     void setup_level();
+    bool lacks_ends_of_masters() const;
+    void begin_anew();
 
     // The loops.
+    void solve_first_level();
     void solve_level();
     void solve_increment(const LoadSteps::Step &step);
     void start_from_coarser_level(const unsigned int increment);
@@ -172,6 +176,9 @@ namespace Contact
 
     unsigned int level = 0;
     CoarserLevel coarser;
+
+    // Whether the ends of the masters are corners, see solve_first_level().
+    bool ends_are_corners = false;
   };
 
 
@@ -213,7 +220,7 @@ namespace Contact
 
     try
       {
-        solve_level();
+        solve_first_level();
         while (!is_last_level())
           {
             refine();
@@ -273,7 +280,10 @@ namespace Contact
       TimerOutput::Scope scope(report.timer, "setup");
       model.elasticity =
         Elasticity::create(*model.discretization, parameters.solids);
-      if (const auto pairs = parameters.pairs(); !pairs.empty())
+      auto pairs = parameters.pairs();
+      for (Parameters::Contact &contact_pair : pairs)
+        contact_pair.ends_are_corners = ends_are_corners;
+      if (!pairs.empty())
         model.interface =
           std::make_unique<ContactInterface>(*model.discretization,
                                              *model.elasticity,
@@ -303,10 +313,68 @@ namespace Contact
 
 
 
+  bool ContactProblem::lacks_ends_of_masters() const
+  {
+    return model.interface && std::any_of(model.interface->pairs.begin(),
+                                          model.interface->pairs.end(),
+                                          [](const auto &contact_pair) {
+                                            return contact_pair->lacks_ends();
+                                          });
+  }
+
+
+
+  // @sect4{ContactProblem::begin_anew}
+  //
+  // From the start, with points of contact at the ends of the masters, as if
+  // there had been nothing before.
+  void ContactProblem::begin_anew()
+  {
+    ends_are_corners = true;
+    report.begin_anew(*model.discretization);
+    system.reset();
+    invariants.reset();
+    model.interface.reset();
+    setup_level();
+    model.interface->initialize_status(state.solution);
+    report.print_scene(model, system->name());
+  }
+
+
+
   // @sect3{The loops}
   //
   // From the outside to the inside: levels of refinement, load increments, the
   // stabilization of rigid body modes, the geometry, friction.
+
+  // @sect4{ContactProblem::solve_first_level}
+  //
+  // Where a slave node slides off the end of the master, or a single one is
+  // opposite it, there may be no state that all points agree with, however
+  // small the step: what the slave's edge lies on is the end of the master,
+  // which the discretizations do not see. Then, and only then, that has a point
+  // of its own, see make_corner_points(): elsewhere it would but add a force
+  // that is singular.
+  void ContactProblem::solve_first_level()
+  {
+    try
+      {
+        solve_level();
+      }
+    catch (const NotConverged &failure)
+      {
+        if (!lacks_ends_of_masters())
+          throw;
+        report.screen << failure.what() << std::endl
+                      << "Once more from the start, with points of contact at "
+                         "the ends of the masters"
+                      << std::endl;
+        begin_anew();
+        solve_level();
+      }
+  }
+
+
 
   // @sect4{ContactProblem::solve_level}
   //
@@ -323,7 +391,7 @@ namespace Contact
         pairing.pair(state.solution);
         model.interface->initialize_status(state.solution);
       }
-    if (parameters.restart && is_last_level())
+    if (parameters.restart && is_last_level() && !ends_are_corners)
       checkpoint.read(steps);
     while (!steps.finished())
       {
@@ -354,7 +422,9 @@ namespace Contact
         if (is_last_level() && step.ends_increment)
           {
             postprocessor.write_increment(step.increment, /*is_complete=*/true);
-            checkpoint.write(steps);
+            // What goes on from there begins as this run did.
+            if (!ends_are_corners)
+              checkpoint.write(steps);
           }
         else if (step.ends_increment)
           {

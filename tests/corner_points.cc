@@ -10,7 +10,8 @@
 // forces of both bodies balance, and the results hold the force of the corner;
 // that flat faces with a slave beyond the corner, whose condition follows from
 // those of the nodes, are no singular system; and that there are no such points
-// where there is no corner.
+// where there is no corner; that the ends of the master are such points where
+// that is asked for.
 
 #include "condensed_model.h"
 #include "contact/contact_results.h"
@@ -217,6 +218,48 @@ namespace
     check_small("depth", depth, 1e-10);
     check_small("tension", tension, 1e-6);
   }
+
+
+
+  /// A block whose one end is opposite a single node of the slave, which its
+  /// load is beside: that pressure alone cannot balance a moment.
+  void check_ends(const unsigned int degree, const std::string &rule)
+  {
+    headline("ends, degree " + std::to_string(degree) + ", rule " + rule);
+    MeshText mesh;
+    mesh.block("low", 2, 2, rectangle({-2, -1}, {2, 0}));
+    mesh.block("up", 4, 1, rectangle({-0.5, 0}, {0.75, 1}));
+    Parameters::All parameters =
+      make_parameters(mesh, {"low", "up"}, degree, "small strain");
+    parameters.contact.slave           = "low top";
+    parameters.contact.master          = "up bottom";
+    parameters.contact.discretization  = rule;
+    parameters.boundary.displacement_x = {{"low bottom", 0}, {"up top", 0}};
+    parameters.boundary.displacement_y = {{"low bottom", 0}, {"up top", -0.01}};
+    const ContactModel plain(parameters);
+    check("no corner points", !plain.interface.pairs[0]->has_corner_points());
+    check("though there could be", plain.interface.pairs[0]->lacks_ends());
+
+    parameters.contact.ends_are_corners = true;
+    ContactModel       model(parameters);
+    const ContactPair &contact_pair = *model.interface.pairs[0];
+    check("both ends", contact_pair.sees_ends() && !contact_pair.lacks_ends());
+    check("converges", model.solve(1, true) > 0);
+    unsigned int n_facing = 0;
+    double       depth = 0, tension = 0;
+    for (const ContactPoint &point : model.interface.points)
+      if (point.is_master_corner && point.facing)
+        {
+          const ContactState now =
+            model.interface.state(point, model.solution, model.start);
+          ++n_facing;
+          depth   = std::max(depth, -now.gap);
+          tension = std::max(tension, -now.lambda_n);
+        }
+    check("both face the slave", n_facing == 2);
+    check_small("depth", depth, 1e-7);
+    check_small("tension", tension, 1e-6);
+  }
 } // namespace
 
 
@@ -235,6 +278,10 @@ int main()
           for (const unsigned int n_low : {1, 3, 4, 7})
             check_flat(degree, rule, n_low);
       }
+
+  for (const unsigned int degree : {1, 2})
+    for (const std::string rule : {"nodal", "mortar"})
+      check_ends(degree, rule);
 
   headline("the Gauss rule, and no corner");
   check("none with the Gauss rule",

@@ -174,7 +174,7 @@ namespace Contact
     void           set_bounds(const Vector<double> &bounds);
 
     /// Let all points decide in the present state. Returns how many change
-    /// their mind; with @p keep their new statuses are theirs from now on.
+    /// their status; with @p keep their new statuses are theirs from now on.
     unsigned int update_statuses(const Vector<double> &solution,
                                  const Vector<double> &u_start,
                                  const bool            moving_bound,

@@ -168,6 +168,29 @@ namespace Contact
 
 
 
+  bool ContactPair::can_have_corner_points() const
+  {
+    return master && !tied && has_point_per_multiplier();
+  }
+
+
+
+  bool ContactPair::sees_ends() const
+  {
+    return can_have_corner_points() && has_ends(*master) &&
+           parameters.ends_are_corners;
+  }
+
+
+
+  bool ContactPair::lacks_ends() const
+  {
+    return can_have_corner_points() && has_ends(*master) &&
+           !parameters.ends_are_corners;
+  }
+
+
+
   // Not with glue, which the nodes of the discretization hold.
   void ContactPair::make_axis_points(std::vector<ContactPoint> &points)
   {
@@ -212,8 +235,9 @@ namespace Contact
     n_of_rule = points.size();
     make_axis_points(points);
     n_of_slave = points.size();
-    if (master && !tied && has_point_per_multiplier())
-      for (ContactPoint &corner : make_corner_points(*master))
+    if (can_have_corner_points())
+      for (ContactPoint &corner :
+           make_corner_points(*master, parameters.ends_are_corners))
         {
           corner.multipliers[0] = multipliers.n_multipliers++;
           points.push_back(std::move(corner));

@@ -95,6 +95,11 @@ namespace Contact
       return n_of_slave < n_points;
     }
 
+    /// Whether the ends of the master are such corners, and whether they are
+    /// not, though they could be.
+    bool sees_ends() const;
+    bool lacks_ends() const;
+
     /// Each multiplier belongs to one point: nodal and mortar discretizations.
     bool has_point_per_multiplier() const;
 
@@ -111,6 +116,7 @@ namespace Contact
     Point<2> place(const ContactPoint &point) const;
 
   private:
+    bool can_have_corner_points() const;
     void make_axis_points(std::vector<ContactPoint> &points);
     bool pair_all(const ArrayView<ContactPoint> &points,
                   const Vector<double>          &u,

@@ -5,6 +5,7 @@
 
 #include "contact/corner_points.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace Contact
@@ -24,13 +25,30 @@ namespace Contact
 
 
 
-  std::vector<ContactPoint> make_corner_points(const Surface &master)
+  bool has_ends(const Surface &surface)
+  {
+    return std::any_of(surface.edges.begin(),
+                       surface.edges.end(),
+                       [](const auto &edge) { return edge.begins_surface; });
+  }
+
+
+
+  std::vector<ContactPoint> make_corner_points(const Surface &master,
+                                               const bool     with_ends)
   {
     std::vector<unsigned int> corners;
     for (unsigned int e = 0; e < master.edges.size(); ++e)
-      if (master.edges[e].corner[0] && master.edges[e].begins_face &&
-          master.turn_of_curves(e) > numbers::PI / 180 * Surface::feature_angle)
-        corners.push_back(master.edges[e].nodes[0]);
+      {
+        const Surface::Edge &edge = master.edges[e];
+        const bool           is_corner =
+          edge.corner[0] && edge.begins_face &&
+          master.turn_of_curves(e) > numbers::PI / 180 * Surface::feature_angle;
+        if (is_corner || (with_ends && edge.begins_surface))
+          corners.push_back(edge.nodes[0]);
+        if (with_ends && edge.ends_surface)
+          corners.push_back(edge.nodes[1]);
+      }
     if (corners.empty())
       return {};
 
@@ -57,12 +75,10 @@ namespace Contact
     const Discretization                                  &discretization,
     const Vector<double>                                  &u)
   {
-    pair_with_master(point,
-                     directions_of(point, master, master_normals),
-                     slave,
-                     search,
-                     discretization,
-                     u);
+    // What is beside the end of the master is not in its way.
+    NormalCone directions = directions_of(point, master, master_normals);
+    directions.at_end     = false;
+    pair_with_master(point, directions, slave, search, discretization, u);
     const double length = slave.reference_length(point.master_edge);
     double       gap    = 0;
     for (unsigned int a = 0; a < point.n_nodes; ++a)

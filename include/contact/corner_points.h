@@ -36,11 +36,25 @@ namespace Contact
    * stand for (the vertices of an arc are none, however few they are), inside
    * of the surface: where the surface ends, the body may go on flat.
    *
+   * @p with_ends adds the vertices at both ends of the surface. The body may
+   * have a corner there, too, as a block on a longer one has, and whatever the
+   * body does behind it, the vertex may not get inside of the slave. Such a
+   * point sees what the discretizations do not: a slave node that slides off
+   * the end of the master loses its partner while the edge beside it is still
+   * supported, so that no state is a solution; and where the slave has a single
+   * node opposite, one pressure cannot balance a moment. On a mesh that is fine
+   * enough for both, the results hardly depend on it, but for the force that
+   * gathers at the end: so it is for scenes that have no solution without.
+   *
    * Where a corner lies on a flat edge whose nodes are in contact as well, its
    * condition follows from theirs, to round-off. It is met up to
    * @ref corner_slack, so that such a point stays open.
    */
-  std::vector<ContactPoint> make_corner_points(const Surface &master);
+  std::vector<ContactPoint> make_corner_points(const Surface &master,
+                                               const bool     with_ends);
+
+  /// Whether a surface has ends.
+  bool has_ends(const Surface &surface);
 
   /// The depth, by the length of the slave edge, that a corner may have: above
   /// all round-off of the pairing, below all depths that matter.

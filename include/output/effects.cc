@@ -97,7 +97,8 @@ namespace Contact
                         const Parameters::Contact &parameters)
     {
       const std::string points =
-        std::to_string(contact_pair.n_points) + " points";
+        std::to_string(contact_pair.n_points) + " points" +
+        (contact_pair.sees_ends() ? ", also at the ends of the master" : "");
       if (contact_pair.master)
         return parameters.discretization.name() + " discretization, " + points;
       return (parameters.discretization ==

@@ -45,6 +45,16 @@ namespace Contact
 
 
 
+  void Report::begin_anew(const Discretization &discretization)
+  {
+    summary.increments.clear();
+    result_files =
+      std::make_unique<ResultFiles>(parameters.directory(), discretization);
+    result_files->remove_increments();
+  }
+
+
+
   void Report::record_size(const ContactModel &model)
   {
     summary.n_displacements = model.n_displacements();

@@ -48,6 +48,9 @@ namespace Contact
     /// ends, its summary says that it has not converged.
     void open_files(const Discretization &discretization);
 
+    /// Another attempt at all increments: nothing is left of the one before.
+    void begin_anew(const Discretization &discretization);
+
     ResultFiles &files()
     {
       return *result_files;

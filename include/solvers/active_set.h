@@ -56,7 +56,7 @@ namespace Contact
      * A point that opens loses its frozen bound, see
      * ContactInterface::reset_bound(); the statuses in the points stay:
      * ContactInterface::update_statuses() makes the new ones after the step.
-     * Returns whether no point wants to change its mind; otherwise, as can be
+     * Returns whether no point wants to change its status; otherwise, as can be
      * where bounds of friction are frozen,
      * @p update is left as it is. Throws NotConverged if statuses let a body
      * go.
