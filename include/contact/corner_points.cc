@@ -101,6 +101,8 @@ namespace Contact
     const bool         first = corner.slave_xi < 0;
     const unsigned int other =
       first ? master.edges[own].previous : master.edges[own].next;
+    if (other == numbers::invalid_unsigned_int)
+      return false;
     const double least = std::cos(numbers::PI / 180 * inclination);
     return -(master_normals[own][first ? 0 : 1] * corner.normal) > least ||
            -(master_normals[other][first ? 1 : 0] * corner.normal) > least;

@@ -86,7 +86,8 @@ namespace Contact
    * is paired with. There is contact along the face up to the corner then, as
    * where the surface of the master ends there: nodes of the slave edge that
    * face the master see it, and a point of the corner's own would only take the
-   * edge for stiffer than it is.
+   * edge for stiffer than it is. Not at an end of the master, which has a point
+   * only where these nodes do not suffice.
    */
   bool lies_along_slave(
     const ContactPoint                                    &corner,
