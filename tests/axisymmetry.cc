@@ -224,10 +224,10 @@ int main()
 {
   headline("derivatives");
   for (const std::string kinematics : {"small strain", "large displacement"})
-    for (const std::string dilatation : {"full", "projected"})
+    for (const std::string dilatation : {"full", "B-bar"})
       {
-        check_derivatives(1, "bound", kinematics, dilatation);
-        check_derivatives(2, "bound", kinematics, dilatation);
+        check_derivatives(1, "serendipity", kinematics, dilatation);
+        check_derivatives(2, "serendipity", kinematics, dilatation);
         check_derivatives(2, "free", kinematics, dilatation);
       }
 
@@ -236,7 +236,7 @@ int main()
     for (const unsigned int degree : {1, 2})
       for (const std::string kinematics :
            {"small strain", "large displacement"})
-        for (const std::string dilatation : {"full", "projected"})
+        for (const std::string dilatation : {"full", "B-bar"})
           check_uniform(bore, degree, kinematics, dilatation);
 
   headline("loads");

@@ -145,9 +145,9 @@ condensed=Solution/System=condensed
 saddle="Solution/System=saddle point"
 expect "has triangles" "$good" --set Refinement/Strategy=adaptive \
   --set Refinement/Levels=1
-expect "multipliers of the rule Gauss" "$gauss" \
+expect "multipliers of the discretization Gauss" "$gauss" \
   --set "Solution/Linear solver=AMG"
-expect "multipliers of the rule Gauss" "$gauss" --set "$condensed"
+expect "multipliers of the discretization Gauss" "$gauss" --set "$condensed"
 expect "Refinement/Levels" "$gauss" --set Refinement/Levels=1
 expect "Nested iteration" "$good" --set Refinement/Levels=1 --set "$saddle"
 expect "CHOLMOD can not solve it" "$good" --set "$saddle" \
@@ -158,7 +158,7 @@ expect "There is a master and an obstacle" "$good" \
   --set "Contact/Obstacle=half plane: 0, 0, 0, 1"
 expect "is no obstacle with these numbers" "$good" --set Contact/Master= \
   --set "Contact/Obstacle=circle: 0, 0"
-expect "A zone has no surfaces" "$good" --set "Contact second/Discretization=nodal"
+expect "A contact pair has no surfaces" "$good" --set "Contact second/Discretization=nodal"
 expect "no pressure of contact at the point 'Force': it is on no slave" "$good" \
   --set "Probes/Probes=p: pressure, Force" --set Probes/References= \
   --set Probes/Tolerances=
@@ -208,7 +208,7 @@ expect "multipliers that no point" "$parameters/ssnp154_b.prm" \
 
 # Several processes, one message
 launcher="mpirun -np 2"
-expect "rule Gauss" "$gauss"
+expect "discretization Gauss" "$gauss"
 expect "by one process" "$good" --set "$saddle"
 expect "CHOLMOD" "$good" --set "$condensed" \
   --set "Solution/Linear solver=CHOLMOD"

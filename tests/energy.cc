@@ -125,11 +125,11 @@ namespace
                           const double       moving) {
       random = Random();
       const double full =
-        energy(make_case(degree, "bound", kinematics, "full", cells, moving),
+        energy(make_case(degree, "serendipity", kinematics, "full", cells, moving),
                position);
       random               = Random();
       const double reduced = energy(
-        make_case(degree, "bound", kinematics, "projected", cells, moving),
+        make_case(degree, "serendipity", kinematics, "B-bar", cells, moving),
         position);
       return 1 - reduced / full;
     };
@@ -161,7 +161,7 @@ namespace
     for (const double poisson : {0.3, 0.454, 0.455, 0.499})
       {
         Parameters::All parameters =
-          make_case(1, "bound", "small strain", "automatic");
+          make_case(1, "serendipity", "small strain", "automatic");
         parameters.solids.poisson["block"] = poisson;
         const Bodies bodies(parameters);
         std::cout << "  nu = " << poisson << ": "
@@ -238,10 +238,10 @@ namespace
 int main()
 {
   for (const std::string kinematics : {"small strain", "large displacement"})
-    for (const std::string dilatation : {"full", "projected"})
+    for (const std::string dilatation : {"full", "B-bar"})
       {
-        derivatives(1, "bound", kinematics, dilatation);
-        derivatives(2, "bound", kinematics, dilatation);
+        derivatives(1, "serendipity", kinematics, dilatation);
+        derivatives(2, "serendipity", kinematics, dilatation);
         derivatives(2, "free", kinematics, dilatation);
       }
   choice();

@@ -30,11 +30,11 @@ namespace
     bool         triangles;
   };
 
-  const std::vector<Element> elements = {{"4 nodes", 1, "bound", false},
-                                         {"8 nodes", 2, "bound", false},
+  const std::vector<Element> elements = {{"4 nodes", 1, "serendipity", false},
+                                         {"8 nodes", 2, "serendipity", false},
                                          {"9 nodes", 2, "free", false},
-                                         {"3 nodes", 1, "bound", true},
-                                         {"6 nodes", 2, "bound", true}};
+                                         {"3 nodes", 1, "serendipity", true},
+                                         {"6 nodes", 2, "serendipity", true}};
 
   const std::vector<double> ratios = {0.3, 0.49, 0.4999, 0.499999};
 
@@ -178,7 +178,7 @@ int main()
           for (const double nu : ratios)
             {
               const Errors full      = solve(element, n, nu, "full");
-              const Errors projected = solve(element, n, nu, "projected");
+              const Errors projected = solve(element, n, nu, "B-bar");
               std::cout << "  " << nu << ": " << two_digits(full.displacement)
                         << ' ' << two_digits(full.mean_stress) << "; "
                         << two_digits(projected.displacement) << ' '

@@ -92,7 +92,7 @@ const std::string modeling_a = R"json({
   "Contact": {
     "Slave": "Bottom_C",
     "Master": "Top_B",
-    "Rule": "Gauss",
+    "Discretization": "Gauss",
     "Gauss points": 3
   },
   "Solution": {

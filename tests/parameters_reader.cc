@@ -507,14 +507,14 @@ namespace
       "Contact": {
         "Slave": "S",
         "Master": " M ",
-        "Rule": "nodal",
+        "Discretization": "nodal",
         "Excluded points": ["C", "D"],
         "Friction coefficient": 1e-1
       },
       "Contact_20left_5f2": {
-        "Slave": "S2", "Master": "M2", "Rule": "nodal"
+        "Slave": "S2", "Master": "M2", "Discretization": "nodal"
       },
-      "Contact right_2": {"Slave": "S3", "Master": "M3", "Rule": "nodal"},
+      "Contact right_2": {"Slave": "S3", "Master": "M3", "Discretization": "nodal"},
       "Solution": {"Geometry": "Newton"},
       "Probes": {
         "Probes": {
@@ -660,7 +660,7 @@ namespace
 
     for (const auto &entry : Contact::declared_entries(result.prm))
       if (entry.documentation.find('[') == std::string::npos &&
-          entry.path() != "Mesh/File")
+          entry.path() != "Mesh/File" && entry.alias_of.empty())
         std::cout << "no unit: " << entry.path() << '\n';
     std::cout << printed.str().substr(0, printed.str().find("end\n"));
   }

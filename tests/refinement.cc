@@ -28,7 +28,7 @@ namespace
 
   Parameters::All with_centre(Parameters::All parameters, const bool free)
   {
-    parameters.element.centre_node = free ? "free" : "bound";
+    parameters.element.centre_node = free ? "free" : "serendipity";
     return parameters;
   }
 

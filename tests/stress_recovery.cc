@@ -199,8 +199,8 @@ int main()
   const Chart quadrangle = [](const double s, const double t) {
     return Point<2>(2 * s + 0.5 * t + 0.4 * s * t, -0.3 * s + t - 0.2 * s * t);
   };
-  check_linear("parallelograms of 8 nodes", "bound", parallelogram, none);
-  check_linear("8 nodes and triangles", "bound", parallelogram, some);
+  check_linear("parallelograms of 8 nodes", "serendipity", parallelogram, none);
+  check_linear("8 nodes and triangles", "serendipity", parallelogram, some);
   check_linear("quadrangles of 9 nodes", "free", quadrangle, none);
   check_linear("9 nodes and triangles", "free", quadrangle, some);
   check_triangles();

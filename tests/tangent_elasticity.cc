@@ -116,8 +116,8 @@ int main()
 {
   for (const std::string kinematics : {"small strain", "large displacement"})
     {
-      compare(1, "bound", kinematics);
-      compare(2, "bound", kinematics);
+      compare(1, "serendipity", kinematics);
+      compare(2, "serendipity", kinematics);
       compare(2, "free", kinematics);
     }
 }

@@ -240,6 +240,10 @@ namespace Contact
                        place.name,
                        "move it out: sections are not nested");
 
+    // A former name, as ParameterHandler prints it.
+    if (value.type == Type::object && value.find("alias") != nullptr)
+      return;
+
     const DeclaredEntry &entry = find_entry(section, name, place);
     set_once(entry,
              ValueText(entry, place.name)(value_of(value)),

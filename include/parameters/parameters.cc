@@ -173,6 +173,8 @@ namespace Contact
     std::string section;
     for (const DeclaredEntry &entry : declared_entries(prm))
       {
+        if (!entry.alias_of.empty())
+          continue;
         if (section.empty())
           out << "subsection " << entry.section << '\n';
         else if (section != entry.section)

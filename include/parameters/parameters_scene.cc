@@ -258,7 +258,7 @@ namespace Contact
                         "depend on the pressure [MPa]; 0: none.",
                         Patterns::Double(0));
       prm.add_parameter(
-        "Complementarity",
+        "Augmentation parameter",
         augmentation_parameter,
         "Parameter c of the augmented Lagrangian p = max(0, "
         "lambda - c gap), by the stiffness E/h of the slave's "
