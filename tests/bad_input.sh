@@ -237,6 +237,29 @@ expect "body 'Block' against: displacement in y" "$good" \
 touch file
 expect_entry "file" "Output/Directory=file/below"
 
+# A former name of an entry or of a value goes on working, with a note.
+cat >old.prm <<END
+include $good
+subsection Contact
+  set Rule = nodal
+end
+END
+sed 's/Rule/Discretization/' old.prm >new.prm
+for name in old new; do
+  "$contact" $name.prm --quiet --set "Output/Directory=former" \
+    --set "Output/VTU=false" --set "Output/Profile=false" >$name.table 2>$name.err ||
+    echo "status $?"
+  sed -i "s/^$name//" $name.table
+done
+if grep -q "Contact/Rule is now called 'Discretization'" old.err &&
+  ! grep -q "now called" new.err && cmp old.table new.table; then
+  echo "ok: a former name"
+else
+  echo "FAILED: a former name"
+  cat old.err old.table new.table
+  failures=$((failures + 1))
+fi
+
 find output -type f -exec cksum {} + | sort >after
 cmp before after || {
   echo "FAILED: results of an earlier run were touched"
