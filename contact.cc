@@ -349,12 +349,12 @@ namespace Contact
 
   // @sect4{ContactProblem::solve_first_level}
   //
-  // Where a slave node slides off the end of the master, or a single one is
-  // opposite it, there may be no state that all points agree with, however
-  // small the step: what the slave's edge lies on is the end of the master,
-  // which the discretizations do not see. Then, and only then, that has a point
-  // of its own, see make_corner_points(): elsewhere it would but add a force
-  // that is singular.
+  // A slave node may slide off the end of the master, or be the only one
+  // opposite it. Then no state may agree with all points, however small the
+  // step: the slave's edge lies on the end of the master, which the
+  // discretizations do not see. Only if the first attempt does not converge
+  // does that end get a contact point of its own, see make_corner_points():
+  // elsewhere the point would merely add a singular force.
   void ContactProblem::solve_first_level()
   {
     try
@@ -422,7 +422,7 @@ namespace Contact
         if (is_last_level() && step.ends_increment)
           {
             postprocessor.write_increment(step.increment, /*is_complete=*/true);
-            // What goes on from there begins as this run did.
+            // A restarted run begins without points at the ends of masters.
             if (!ends_are_corners)
               checkpoint.write(steps);
           }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# What adaptive refinement saves: the error of DY(B) against the number of
+# The savings of adaptive refinement: the error of DY(B) against the number of
 # unknowns with uniform and with adaptive refinement, for linear and for
 # quadratic elements, and how many unknowns the adaptive meshes need for the
 # error of the uniform ones. Small strain, no friction.

@@ -138,7 +138,7 @@ expect_entry "move of 'Cylinder'" "Mesh/Move=Cylinder: 1"
 expect_entry "no body 'Ball'" "Mesh/Move=Ball: 0, 1"
 expect_entry "Contact/Augmentation parameter" "Contact/Augmentation parameter=0"
 
-# What does not go together with a linear system
+# Choices that exclude each other with a linear system
 gauss=$parameters/ssnp154_a.prm
 friction=$parameters/ssnp154_g.prm
 condensed=Solution/System=condensed

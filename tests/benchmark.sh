@@ -1,5 +1,5 @@
 #!/bin/sh
-# What a modeling costs: CPU seconds on one core of starting up, and of each
+# The cost of a modeling: CPU seconds on one core of starting up, and of each
 # modeling after that by phase, the best of three runs (or REPETITIONS), and its
 # memory.
 #   benchmark.sh CONTACT [OPTION...]

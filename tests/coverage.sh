@@ -22,7 +22,7 @@ cmake -S "$root" -B "$directory" -G Ninja -DCMAKE_BUILD_TYPE=Release \
 cmake --build "$directory" --target contact unit_tests >>"$directory/build.log"
 
 find "$directory" -name '*.gcda' -delete
-# Whether they pass is for ./run test to say: here one may run out of time.
+# A failed test is ignored: ./run test judges; here one may run out of time.
 (cd "$directory" && ctest "$@" >tests.log 2>&1) || true
 tail -n 20 "$directory/tests.log"
 

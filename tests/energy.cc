@@ -123,10 +123,10 @@ namespace
                           const std::string &kinematics,
                           const Cells        cells,
                           const double       moving) {
-      random = Random();
-      const double full =
-        energy(make_case(degree, "serendipity", kinematics, "full", cells, moving),
-               position);
+      random            = Random();
+      const double full = energy(
+        make_case(degree, "serendipity", kinematics, "full", cells, moving),
+        position);
       random               = Random();
       const double reduced = energy(
         make_case(degree, "serendipity", kinematics, "B-bar", cells, moving),

@@ -33,8 +33,8 @@ namespace
 
 
 
-  // How far trial values are from obeying the law of friction under the
-  // tractions that follow from them, by the size of what adds up to them.
+  // The violation of the law of friction by the tractions that follow from
+  // trial values, by the size of the summands.
   double violation(const FullMatrix<double> &matrix,
                    const Vector<double>     &constant,
                    const Vector<double>     &z,

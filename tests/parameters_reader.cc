@@ -400,12 +400,16 @@ namespace
     report_lines("Contact", "set Tresca limit = 1");
     report_lines("Contact",
                  pair + "set Friction coefficient = 0.1\nset Tresca limit = 1");
-    report_lines("Contact", "set Discretization = nodal\nset Excluded points = C");
-    report_lines("Contact", pair + "set Discretization = Gauss\nset Excluded points = C");
     report_lines("Contact",
-                 pair + "set Discretization = nodal\nset Excluded points = C, C");
+                 "set Discretization = nodal\nset Excluded points = C");
     report_lines("Contact",
-                 pair + "set Discretization = nodal\nset Excluded points = C, , D");
+                 pair + "set Discretization = Gauss\nset Excluded points = C");
+    report_lines("Contact",
+                 pair +
+                   "set Discretization = nodal\nset Excluded points = C, C");
+    report_lines("Contact",
+                 pair +
+                   "set Discretization = nodal\nset Excluded points = C, , D");
     report_lines("Probes", "set Hertz = 50, 35000");
   }
 

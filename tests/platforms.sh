@@ -7,7 +7,7 @@
 #   platforms.sh [--cases | --table] DIRECTORY [RELEASE...]
 # RELEASE: bookworm, trixie and sid without. As root, with debootstrap and some
 # 5 GB in DIRECTORY for each; where a chroot is there already, it is used again.
-# What is tested is the last commit. Mirrors and proxies are those of this
+# The last commit is tested. Mirrors and proxies are those of this
 # machine's apt; CMAKE_BUILD_PARALLEL_LEVEL limits the compilers at once. Exit
 # status: 0 if all passes, with the same digits in the tables.
 # SPDX-License-Identifier: LGPL-2.1-or-later

@@ -407,20 +407,15 @@ namespace
     stress[2][2] = -2;
     stress[0][1] = 3;
     const Stresses stresses(model.mesh.triangulation.n_vertices(), stress);
-    for (const std::string quantity : {"displacement x",
-                                       "displacement y",
-                                       "stress xx",
-                                       "stress yy",
-                                       "stress zz",
-                                       "stress xy",
-                                       "von Mises"})
-      std::cout << "  " << quantity << ' '
-                << probe_value(quantity,
-                               3,
-                               model.discretization,
-                               stresses,
-                               model.solution)
-                << std::endl;
+    for (const auto &[name, quantity] : named_values(Parameters::Quantity()))
+      if (!is_contact_traction(quantity))
+        std::cout << "  " << name << ' '
+                  << probe_value(quantity,
+                                 3,
+                                 model.discretization,
+                                 stresses,
+                                 model.solution)
+                  << std::endl;
   }
 
 

@@ -143,7 +143,7 @@ grep -q 'can not be written' full.log || fail "full disk: no message"
 run full --restart || fail "full disk: --restart ends with $?"
 compare full
 
-# What is written to go on from does.
+# A restart file on a full disk is an error.
 rm -rf full
 mkdir -p "full/$name"
 ln -s /dev/full "full/$name/restart.bin.part"

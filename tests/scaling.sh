@@ -1,5 +1,5 @@
 #!/bin/sh
-# What contact costs on fine meshes: nested iteration without friction on finer
+# The cost of contact on fine meshes: nested iteration without friction on finer
 # and finer meshes, compared with the same bodies glued together on the finest
 # mesh alone; on the largest one with friction and large displacements as well,
 # and on two ranks. A Markdown table, and the exponent of the unknowns in the

@@ -1,5 +1,5 @@
 #!/bin/sh
-# What can be said about the sources without running them: cppcheck, clang-tidy
+# Static analysis of the sources: cppcheck, clang-tidy
 # with the checks of .clang-tidy, and the complaints of doxygen. Exit status 1 if
 # one of them has something to say.
 #   static_analysis.sh DIRECTORY [FILE...]

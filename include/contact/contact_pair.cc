@@ -8,9 +8,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/errors.h"
-#include "base/string_utilities.h"
 #include "contact/corner_points.h"
+#include "contact/surface_checks.h"
 
 namespace Contact
 {
@@ -33,79 +32,6 @@ namespace Contact
       return make_surface(discretization,
                           parameters.master,
                           parameters.section() + "/Master");
-    }
-
-
-
-    /// The connected parts of the mesh that a surface has lines of.
-    std::set<unsigned int> parts_of(const Surface &surface)
-    {
-      std::set<unsigned int> parts;
-      for (const Surface::Edge &edge : surface.edges)
-        parts.insert(edge.part);
-      return parts;
-    }
-
-
-
-    /// The lines of a surface that are on one of these parts.
-    std::string lines_on(const Surface                &surface,
-                         const std::set<unsigned int> &parts)
-    {
-      const auto at = [&](const unsigned int node) {
-        const Point<2> &X = surface.nodes[node].X;
-        return "(" + brief(X[0]) + ", " + brief(X[1]) + ")";
-      };
-      const unsigned int n_named = 3;
-      std::string        names;
-      unsigned int       n = 0;
-      for (const Surface::Edge &edge : surface.edges)
-        if (parts.count(edge.part) > 0 && n++ < n_named)
-          names += (n > 1 ? ", " : "") + at(edge.nodes[0]) + " to " +
-                   at(edge.nodes[1]);
-      return names + (n > n_named
-                        ? " and " + std::to_string(n - n_named) + " more"
-                        : "");
-    }
-
-
-
-    /**
-     * A body does not touch itself: its own lines would be the closest. Two
-     * surfaces of one and the same part, the lips of a slit, are meant to
-     * touch.
-     */
-    void refuse_own_lines(const Surface             &slave,
-                          const Surface             &master,
-                          const Discretization      &discretization,
-                          const Parameters::Contact &parameters)
-    {
-      const auto of_slave = parts_of(slave), of_master = parts_of(master);
-      std::set<unsigned int> common;
-      for (const unsigned int part : of_slave)
-        if (of_master.count(part) > 0)
-          common.insert(part);
-      if (common.empty() || (of_slave.size() == 1 && of_master.size() == 1))
-        return;
-
-      const bool     in_slave = of_slave.size() > 1;
-      const Surface &wrong    = in_slave ? slave : master;
-      const auto     edge     = std::find_if(wrong.edges.begin(),
-                                     wrong.edges.end(),
-                                     [&](const auto &edge) {
-                                       return common.count(edge.part) > 0;
-                                     });
-      throw InputError(
-        (in_slave ? "the slave '" + parameters.slave
-                  : "the master '" + parameters.master) +
-          "' has lines of a body that the " +
-          (in_slave ? "master '" + parameters.master
-                    : "slave '" + parameters.slave) +
-          "' belongs to, '" + discretization.mesh.body_name(edge->body) +
-          "': " + lines_on(wrong, common),
-        parameters.section() + (in_slave ? "/Slave" : "/Master"),
-        "take these lines out of the group: contact of a body with itself is "
-        "between two groups of that body alone");
     }
   } // namespace
 
@@ -132,20 +58,7 @@ namespace Contact
       obstacle = Obstacle::create(parameters.obstacle.begin()->first,
                                   parameters.obstacle.begin()->second);
     else
-      {
-        for (const Surface::Node &a : slave.nodes)
-          for (const Surface::Node &b : master->nodes)
-            if (a.dofs == b.dofs)
-              throw InputError("slave '" + parameters.slave + "' and master '" +
-                                 parameters.master +
-                                 "' overlap: both have the "
-                                 "node at (" +
-                                 std::to_string(a.X[0]) + ", " +
-                                 std::to_string(a.X[1]) + ")",
-                               section + "/Slave, " + section + "/Master",
-                               "name two surfaces without a common node");
-        refuse_own_lines(slave, *master, discretization, parameters);
-      }
+      check_surfaces(slave, *master, discretization, parameters);
 
     for (const std::string &point : parameters.excluded_points)
       {
@@ -209,30 +122,41 @@ namespace Contact
 
 
 
+  // An obstacle has no edges to cut those of the slave by.
+  std::vector<ContactPoint> ContactPair::make_discretization_points()
+  {
+    switch (parameters.discretization)
+      {
+        case Parameters::ContactDiscretization::nodal:
+          return make_nodal_points(slave, excluded, multipliers);
+        case Parameters::ContactDiscretization::gauss:
+          return make_gauss_points(slave,
+                                   parameters.n_gauss_points,
+                                   multipliers);
+        case Parameters::ContactDiscretization::mortar:
+          if (!master)
+            return make_nodal_points(slave, excluded, multipliers);
+          auto without_dual_function = excluded;
+          without_dual_function.insert(on_axis.begin(), on_axis.end());
+          mortar =
+            std::make_unique<MortarDiscretization>(slave,
+                                                   *master,
+                                                   discretization,
+                                                   without_dual_function);
+          return mortar->make_points(multipliers);
+      }
+    AssertThrow(false, ExcInternalError());
+    return {};
+  }
+
+
+
   std::vector<ContactPoint>
   ContactPair::make_points(const unsigned int first_multiplier,
                            const unsigned int first_point)
   {
-    std::vector<ContactPoint> points;
-    if (parameters.discretization ==
-          Parameters::ContactDiscretization::mortar &&
-        master)
-      {
-        auto without_dual_function = excluded;
-        without_dual_function.insert(on_axis.begin(), on_axis.end());
-        mortar = std::make_unique<MortarDiscretization>(slave,
-                                                        *master,
-                                                        discretization,
-                                                        without_dual_function);
-        points = mortar->make_points(multipliers);
-      }
-    else if (parameters.discretization ==
-             Parameters::ContactDiscretization::gauss)
-      points = make_gauss_points(slave, parameters.n_gauss_points, multipliers);
-    else
-      points = make_nodal_points(slave, excluded, multipliers);
-
-    n_of_rule = points.size();
+    std::vector<ContactPoint> points = make_discretization_points();
+    n_of_discretization              = points.size();
     make_axis_points(points);
     n_of_slave = points.size();
     if (can_have_corner_points())
@@ -280,11 +204,11 @@ namespace Contact
     const auto part = [&](const unsigned int first, const unsigned int end) {
       return ArrayView<ContactPoint>(points.data() + first, end - first);
     };
-    const auto of_rule = part(0, n_of_rule);
-    bool       changed =
-      mortar ? mortar->pair(of_rule, u, with_derivatives) : project(of_rule, u);
-    if (n_of_rule < n_of_slave)
-      changed = project(part(n_of_rule, n_of_slave), u) || changed;
+    const auto of_discretization = part(0, n_of_discretization);
+    bool changed = mortar ? mortar->pair(of_discretization, u, with_derivatives)
+                          : project(of_discretization, u);
+    if (n_of_discretization < n_of_slave)
+      changed = project(part(n_of_discretization, n_of_slave), u) || changed;
     if (has_corner_points())
       changed = pair_corners(points, u) || changed;
 
@@ -293,7 +217,7 @@ namespace Contact
       if (const unsigned int node = node_at_foot(points[q], slave);
           node != numbers::invalid_unsigned_int)
         if (const unsigned int k = multipliers.of_node[node] - first_multiplier;
-            k < n_of_slave && (!mortar || k >= n_of_rule))
+            k < n_of_slave && (!mortar || k >= n_of_discretization))
           points[k].facing = false;
     return changed;
   }

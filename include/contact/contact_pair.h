@@ -116,7 +116,8 @@ namespace Contact
     Point<2> place(const ContactPoint &point) const;
 
   private:
-    bool can_have_corner_points() const;
+    bool                      can_have_corner_points() const;
+    std::vector<ContactPoint> make_discretization_points();
     void make_axis_points(std::vector<ContactPoint> &points);
     bool pair_all(const ArrayView<ContactPoint> &points,
                   const Vector<double>          &u,
@@ -134,7 +135,7 @@ namespace Contact
 
     /// Of the points those of the discretization, and those that belong to the
     /// slave.
-    unsigned int n_of_rule = 0, n_of_slave = 0;
+    unsigned int n_of_discretization = 0, n_of_slave = 0;
     unsigned int first_multiplier = 0;
   };
 } // namespace Contact

@@ -133,9 +133,9 @@ namespace Contact
     multipliers.n_multipliers = 0;
 
     std::vector<ContactPoint>   points;
-    const std::array<double, 3> ends{{-1, 1, 0}};
     const std::array<double, 3> centroids =
-      slave.degree == 1 ? std::array<double, 3>{{-1. / 3, 1. / 3, 0}} : ends;
+      slave.degree == 1 ? std::array<double, 3>{{-1. / 3, 1. / 3, 0}}
+                        : node_coordinates;
     for (unsigned int e = 0; e < slave.edges.size(); ++e)
       for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
         {
@@ -146,7 +146,7 @@ namespace Contact
           if (multipliers.of_node[node] == numbers::invalid_unsigned_int)
             {
               multipliers.of_node[node] = multipliers.n_multipliers++;
-              points.push_back(make_point(slave, e, ends[a]));
+              points.push_back(make_point(slave, e, node_coordinates[a]));
               points.back().n_multipliers  = 1;
               points.back().multipliers[0] = multipliers.of_node[node];
               points.back().psi[0]         = 1;

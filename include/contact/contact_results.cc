@@ -158,22 +158,22 @@ namespace Contact
 
 
 
-    /// What acts on a corner: a force, whose traction is that of the mesh size.
-    void add_force(const ContactInterface &interface,
-                   const ContactPoint     &point,
-                   const Vector<double>   &solution,
-                   const Vector<double>   &u_start,
-                   const bool              moving_bound,
-                   ContactResults         &results)
+    /// Add the force of a point. Returns its traction, which at a corner of the
+    /// master depends on the mesh size.
+    Traction add_force(const ContactInterface &interface,
+                       const ContactPoint     &point,
+                       const ContactState     &now,
+                       const bool              moving_bound,
+                       ContactResults         &results)
     {
-      const ContactState now      = interface.state(point, solution, u_start);
-      const Traction     traction = interface.traction(point,
+      const Traction traction = interface.traction(point,
                                                    point.status,
                                                    now.p_trial,
                                                    now.q_trial,
                                                    moving_bound);
       results.normal_force += point.weight * traction.p;
       results.tangential_force += point.weight * traction.q;
+      return traction;
     }
 
 
@@ -222,14 +222,10 @@ namespace Contact
     std::vector<Samples> by_chain(chains.back() + 1);
     for (const ContactPoint &point : interface.points_of(contact_pair))
       {
+        const ContactState now = interface.state(point, solution, u_start);
         if (point.is_master_corner)
           {
-            add_force(interface,
-                      point,
-                      solution,
-                      u_start,
-                      moving_bound,
-                      results);
+            add_force(interface, point, now, moving_bound, results);
             continue;
           }
         Samples        &samples = by_chain[chains[point.slave_edge]];
@@ -244,14 +240,8 @@ namespace Contact
             continue;
           }
 
-        const ContactState now      = interface.state(point, solution, u_start);
-        const Traction     traction = interface.traction(point,
-                                                     point.status,
-                                                     now.p_trial,
-                                                     now.q_trial,
-                                                     moving_bound);
-        results.normal_force += point.weight * traction.p;
-        results.tangential_force += point.weight * traction.q;
+        const Traction traction =
+          add_force(interface, point, now, moving_bound, results);
         results.max_pressure = std::max(results.max_pressure, traction.p);
         results.max_shear = std::max(results.max_shear, std::abs(traction.q));
         samples.push_back({s,

@@ -61,9 +61,9 @@ namespace Contact
                                 const bool              moving_bound);
 
   /**
-   * What the points at corners of the master exert on a node of the slave: the
-   * force along normal and tangent of the node's own point, in which it can be
-   * added to what that exerts [N per mm], and the integral of the node's shape
+   * The load of the points at corners of the master on a node of the slave: the
+   * force along normal and tangent of the node's own point, to be added to the
+   * force of that point [N per mm], and the integral of the node's shape
    * function, over which it is spread [mm].
    */
   struct CornerLoad

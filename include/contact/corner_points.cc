@@ -75,7 +75,7 @@ namespace Contact
     const Discretization                                  &discretization,
     const Vector<double>                                  &u)
   {
-    // What is beside the end of the master is not in its way.
+    // A slave edge beside the end of the master does not obstruct it.
     NormalCone directions = directions_of(point, master, master_normals);
     directions.at_end     = false;
     pair_with_master(point, directions, slave, search, discretization, u);

@@ -46,8 +46,8 @@ namespace Contact
    * enough for both, the results hardly depend on it, but for the force that
    * gathers at the end: so it is for scenes that have no solution without.
    *
-   * Where a corner lies on a flat edge whose nodes are in contact as well, its
-   * condition follows from theirs, to round-off. It is met up to
+   * The condition of a corner that lies on a flat edge whose nodes are in
+   * contact as well follows from theirs, to round-off. It is met up to
    * @ref corner_slack, so that such a point stays open.
    */
   std::vector<ContactPoint> make_corner_points(const Surface &master,

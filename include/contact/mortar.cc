@@ -14,11 +14,6 @@ namespace Contact
 {
   namespace
   {
-    const unsigned int none = numbers::invalid_unsigned_int;
-
-    /// Coordinates of the nodes of an edge: first, last, middle.
-    const std::array<double, 3> node_coordinates{{-1, 1, 0}};
-
     /// The node that a point belongs to, by its number in the slave edge.
     unsigned int node_in_edge(const ContactPoint &point)
     {
@@ -51,7 +46,8 @@ namespace Contact
   std::vector<ContactPoint>
   MortarDiscretization::make_points(MultiplierSpace &multipliers) const
   {
-    multipliers.of_node.assign(slave.nodes.size(), none);
+    multipliers.of_node.assign(slave.nodes.size(),
+                               numbers::invalid_unsigned_int);
     multipliers.n_multipliers = 0;
 
     std::vector<ContactPoint> points;
@@ -59,7 +55,8 @@ namespace Contact
       for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
         {
           const unsigned int node = slave.edges[e].nodes[a];
-          if (!carries[e][a] || multipliers.of_node[node] != none)
+          if (!carries[e][a] ||
+              multipliers.of_node[node] != numbers::invalid_unsigned_int)
             continue;
           multipliers.of_node[node] = multipliers.n_multipliers++;
 
@@ -190,7 +187,7 @@ namespace Contact
       [](const Surface &surface, const unsigned int e, auto &all) {
         for (const unsigned int near :
              {e, surface.edges[e].previous, surface.edges[e].next})
-          if (near != none)
+          if (near != numbers::invalid_unsigned_int)
             for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
               all.insert(surface.edges[near].nodes[a]);
       };
@@ -201,7 +198,7 @@ namespace Contact
           {
             add(master, segment.master_edge, master_nodes);
             for (const auto &cut : {segment.low, segment.high})
-              if (cut.master_node != none)
+              if (cut.master_node != numbers::invalid_unsigned_int)
                 master_nodes.insert(cut.master_node);
           }
       }

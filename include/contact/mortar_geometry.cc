@@ -13,11 +13,6 @@ namespace Contact
 {
   namespace
   {
-    const unsigned int none = numbers::invalid_unsigned_int;
-
-    /// Coordinates of the nodes of an edge: first, last, middle.
-    const std::array<double, 3> node_coordinates{{-1, 1, 0}};
-
     /// Newton's method for a root of a smooth function; edges are short against
     /// their curvature, so that few steps suffice.
     template<typename Function>
@@ -81,8 +76,8 @@ namespace Contact
       Tensor<1, 2, Number> normal = own_normal(surface, x, e, a);
       const unsigned int   other  = a == 0   ? edge.previous
                                     : a == 1 ? edge.next
-                                             : none;
-      if (other == none || edge.corner[a])
+                                             : numbers::invalid_unsigned_int;
+      if (other == numbers::invalid_unsigned_int || edge.corner[a])
         return normal;
       normal += own_normal(surface, x, other, 1 - a);
       const Number size = length(normal);
@@ -165,7 +160,7 @@ namespace Contact
       for (const unsigned int e : surface.edges_of_node[node])
         for (const unsigned int near :
              {e, surface.edges[e].previous, surface.edges[e].next})
-          if (near != none)
+          if (near != numbers::invalid_unsigned_int)
             edges.insert(near);
     return edges;
   }

@@ -13,14 +13,6 @@ namespace Contact
 {
   namespace
   {
-    const unsigned int none = numbers::invalid_unsigned_int;
-
-    /// Of coordinates and coefficients, which are of the order of one.
-    const double round_off = 1e-11;
-
-    /// Coordinates of the nodes of an edge: first, last, middle.
-    const std::array<double, 3> node_coordinates{{-1, 1, 0}};
-
     template<typename Number>
     Number absolute(const Number &x)
     {
@@ -93,7 +85,8 @@ namespace Contact
       if (overlap.distance(node_coordinates[a]) <=
           nearest + SurfaceSearch::overhang)
         nodes.push_back(a);
-    const bool all_seen = overlap.parts.size() == 1 && nearest < round_off;
+    const bool all_seen =
+      overlap.parts.size() == 1 && nearest < mortar_round_off;
     if (!all_seen && nodes.size() > 1 && nodes.back() == 2)
       nodes.pop_back();
     return nodes;
@@ -203,7 +196,8 @@ namespace Contact
 
         for (unsigned int k = 0; k < nodes.size(); ++k)
           {
-            if (only != none && edge.nodes[nodes[k]] != only)
+            if (only != numbers::invalid_unsigned_int &&
+                edge.nodes[nodes[k]] != only)
               continue;
             Number phi = 0, power = 1;
             for (unsigned int i = 0; i < nodes.size(); ++i)
@@ -363,14 +357,14 @@ namespace Contact
       {
         const Number c = integral / integrals.weight;
         // Biorthogonality leaves round-off where the coefficient is zero.
-        if (a == node || std::abs(value_of(c)) > round_off)
+        if (a == node || std::abs(value_of(c)) > mortar_round_off)
           pairing.slave[a] = c;
       }
     for (const auto &[m, integral] : integrals.master)
       {
         const Number c =
           -(integral + shift * integrals.shift.at(m)) / integrals.weight;
-        if (std::abs(value_of(c)) > round_off)
+        if (std::abs(value_of(c)) > mortar_round_off)
           pairing.master[m] = c;
       }
     pairing.excess = excess(node, integrals, pairing);

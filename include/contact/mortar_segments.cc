@@ -13,16 +13,6 @@
 
 namespace Contact
 {
-  namespace
-  {
-    const unsigned int none = numbers::invalid_unsigned_int;
-
-    /// Of coordinates, which are of the order of one.
-    const double round_off = 1e-11;
-  } // namespace
-
-
-
   double MortarOverlap::distance(const double xi) const
   {
     double nearest = std::numeric_limits<double>::max();
@@ -68,7 +58,8 @@ namespace Contact
             covered += segment.high.xi - segment.low.xi;
             distance = std::max(distance, segment.distance);
           }
-        if (reach >= size || (covered > 2 - round_off && distance < reach / 2))
+        if (reach >= size ||
+            (covered > 2 - mortar_round_off && distance < reach / 2))
           break;
         reach *= 4;
       }
@@ -77,7 +68,7 @@ namespace Contact
     overlap.segments = found;
     for (const Segment &segment : found)
       if (!overlap.parts.empty() &&
-          segment.low.xi - overlap.parts.back().high < round_off)
+          segment.low.xi - overlap.parts.back().high < mortar_round_off)
         overlap.parts.back().high = segment.high.xi;
       else
         overlap.parts.push_back({segment.low.xi, segment.high.xi});
@@ -143,14 +134,14 @@ namespace Contact
     for (unsigned int i = 1; i < cuts.size(); ++i)
       {
         // Shorter segments are round-off at nodes that face each other.
-        if (cuts[i].xi - cuts[i - 1].xi < round_off)
+        if (cuts[i].xi - cuts[i - 1].xi < mortar_round_off)
           continue;
         const auto [m, distance] =
           partner(slave_edge, (cuts[i - 1].xi + cuts[i].xi) / 2, candidates);
-        if (m == none)
+        if (m == numbers::invalid_unsigned_int)
           continue;
         if (!segments.empty() && segments.back().master_edge == m &&
-            cuts[i - 1].xi - segments.back().high.xi < round_off)
+            cuts[i - 1].xi - segments.back().high.xi < mortar_round_off)
           {
             segments.back().high = cuts[i];
             segments.back().distance =
@@ -171,7 +162,7 @@ namespace Contact
   {
     struct Hit
     {
-      unsigned int master_edge = none;
+      unsigned int master_edge = numbers::invalid_unsigned_int;
       double       distance    = std::numeric_limits<double>::max();
       bool         faces       = false;
     };
@@ -205,7 +196,7 @@ namespace Contact
     if (!behind.faces || (ahead.faces && ahead.distance <= behind.distance))
       std::swap(ahead, behind);
     return behind.faces ? std::make_pair(behind.master_edge, behind.distance)
-                        : std::make_pair(none, 0.);
+                        : std::make_pair(numbers::invalid_unsigned_int, 0.);
   }
 
 
@@ -220,7 +211,7 @@ namespace Contact
     const Surface::Edge &s_edge = slave.edges[slave_edge];
     const QGauss<1>      quadrature(slave.degree + 2);
     const auto           coordinate = [&](const MortarOverlap::Cut &cut) {
-      return cut.master_node == none
+      return cut.master_node == numbers::invalid_unsigned_int
                          ? Number(cut.xi)
                          : geometry.slave_coordinate(slave_edge,
                                            geometry.master_x[cut.master_node]);

@@ -16,6 +16,9 @@ namespace Contact
 {
   using namespace dealii;
 
+  /// Round-off of coordinates and coefficients, which are of the order of one.
+  constexpr double mortar_round_off = 1e-11;
+
   /// The part of a slave edge that faces the master.
   struct MortarOverlap
   {

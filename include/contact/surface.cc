@@ -113,9 +113,6 @@ namespace Contact
 
 
 
-    /// Coordinates of the nodes of an edge: first, last, middle.
-    const std::array<double, 3> node_coordinates{{-1, 1, 0}};
-
     /// The angle from a to b, positive to the left [rad].
     double angle(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
     {

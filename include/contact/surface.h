@@ -44,6 +44,9 @@ namespace Contact
 
   using EdgeShape = EdgeShapes<double>;
 
+  /// Coordinates of the nodes of an edge: first, last, middle.
+  constexpr std::array<double, 3> node_coordinates{{-1, 1, 0}};
+
 
 
   /// A boundary of the bodies as a chain of straight or parabolic edges.

@@ -24,14 +24,14 @@ namespace Contact
 
   void Postprocessor::check_probes() const
   {
-    for (const auto &[name, probe] : parameters.probes.probes)
-      for (unsigned int i = 1; i < probe.size(); ++i)
+    for (const auto &[name, probe] : parameters.probes.definitions())
+      for (const std::string &point : probe.points)
         {
-          model.mesh->point(probe[i], "Probes/Probes");
-          if (is_contact_traction(probe[0]))
+          model.mesh->point(point, "Probes/Probes");
+          if (is_contact_traction(probe.quantity))
             check_contact_traction(name,
-                                   probe[0],
-                                   probe[i],
+                                   probe.quantity,
+                                   point,
                                    model.interface.get(),
                                    *model.discretization);
         }
@@ -76,8 +76,8 @@ namespace Contact
         for (const auto &contact_pair : model.interface->pairs)
           record.contact[contact_pair->name] = results(*contact_pair).by_name();
       }
-    for (const auto &[name, definition] : parameters.probes.probes)
-      if (!is_stress(definition[0]))
+    for (const auto &[name, definition] : parameters.probes.definitions())
+      if (!is_stress(definition.quantity))
         record.probes[name] = probe(definition);
   }
 
@@ -173,7 +173,7 @@ namespace Contact
     LevelRecord       record;
     {
       TimerOutput::Scope scope(report.timer, "output");
-      for (const auto &[name, definition] : parameters.probes.probes)
+      for (const auto &[name, definition] : parameters.probes.definitions())
         record.probes[name] = probe(definition);
     }
     record.n_cells         = model.mesh->triangulation.n_global_active_cells();
@@ -203,17 +203,18 @@ namespace Contact
 
 
   // The difference between two points, if there are two.
-  double Postprocessor::probe(const std::vector<std::string> &definition)
+  double Postprocessor::probe(const Parameters::Probes::Definition &definition)
   {
-    const double first = value(definition[0], definition[1]);
-    return definition.size() == 2 ? first
-                                  : first - value(definition[0], definition[2]);
+    const double first = value(definition.quantity, definition.points[0]);
+    return definition.points.size() == 1
+             ? first
+             : first - value(definition.quantity, definition.points[1]);
   }
 
 
 
-  double Postprocessor::value(const std::string &quantity,
-                              const std::string &point)
+  double Postprocessor::value(const Parameters::Quantity quantity,
+                              const std::string         &point)
   {
     const unsigned int vertex = model.mesh->point(point, "Probes/Probes");
     if (is_contact_traction(quantity))
@@ -233,11 +234,11 @@ namespace Contact
 
   void Postprocessor::report_probes()
   {
-    for (const auto &[name, definition] : parameters.probes.probes)
+    for (const auto &[name, definition] : parameters.probes.definitions())
       {
         ProbeResult result;
         result.name  = name;
-        result.unit  = is_displacement(definition[0]) ? "mm" : "MPa";
+        result.unit  = is_displacement(definition.quantity) ? "mm" : "MPa";
         result.value = report.summary.levels.back().probes.at(name);
         if (parameters.probes.references.count(name) > 0)
           {

@@ -60,10 +60,10 @@ namespace Contact
 
   private:
     ContactResults results(const ContactPair &contact_pair) const;
-    double         probe(const std::vector<std::string> &definition);
-    double         value(const std::string &quantity, const std::string &point);
-    void           compare_with_theory();
-    void           report_probes();
+    double         probe(const Parameters::Probes::Definition &definition);
+    double value(const Parameters::Quantity quantity, const std::string &point);
+    void   compare_with_theory();
+    void   report_probes();
 
     const Parameters::All &parameters;
     const ContactModel    &model;

@@ -6,7 +6,6 @@
 #include "output/probes.h"
 
 #include <algorithm>
-#include <map>
 
 #include "base/errors.h"
 #include "contact/contact_results.h"
@@ -14,21 +13,25 @@
 
 namespace Contact
 {
-  bool is_displacement(const std::string &quantity)
+  using Parameters::Choice;
+  using Parameters::Quantity;
+
+  bool is_displacement(const Quantity quantity)
   {
-    return quantity.rfind("displacement", 0) == 0;
+    return quantity == Quantity::displacement_x ||
+           quantity == Quantity::displacement_y;
   }
 
 
 
-  bool is_contact_traction(const std::string &quantity)
+  bool is_contact_traction(const Quantity quantity)
   {
-    return quantity == "pressure" || quantity == "shear";
+    return quantity == Quantity::pressure || quantity == Quantity::shear;
   }
 
 
 
-  bool is_stress(const std::string &quantity)
+  bool is_stress(const Quantity quantity)
   {
     return !is_displacement(quantity) && !is_contact_traction(quantity);
   }
@@ -96,7 +99,7 @@ namespace Contact
 
 
   void check_contact_traction(const std::string      &probe,
-                              const std::string      &quantity,
+                              const Quantity          quantity,
                               const std::string      &point,
                               const ContactInterface *interface,
                               const Discretization   &discretization)
@@ -106,13 +109,14 @@ namespace Contact
         .vertex_dofs[discretization.mesh.point(point, "Probes/Probes")];
     const auto found = slave_nodes_at(dofs, interface);
     if (found.empty())
-      throw InputError("there is no " + quantity +
+      throw InputError("there is no " + Choice<Quantity>(quantity).name() +
                          " of contact at the point '" + point +
                          "': " + why_no_multiplier(dofs, interface),
                        "Probes/Probes, '" + probe + "'",
                        "name a point group on a slave, or a stress");
     if (found.size() > 1)
-      throw InputError("the point '" + point + "' has a " + quantity +
+      throw InputError("the point '" + point + "' has a " +
+                         Choice<Quantity>(quantity).name() +
                          " of contact in two contact pairs, '" +
                          found[0].contact_pair->name + "' and '" +
                          found[1].contact_pair->name + "'",
@@ -123,7 +127,7 @@ namespace Contact
 
 
 
-  double contact_traction(const std::string      &quantity,
+  double contact_traction(const Quantity          quantity,
                           const unsigned int      vertex,
                           const ContactInterface *interface,
                           const Discretization   &discretization,
@@ -131,7 +135,7 @@ namespace Contact
   {
     const auto [contact_pair, n] =
       slave_nodes_at(discretization.vertex_dofs[vertex], interface).at(0);
-    const bool   normal     = quantity == "pressure";
+    const bool   normal     = quantity == Quantity::pressure;
     const auto   of_corners = corner_loads(*interface, *contact_pair, solution);
     const double of_corner =
       of_corners.empty() ? 0. : of_corners[n].traction()[normal ? 0 : 1];
@@ -147,7 +151,7 @@ namespace Contact
 
 
 
-  double probe_value(const std::string                        &quantity,
+  double probe_value(const Quantity                            quantity,
                      const unsigned int                        vertex,
                      const Discretization                     &discretization,
                      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
@@ -156,20 +160,27 @@ namespace Contact
     const NodeDoFs &dofs   = discretization.vertex_dofs[vertex];
     const auto      stress = vertex_stresses.empty() ? SymmetricTensor<2, 3>()
                                                      : vertex_stresses[vertex];
-    const std::map<std::string, double> values{{"displacement x", u[dofs[0]]},
-                                               {"displacement y", u[dofs[1]]},
-                                               {"stress xx", stress[0][0]},
-                                               {"stress yy", stress[1][1]},
-                                               {"stress zz", stress[2][2]},
-                                               {"stress xy", stress[0][1]},
-                                               {"von Mises",
-                                                von_mises(stress)}};
-
-    const auto value = values.find(quantity);
-    if (value == values.end())
-      throw InputError("there is no quantity '" + quantity + "' to probe",
-                       "entry 'Probes/Probes'",
-                       "see --parameters for the quantities");
-    return value->second;
+    switch (quantity)
+      {
+        case Quantity::displacement_x:
+          return u[dofs[0]];
+        case Quantity::displacement_y:
+          return u[dofs[1]];
+        case Quantity::stress_xx:
+          return stress[0][0];
+        case Quantity::stress_yy:
+          return stress[1][1];
+        case Quantity::stress_zz:
+          return stress[2][2];
+        case Quantity::stress_xy:
+          return stress[0][1];
+        case Quantity::von_mises:
+          return von_mises(stress);
+        case Quantity::pressure:
+        case Quantity::shear:
+          break;
+      }
+    AssertThrow(false, ExcInternalError());
+    return 0;
   }
 } // namespace Contact

@@ -16,38 +16,34 @@ namespace Contact
   using namespace dealii;
 
   /// Whether a quantity is a displacement.
-  bool is_displacement(const std::string &quantity);
+  bool is_displacement(const Parameters::Quantity quantity);
 
   /// Whether a quantity is a traction of contact.
-  bool is_contact_traction(const std::string &quantity);
+  bool is_contact_traction(const Parameters::Quantity quantity);
 
   /// Whether a quantity is a stress in a body.
-  bool is_stress(const std::string &quantity);
+  bool is_stress(const Parameters::Quantity quantity);
 
   /// Check that there is one traction of contact at a named point. Throws
   /// InputError with the name of the @p probe and the reason if no slave, or
   /// those of two contact pairs, carry a multiplier there.
-  void check_contact_traction(const std::string      &probe,
-                              const std::string      &quantity,
-                              const std::string      &point,
-                              const ContactInterface *interface,
-                              const Discretization   &discretization);
+  void check_contact_traction(const std::string         &probe,
+                              const Parameters::Quantity quantity,
+                              const std::string         &point,
+                              const ContactInterface    *interface,
+                              const Discretization      &discretization);
 
   /// The traction [MPa] at a vertex of the triangulation that was checked: the
   /// multiplier there; zero without friction for the shear.
-  double contact_traction(const std::string      &quantity,
-                          const unsigned int      vertex,
-                          const ContactInterface *interface,
-                          const Discretization   &discretization,
-                          const Vector<double>   &solution);
+  double contact_traction(const Parameters::Quantity quantity,
+                          const unsigned int         vertex,
+                          const ContactInterface    *interface,
+                          const Discretization      &discretization,
+                          const Vector<double>      &solution);
 
-  /**
-   * The value of a quantity at a vertex of the triangulation: "displacement x"
-   * or "y" [mm], "stress xx", "yy", "zz", "xy" or "von Mises" [MPa]. Throws
-   * InputError for any other. For a displacement @p vertex_stresses may be
-   * empty.
-   */
-  double probe_value(const std::string                        &quantity,
+  /// A displacement [mm] or a stress [MPa] at a vertex of the triangulation.
+  /// For a displacement @p vertex_stresses may be empty.
+  double probe_value(const Parameters::Quantity                quantity,
                      const unsigned int                        vertex,
                      const Discretization                     &discretization,
                      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// What supports, ties and loads have to be, beyond their patterns.
+// Checks of supports, ties and loads beyond those of the entries' patterns.
 
 #include <deal.II/base/patterns.h>
 

@@ -209,6 +209,35 @@ namespace Contact
 
 
 
+    /// The quantity of a probe.
+    enum class Quantity
+    {
+      displacement_x,
+      displacement_y,
+      stress_xx,
+      stress_yy,
+      stress_zz,
+      stress_xy,
+      von_mises,
+      pressure,
+      shear
+    };
+
+    inline NamedValues<Quantity> named_values(const Quantity)
+    {
+      return {{"displacement x", Quantity::displacement_x},
+              {"displacement y", Quantity::displacement_y},
+              {"stress xx", Quantity::stress_xx},
+              {"stress yy", Quantity::stress_yy},
+              {"stress zz", Quantity::stress_zz},
+              {"stress xy", Quantity::stress_xy},
+              {"von Mises", Quantity::von_mises},
+              {"pressure", Quantity::pressure},
+              {"shear", Quantity::shear}};
+    }
+
+
+
     /// The output on the screen.
     enum class Screen
     {
@@ -265,12 +294,12 @@ namespace Contact
         return "";
       }
 
-      /// All names, for the pattern of the entry.
-      static std::string names()
+      /// All names, as in the pattern of the entry.
+      static std::string names(const std::string &separator = "|")
       {
         std::string all;
         for (const auto &[name, value] : named_values(Enum()))
-          all += (all.empty() ? "" : "|") + name;
+          all += (all.empty() ? "" : separator) + name;
         return all;
       }
 

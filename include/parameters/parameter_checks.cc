@@ -321,14 +321,30 @@ namespace Contact
                                " is not a quantity and a point or two.",
                              {"Probes/Probes"},
                              "write '" + name + ": quantity, point'");
-          if (std::count(quantities.begin(), quantities.end(), probe[0]) == 0)
+          const auto quantities = named_values(Quantity());
+          if (std::none_of(quantities.begin(),
+                           quantities.end(),
+                           [&](const auto &quantity) {
+                             return quantity.first == probe[0];
+                           }))
             throw EntryError("The probe " + in_quotes(name) +
                                " looks at an unknown quantity, " +
                                in_quotes(probe[0]) + ".",
                              {"Probes/Probes"},
-                             "choose one of: " +
-                               Patterns::Tools::to_string(quantities));
+                             "choose one of: " + Choice<Quantity>::names(", "));
         }
+    }
+
+
+
+    std::map<std::string, Probes::Definition> Probes::definitions() const
+    {
+      std::map<std::string, Definition> definitions;
+      for (const auto &[name, probe] : probes)
+        definitions.insert(
+          {name,
+           {Choice<Quantity>(probe[0]), {probe.begin() + 1, probe.end()}}});
+      return definitions;
     }
 
 

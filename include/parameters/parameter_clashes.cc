@@ -106,7 +106,7 @@ namespace Contact
 
 
 
-    // What takes one process.
+    // Entries that one process alone can serve.
     void All::check_ranks() const
     {
       const std::string here = ", here are " + std::to_string(n_ranks) + ".";

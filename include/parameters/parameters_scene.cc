@@ -157,7 +157,7 @@ namespace Contact
 
 
 
-    // What varies over a group, or with the load.
+    // Entries that vary over a group, or with the load.
     void Boundary::add_formulas(ParameterHandler &prm)
     {
       const Patterns::Map formulas(Patterns::Anything(),

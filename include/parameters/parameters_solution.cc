@@ -13,18 +13,6 @@ namespace Contact
 {
   namespace Parameters
   {
-    const std::vector<std::string> Probes::quantities = {"displacement x",
-                                                         "displacement y",
-                                                         "stress xx",
-                                                         "stress yy",
-                                                         "stress zz",
-                                                         "stress xy",
-                                                         "von Mises",
-                                                         "pressure",
-                                                         "shear"};
-
-
-
     void Solution::add_parameters(ParameterHandler &prm)
     {
       prm.enter_subsection("Solution");
@@ -161,7 +149,7 @@ namespace Contact
                         "by ';'; with a second point group, as in 'name: "
                         "quantity, point, point', the value at the first minus "
                         "the value at the second. One of: " +
-                          Patterns::Tools::to_string(quantities) +
+                          Choice<Quantity>::names(", ") +
                           " [displacements: mm, stresses: MPa]; pressure "
                           "and shear are those of contact, at points of a "
                           "slave.");

@@ -173,8 +173,8 @@ namespace Contact
         return at;
       }
 
-      /// What a point adds to the forces of the @p n nodes of its cell, and to
-      /// the upper half of their tangent.
+      /// Add the contributions of a point to the forces of the @p n nodes of
+      /// its cell, and to the upper half of their tangent.
       static void add_forces(const PointState  &at,
                              const unsigned int n,
                              Vector<double>    &residual)

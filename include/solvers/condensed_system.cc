@@ -270,19 +270,18 @@ namespace Contact
   // Each kind of matrix has a solver of its own, made when the first one comes.
   void CondensedSystem::give_matrix_to_solver()
   {
-    current            = nullptr;
-    const bool kind    = elimination.is_symmetric();
-    Solver    &of_kind = solvers[kind ? 0 : 1];
+    current              = nullptr;
+    const bool symmetric = elimination.is_symmetric();
+    Solver    &of_kind   = solvers[symmetric ? 0 : 1];
     if (!of_kind.solver)
       {
-        const auto modes    = solver_kind == Parameters::SolverKind::amg
-                                ? rigid_modes(discretization)
-                                : DefiniteSolver::Modes();
-        Counters  &counters = discretization.counters;
-        of_kind.solver =
-          kind
-            ? DefiniteSolver::create(solver_kind, modes, counters)
-            : DefiniteSolver::create_unsymmetric(solver_kind, modes, counters);
+        const auto modes = solver_kind == Parameters::SolverKind::amg
+                             ? rigid_modes(discretization)
+                             : DefiniteSolver::Modes();
+        of_kind.solver   = DefiniteSolver::create(solver_kind,
+                                                symmetric,
+                                                modes,
+                                                discretization.counters);
       }
     of_kind.solver->set_matrix(matrix, of_kind.pattern_is_new);
     of_kind.pattern_is_new = false;

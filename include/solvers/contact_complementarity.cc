@@ -52,9 +52,9 @@ namespace Contact
 
 
 
-  // What springs hold yields to a traction a million times more than the bodies
-  // do. Scaled so that each point by itself has ones on the diagonal and
-  // between shear and slip, round-off can be told from all else.
+  // A piece held by stabilization springs yields to a traction a million times
+  // more than elastic bodies do. Each point is scaled to ones on the diagonal
+  // and between shear and slip, so that round-off can be told from all else.
   Vector<double> ContactComplementarity::scales() const
   {
     const auto unit = [this](const unsigned int traction) {

@@ -26,9 +26,9 @@ namespace Contact
    *   0 <= q_+   _|_  l + c s >= 0,   q = q_+ - q_-,   c s = q - q_trial,
    *   0 <= q_-   _|_  l - c s >= 0,
    *   0 <= l     _|_  limit + mu p - q_+ - q_- >= 0.
-   * Where the bodies resist every traction with a symmetric stiffness, its
-   * matrix is copositive, and Lemke's method ends at a solution whatever mu may
-   * be (A. Klarbring and J.-S. Pang, SIAM J. Optim. 8, 1998).
+   * If the stiffness of the bodies is symmetric and positive definite, its
+   * matrix is copositive, and Lemke's method ends at a solution for every mu
+   * (A. Klarbring and J.-S. Pang, SIAM J. Optim. 8, 1998).
    */
   class ContactComplementarity
   {

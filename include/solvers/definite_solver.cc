@@ -388,44 +388,20 @@ namespace Contact
 
   std::unique_ptr<DefiniteSolver>
   DefiniteSolver::create(const Parameters::SolverKind kind,
+                         const bool                   symmetric,
                          const Modes                 &modes,
                          Counters                    &counters)
   {
     switch (kind)
       {
         case Parameters::SolverKind::cholmod:
-          return std::make_unique<Cholmod>(counters);
-        case Parameters::SolverKind::mumps:
-          return std::make_unique<Mumps>(counters);
-        case Parameters::SolverKind::amg:
-          return std::make_unique<Multigrid>(modes,
-                                             /*symmetric=*/true,
-                                             counters);
-        case Parameters::SolverKind::automatic:
-        case Parameters::SolverKind::umfpack:
-          break;
-      }
-    AssertThrow(false, ExcInternalError());
-    return nullptr;
-  }
-
-
-
-  std::unique_ptr<DefiniteSolver>
-  DefiniteSolver::create_unsymmetric(const Parameters::SolverKind kind,
-                                     const Modes                 &modes,
-                                     Counters                    &counters)
-  {
-    switch (kind)
-      {
-        case Parameters::SolverKind::cholmod:
+          if (symmetric)
+            return std::make_unique<Cholmod>(counters);
           return std::make_unique<Umfpack>(counters);
         case Parameters::SolverKind::mumps:
           return std::make_unique<Mumps>(counters);
         case Parameters::SolverKind::amg:
-          return std::make_unique<Multigrid>(modes,
-                                             /*symmetric=*/false,
-                                             counters);
+          return std::make_unique<Multigrid>(modes, symmetric, counters);
         case Parameters::SolverKind::automatic:
         case Parameters::SolverKind::umfpack:
           break;

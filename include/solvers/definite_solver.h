@@ -37,22 +37,15 @@ namespace Contact
     /**
      * CHOLMOD (one rank), MUMPS, or AMG: conjugate gradients with Trilinos'
      * smoothed aggregation, which takes the @p modes as near null space, and
-     * alone needs them. Operations are counted by @p counters.
+     * alone needs them. For matrices that are not @p symmetric, but for the
+     * rows at the interface alone: UMFPACK instead of CHOLMOD, and GMRES with
+     * the same multigrid. Operations are counted by @p counters.
      */
     static std::unique_ptr<DefiniteSolver>
     create(const Parameters::SolverKind kind,
+           const bool                   symmetric,
            const Modes                 &modes,
            Counters                    &counters);
-
-    /**
-     * The counterpart for unsymmetric matrices: UMFPACK for "CHOLMOD", "MUMPS",
-     * which takes both, and for "AMG" the same multigrid in GMRES: only the
-     * rows at the interface are unsymmetric.
-     */
-    static std::unique_ptr<DefiniteSolver>
-    create_unsymmetric(const Parameters::SolverKind kind,
-                       const Modes                 &modes,
-                       Counters                    &counters);
 
     /**
      * The meaning of "automatic". In two dimensions CHOLMOD is as fast as AMG

@@ -77,8 +77,8 @@ namespace Contact
 
     std::string changes() const;
 
-    /// What has not come to rest where the forces are in balance, in words;
-    /// empty where they are not.
+    /// The quantities that still change although the forces are in balance, in
+    /// words; empty if the forces are not in balance.
     std::string unsettled() const;
 
     ConvergenceTest convergence;

@@ -97,8 +97,8 @@ namespace Contact
 
 
 
-  // Where the statuses turn out to be those at hand, Newton's step is the one
-  // under them that knows the motion of the geometry.
+  // If the search ends at the present statuses, take the Newton step with the
+  // linearised geometry under these statuses.
   bool SaddlePointSystem::search_standing(const Vector<double> &solution,
                                           const Vector<double> &u_start,
                                           const double          load_factor,
@@ -118,7 +118,7 @@ namespace Contact
     TimerOutput::Scope scope(timer, "active set");
     ActiveSetSearch    search(discretization, *interface, solver, standing);
     const bool settled = search.correct(solution, u_start, rhs_and_update);
-    if (!settled || search.keeps_decisions())
+    if (!settled || search.keeps_statuses())
       rhs_and_update = newton_step;
     return settled;
   }

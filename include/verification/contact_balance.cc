@@ -65,7 +65,8 @@ namespace Contact
 
 
 
-  double ContactCheck::moment_of_rule(const ContactPair &contact_pair) const
+  double
+  ContactCheck::moment_of_discretization(const ContactPair &contact_pair) const
   {
     const bool undeformed =
       parameters.geometry == Parameters::GeometryLoop::undeformed;
@@ -125,7 +126,7 @@ namespace Contact
     found.check(
       "balance of moments",
       of_moments,
-      slack.relative + moment_of_rule(contact_pair) / whole,
+      slack.relative + moment_of_discretization(contact_pair) / whole,
       "the forces of contact on both bodies have the moment " +
         brief(all.moment) + " N",
       "Slave points and their projections are apart along the surface: "

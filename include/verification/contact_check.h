@@ -159,7 +159,7 @@ namespace Contact
     Resultant resultant(const ContactPair &contact_pair) const;
 
     /// The moment that the discretization of contact leaves.
-    double   moment_of_rule(const ContactPair &contact_pair) const;
+    double   moment_of_discretization(const ContactPair &contact_pair) const;
     Point<2> position(const Surface &surface, const unsigned int node) const;
 
     /// Whether a node of a slave edge is pushed.

@@ -51,9 +51,9 @@ namespace Contact
     /// The largest distance of a supported node from where it has to be [mm].
     double supports = 0;
 
-    /// What is missing to the equation of the works in this increment, by the
-    /// larger of the sum of the magnitudes of its terms and of strain energy
-    /// and external work.
+    /// The imbalance of works and energy in this increment, by the larger of
+    /// the sum of the magnitudes of its terms and of strain energy and external
+    /// work.
     double energy_imbalance = 0;
 
     /// The reactions of each group of supports on the bodies, by direction, in

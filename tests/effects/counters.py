@@ -53,7 +53,7 @@ class Scenes:
         return result.summary["levels"][-1]["cells"]
 
 
-# What none of the scenes below has, unless it says so.
+# Effects that none of the scenes below has, unless it says so.
 OFF = ("large_displacement_cells", "tangential_rows", "geometry_updates",
        "stress_recoveries", "error_estimates")
 NO_CONTACT = ("pairings", "candidate_pairs", "projections",

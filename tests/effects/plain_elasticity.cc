@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// What a scene without contact should cost: linear elasticity as one writes it
+// The yardstick of a scene without contact: linear elasticity as one writes it
 // with deal.II, after step-8, and nothing else. The block of yardstick.py in
 // plane strain: boundary 1 held, traction -1 MPa on boundary 2. Prints the
 // unknowns and the displacement in y of the vertex (1, 1).
@@ -172,6 +172,7 @@ int main(int argc, char **argv)
       Contact::Counters counters;
       const auto        definite = DefiniteSolver::create(
         Contact::Parameters::Choice<Contact::Parameters::SolverKind>(solver),
+        /*symmetric=*/true,
         modes,
         counters);
       definite->set_matrix(matrix, true);

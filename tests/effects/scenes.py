@@ -11,7 +11,7 @@ import time
 
 ENVIRONMENT = {name: "1" for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS",
                                       "DEAL_II_NUM_THREADS")}
-# What the program does by itself: plain ones start MPI for one process alike.
+# Settings of MPI for one process: the program's own, for plain programs, too.
 ENVIRONMENT.update({"OMPI_MCA_ess_singleton_isolated": "1",
                     "OMPI_MCA_orte_create_session_dirs": "0",
                     "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self",

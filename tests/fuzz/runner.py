@@ -9,8 +9,8 @@ import resource
 import subprocess
 import time
 
-# What a small case may take: memory a wrong count asks for would be taken from
-# everybody else.
+# The memory limit of a small case: a wrong count must not take that of all
+# other processes.
 MEMORY = 3 << 30
 OUTCOMES = ("converged", "other values", "violated", "refused",
             "not converged", "crashed", "hung")

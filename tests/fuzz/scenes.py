@@ -46,7 +46,7 @@ class Scene:
         self.name = "scene_%d" % seed
         self.entries = {}
         self.features = {}
-        # What verify.py needs to know; None: not determined by statics.
+        # Resultants for verify.py; None: not determined by statics.
         self.force_x = self.force_y = None
         rng = self.rng = random.Random(seed)
         self.choose_geometry(rng)
@@ -248,7 +248,7 @@ class Scene:
         if self.upper.narrowing != 0 and "roller" in supports:
             supports = ["pressed top"]
         support = rng.choice(supports)
-        # What contact alone keeps from turning over must not.
+        # A body that contact alone keeps from turning over.
         turning = {"top in x": abs(self.slope) + self.mu +
                    self.tresca / traction, "point in x": 0, "friction": 0}
         if support in turning and self.overlap() <= max(
@@ -351,7 +351,7 @@ class Scene:
             return 0.0
         return max(0.0, 2 * min(middle - xs[0], xs[-1] - middle))
 
-    # How it is solved: only what goes together.
+    # Choose entries of the solution that go together.
     def choose_solution(self, rng):
         f = self.features
         f["increments"] = rng.choice([1, 2, 2, 3, 4])

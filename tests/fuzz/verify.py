@@ -247,7 +247,7 @@ def check_forces(scene, slave, master, summary):
         shear = q * force / p if p > 0 else 0.0
         for d in (0, 1):
             total[d] += force * n[d] + shear * t[d]
-    # What acts on the upper body.
+    # The force on the upper body.
     total = [up * c for c in total]
     # A flat contact knows its normal exactly; otherwise ours is that of a
     # polyline, or of the nodes instead of the points.

@@ -39,7 +39,7 @@ class Zone:
         self.obstacle = obstacle
 
 
-# What the end of a scene has to be.
+# The ends that a scene may have.
 SOLVED = "solved"  # results
 REFUSED = "refused"  # exit status 2
 HOPELESS = "hopeless"  # exit status 2 or 3: there is no solution

@@ -15,7 +15,7 @@ APART = 0.05
 ANGLE = 0.03
 # More than this angle between two edges is a corner (its sine).
 ROUND = 0.6
-# What turns by more, undeformed, is a corner (its sine).
+# An undeformed surface that turns by more has a corner (its sine).
 CORNER = np.sin(np.radians(35))
 # Forces along surfaces that bend by more are not taken together [rad].
 BUNDLE = 2.0
@@ -56,7 +56,7 @@ class ZoneCheck:
         self.nodes = np.unique(self.lines)
         self.master = surfaces.master_of(model, zone, state.x)
         self.largest = largest
-        # What has moved, but no less than the resolution of the mesh file.
+        # The largest displacement, but at least the resolution of the mesh file.
         self.slack = largest + 1e-9 * scene.size
         self.points, _ = surfaces.samples(model, self.lines, state.x)
         flat = self.points.reshape(-1, 2)
@@ -290,11 +290,11 @@ class ZoneCheck:
         if not (self.counts & self.is_free).any() or not self.is_flat() or (
                 not self.touching.any()):
             return []
-        # What acts on other nodes is not that of contact alone.
+        # Reactions of supports act on the other nodes, too.
         lines = self.touching.any(1)
         if not self.is_free[np.isin(self.nodes, self.lines[lines])].all():
             return []
-        # Where an edge of the slave lies on an end of the master, its own.
+        # The slave's own normal, for an edge that lies on an end of the master.
         normals = np.concatenate([
             self.normals[self.touching],
             -self.own.normal[np.isin(self.own.line,
@@ -342,7 +342,7 @@ class ZoneCheck:
         judged = self.counts & (self.parallel(n) > 0.99)
         work = (shear * slip)[judged].sum()
         scale = np.abs(shear * slip)[judged].sum()
-        # What sticks moves by round-off.
+        # Sticking nodes move by round-off.
         moved = max(np.abs(step).max(), 1e-6 * self.largest)
         total = np.abs(push).sum() * moved
         if work > 0.1 * scale + 1e-2 * self.zone.mu * total:

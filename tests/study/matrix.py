@@ -69,7 +69,7 @@ STICK_TOLERANCE_QUICK = 0.02
 # Errors that the decision table asks for, relative.
 TARGETS = [1e-1, 1e-2, 1e-3, 1e-4]
 
-# What is not run, and why.
+# Combinations that are not run, and the reason.
 LEFT_OUT = [
     ("Gauss rule, condensed system", "its points share the multipliers of the "
      "nodes: a point cannot be eliminated as a constraint of its own"),
@@ -328,7 +328,7 @@ def knobs() -> list[Run]:
                 else:
                     add(knob, setting,
                         extra=((f"Solution/{knob}", setting),), **columns)
-        # How far the mesh is from its limit, to compare the knobs with.
+        # The error of the mesh, to compare the knobs with.
         add("mesh", "as it is")
         add("mesh", "refined once", level + 1)
     return runs

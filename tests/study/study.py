@@ -31,7 +31,7 @@ import matrix
 import report
 
 DEFAULT_PARAMETERS = Path(__file__).resolve().parents[2] / "parameters"
-# What every run is given: no file but the summary, and nothing to pass.
+# Entries of every run: no file but the summary, and no values to pass.
 COMMON = {
     "Probes/References": "",
     "Probes/Tolerances": "",

@@ -1,0 +1,27 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_surface_checks_h
+#define contact_surface_checks_h
+
+#include "contact/surface.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * Check that slave and master of a contact pair have no node in common, and
+   * that neither has lines of a body of the other: they would be the closest
+   * ones. Two surfaces of one and the same part, the lips of a slit, are meant
+   * to touch. Throws InputError.
+   */
+  void check_surfaces(const Surface             &slave,
+                      const Surface             &master,
+                      const Discretization      &discretization,
+                      const Parameters::Contact &parameters);
+} // namespace Contact
+
+#endif

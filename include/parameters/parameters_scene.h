@@ -1,0 +1,231 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+
+#ifndef contact_parameters_scene_h
+#define contact_parameters_scene_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/errors.h"
+#include "parameters/choices.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * Entries that can be read, but are wrong: the one by its value, or several
+   * because they contradict each other. What checks a structure names them as
+   * "Section/Entry"; read_parameters() adds where they were set.
+   */
+  struct EntryError : public InputError
+  {
+    EntryError(const std::string              &problem,
+               const std::vector<std::string> &entries,
+               const std::string              &remedy);
+
+    const std::string              problem;
+    const std::vector<std::string> entries;
+    const std::string              remedy;
+  };
+
+
+
+  /**
+   * The parameters of a case, one plain structure per concern. Each structure
+   * declares its entries once, in <code>add_parameters</code> (default,
+   * pattern, meaning and unit), and checks in <code>check</code> what one
+   * entry alone can not know.
+   *
+   * Units: mm, N, MPa = N/mm^2; forces are per mm of thickness (plane strain),
+   * which for the thickness 1 mm is the same number, or those of whole rings
+   * (axisymmetric), in N.
+   */
+  namespace Parameters
+  {
+    /// The file of the mesh, and the boundaries that are arcs.
+    struct Mesh
+    {
+      std::string  file;
+      unsigned int refinements = 0;
+
+      /// Boundary group -> {centre x, centre y, radius} [mm].
+      std::map<std::string, std::vector<double>> arcs;
+
+      /// Body -> {dx, dy} [mm], in the coordinates of the file.
+      std::map<std::string, std::vector<double>> move;
+
+      /// Changes of all coordinates of the file after that, in this order.
+      double              scale    = 1;      // [-]
+      double              rotation = 0;      // about the origin [degrees]
+      std::vector<double> shift    = {0, 0}; // [mm]
+
+      void add_parameters(ParameterHandler &prm);
+      void check() const;
+    };
+
+
+
+    /// The finite element of the solids.
+    struct Element
+    {
+      unsigned int degree = 1;
+
+      /// Bound: the 8-node quadrilateral, free: the 9-node one.
+      Choice<CentreNode> centre_node = CentreNode::serendipity;
+
+      void add_parameters(ParameterHandler &prm);
+      void check() const;
+    };
+
+
+
+    /// The materials of the bodies and their kinematics.
+    struct Solids
+    {
+      /// Body group -> Young's modulus [MPa] and Poisson's ratio [-].
+      std::map<std::string, double> youngs_modulus;
+      std::map<std::string, double> poisson;
+
+      /// See symmetry.h.
+      Choice<Symmetry> symmetry = Symmetry::plane_strain;
+
+      Choice<Strains> kinematics = Strains::large;
+
+      /// See Elasticity.
+      Choice<Dilatation> dilatation = Dilatation::automatic;
+
+      void add_parameters(ParameterHandler &prm);
+      void check() const;
+    };
+
+
+
+    /// Supports, ties and loads, all by group name.
+    struct Boundary
+    {
+      /// Boundary or point group -> prescribed displacement [mm].
+      std::map<std::string, double> displacement_x;
+      std::map<std::string, double> displacement_y;
+
+      /// Point group -> point group: equal displacement in y.
+      std::map<std::string, std::string> tied_y;
+
+      /// Point group -> dead force at full load [N per mm of thickness].
+      std::map<std::string, double> force_x;
+      std::map<std::string, double> force_y;
+
+      /// Boundary group -> dead force at full load [N per mm of thickness],
+      /// spread evenly over its undeformed length.
+      std::map<std::string, double> resultant_force_x;
+      std::map<std::string, double> resultant_force_y;
+
+      /// Boundary group -> dead pressure at full load [MPa], a formula in x and
+      /// y; normal to the undeformed boundary, positive in compression.
+      std::map<std::string, std::string> pressure;
+
+      /// Boundary group -> dead traction at full load by undeformed area [MPa],
+      /// a formula in x and y.
+      std::map<std::string, std::string> traction_x;
+      std::map<std::string, std::string> traction_y;
+
+      /// Body group -> dead force at full load by undeformed volume [N/mm^3], a
+      /// formula in x and y.
+      std::map<std::string, std::string> body_force_x;
+      std::map<std::string, std::string> body_force_y;
+
+      /// Entry of this section -> its factor, a formula in the load factor t
+      /// or a table, see parse_history().
+      /// Those without grow as t.
+      std::map<std::string, std::string> histories;
+
+      void add_parameters(ParameterHandler &prm);
+      void check() const;
+
+    private:
+      void add_values(ParameterHandler &prm);
+      void add_formulas(ParameterHandler &prm);
+    };
+
+
+
+    /// One pair of surfaces that may touch: a contact pair.
+    struct Contact
+    {
+      /// Of the section "Contact NAME"; empty for the section "Contact".
+      std::string name;
+
+      std::string slave;
+      std::string master;
+
+      /// Instead of a master: see Obstacle.
+      std::map<Choice<ObstacleShape>, std::vector<double>> obstacle;
+
+      Choice<ContactDiscretization> discretization =
+        ContactDiscretization::mortar;
+      unsigned int n_gauss_points = 3;
+
+      /// Points of the slave surface that carry no contact point.
+      std::vector<std::string> excluded_points;
+
+      /// Glue the surfaces where they face each other: no contact at all, but
+      /// what the same bodies cost without it.
+      bool tied = false;
+
+      double friction_coefficient = 0; // Coulomb [-]
+      double tresca_limit         = 0; // [MPa]; instead of Coulomb
+
+      /// The parameter c of the augmented Lagrangian, by the stiffness E/h of
+      /// the slave's edge [-]. The active set of the nodal and mortar
+      /// discretizations does not depend on it; with a status per Gauss point
+      /// it enters the discrete problem.
+      double augmentation_parameter = 1e-3;
+
+      /// Whether the ends of the master have points of their own, see
+      /// make_corner_points(). No entry: it is tried where there is no solution
+      /// otherwise.
+      bool ends_are_corners = false;
+
+      /// Whether each multiplier has a point of its own: only then it can be
+      /// eliminated, excluded at a node, and live on one of several processes.
+      bool has_point_per_multiplier() const
+      {
+        return discretization != ContactDiscretization::gauss;
+      }
+
+      bool frictional() const
+      {
+        return friction_coefficient > 0 || tresca_limit > 0;
+      }
+
+      std::string section() const
+      {
+        return name.empty() ? "Contact" : "Contact " + name;
+      }
+
+      /// Whether there is anything that may touch.
+      bool is_pair() const
+      {
+        return !slave.empty();
+      }
+
+      void add_parameters(ParameterHandler &prm);
+      void check() const;
+
+    private:
+      void check_obstacle(const std::string &entry) const;
+      void check_surfaces() const;
+      void check_friction() const;
+      void check_excluded_points() const;
+    };
+  } // namespace Parameters
+} // namespace Contact
+
+#endif

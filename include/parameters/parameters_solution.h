@@ -1,0 +1,152 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+
+#ifndef contact_parameters_solution_h
+#define contact_parameters_solution_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "parameters/choices.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  namespace Parameters
+  {
+    /// Increments and the nested loops inside them.
+    struct Solution
+    {
+      unsigned int n_increments = 2;
+      unsigned int max_cuts     = 6; // of an increment to half
+
+      /// See All::geometry().
+      Choice<GeometryLoop> geometry                = GeometryLoop::automatic;
+      double               geometry_tolerance      = 1e-3;
+      unsigned int         max_geometry_iterations = 30;
+
+      Choice<FrictionLoop> friction                = FrictionLoop::newton;
+      double               friction_tolerance      = 1e-10;
+      unsigned int         max_friction_iterations = 60;
+
+      double       newton_tolerance      = 1e-8;
+      unsigned int max_newton_iterations = 25;
+
+      /// Of iterative solvers, relative to the residual of the Newton step.
+      double linear_tolerance = 1e-3;
+
+      Choice<SystemKind> system = SystemKind::automatic;
+
+      Choice<SolverKind> linear_solver = SolverKind::automatic;
+
+      /// Whether the points are paired before each Newton step.
+      bool pairs_each_step() const
+      {
+        return geometry != GeometryLoop::undeformed &&
+               geometry != GeometryLoop::fixed_point;
+      }
+
+      /// Whether the bound of the shear is in the tangent.
+      bool has_moving_bound() const
+      {
+        return friction == FrictionLoop::newton;
+      }
+
+      void add_parameters(ParameterHandler &prm);
+      void check() const;
+
+    private:
+      void add_loops(ParameterHandler &prm);
+      void add_linear_system(ParameterHandler &prm);
+    };
+
+
+
+    /// Nested iteration: solve, refine, start from there, and so on.
+    struct Refinement
+    {
+      unsigned int n_levels = 0; // refinements on top of the first mesh
+
+      Choice<Strategy> strategy = Strategy::uniform;
+
+      double fraction  = 0.5;  // of the estimated error, in refined cells
+      double tolerance = 1e-4; // Newton tolerance of all levels but the last
+
+      void add_parameters(ParameterHandler &prm);
+      void check() const;
+    };
+
+
+
+    /// Values to report, and to compare with a reference.
+    struct Probes
+    {
+      /// Name -> {quantity, point group} or {quantity, point group, point
+      /// group}; see the entry's documentation.
+      std::map<std::string, std::vector<std::string>> probes;
+
+      /// A quantity at a point, or its difference between two points.
+      struct Definition
+      {
+        Choice<Quantity>         quantity;
+        std::vector<std::string> points;
+      };
+
+      /// The probes by their names. They have been checked.
+      std::map<std::string, Definition> definitions() const;
+
+      /// Name -> reference value, and its relative tolerance.
+      std::map<std::string, double> references;
+      std::map<std::string, double> tolerances;
+
+      /// Hertz line contact to compare with: {radius [mm], force per length of
+      /// the full cylinder [N/mm]} or {radius}: under the force that is found;
+      /// empty: none.
+      std::vector<double> hertz;
+
+      /// Compare the shear with theory as well, not only with the pressure of
+      /// Hertz without friction.
+      bool frictional_theory = false;
+
+      /// Concentric cylinders to compare with: {bore, radius of contact, outer
+      /// radius [mm], mean pressure, amplitude of its cos(2 theta) [MPa]};
+      /// empty: none.
+      std::vector<double> concentric_cylinders;
+
+      /// Estimate the discretization error of the probes on a refined mesh.
+      bool estimate_errors = false;
+
+      void add_parameters(ParameterHandler &prm);
+      void check() const;
+
+    private:
+      void check_quantities() const;
+      void check_references() const;
+    };
+
+
+
+    /// Files and screen.
+    struct Output
+    {
+      std::string directory = "output";
+
+      Choice<Screen> screen = Screen::full;
+
+      bool vtu     = false;
+      bool profile = false;
+      bool nodes   = false;
+
+      void add_parameters(ParameterHandler &prm);
+    };
+  } // namespace Parameters
+} // namespace Contact
+
+#endif

@@ -1,0 +1,287 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/linearized_contact.h"
+
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <algorithm>
+
+#include "base/errors.h"
+
+namespace Contact
+{
+  namespace
+  {
+    double dot(const std::vector<types::global_dof_index> &unknowns,
+               const Vector<double>                       &row,
+               const Vector<double>                       &vector)
+    {
+      double sum = 0;
+      for (unsigned int i = 0; i < unknowns.size(); ++i)
+        sum += row[i] * vector[unknowns[i]];
+      return sum;
+    }
+  } // namespace
+
+
+
+  LinearizedContact::LinearizedContact(
+    const Discretization                  &discretization,
+    const ContactInterface                &interface,
+    const DirectSolver                    &solver,
+    const ContactInterface::Linearization &linearization)
+    : linearization(linearization)
+    , discretization(discretization)
+    , interface(interface)
+    , solver(solver)
+  {
+  }
+
+
+
+  double LinearizedContact::Point::p_after(const Vector<double> &update) const
+  {
+    return p + dot(rows.unknowns, rows.p_trial, update);
+  }
+
+
+
+  double LinearizedContact::Point::q_after(const Vector<double> &update) const
+  {
+    return q + dot(rows.unknowns, rows.q_trial, update);
+  }
+
+
+
+  void LinearizedContact::collect(const Vector<double> &solution,
+                                  const Vector<double> &u_start)
+  {
+    responses.clear();
+    points.resize(interface.points.size());
+    for (unsigned int q = 0; q < points.size(); ++q)
+      {
+        const ContactPoint &point = interface.points[q];
+        const ContactState  now   = interface.state(point, solution, u_start);
+        interface.rows(point, solution, u_start, linearization, points[q].rows);
+        points[q].p           = now.p_trial;
+        points[q].q           = now.q_trial;
+        points[q].status      = point.status;
+        points[q].old_p       = traction(q, false);
+        points[q].old_q       = traction(q, true);
+        points[q].has_changed = false;
+      }
+  }
+
+
+
+  std::vector<signed char> LinearizedContact::signature() const
+  {
+    std::vector<signed char> signature;
+    for (const Point &point : points)
+      signature.push_back(point.status.code());
+    return signature;
+  }
+
+
+
+  void LinearizedContact::add_responses()
+  {
+    const auto is_known = [this](const unsigned int q, const bool tangential) {
+      return std::any_of(responses.begin(),
+                         responses.end(),
+                         [&](const Response &response) {
+                           return response.point == q &&
+                                  response.tangential == tangential;
+                         });
+    };
+
+    // The part that a prescribed displacement adds to every distributed vector.
+    const unsigned int n_unknowns =
+      discretization.dof_handler.n_dofs() + interface.n_multipliers();
+    Vector<double> inhomogeneity(n_unknowns);
+    discretization.constraints.distribute(inhomogeneity);
+
+    for (unsigned int q = 0; q < points.size(); ++q)
+      for (const bool tangential : {false, true})
+        {
+          if (!points[q].has_changed || is_known(q, tangential) ||
+              (tangential && interface.contact_pair(interface.points[q])
+                               .law.is_frictionless()))
+            continue;
+
+          const auto    &rows = points[q].rows;
+          Vector<double> W(n_unknowns);
+          discretization.constraints.distribute_local_to_global(tangential
+                                                                  ? rows.load_q
+                                                                  : rows.load_p,
+                                                                rows.unknowns,
+                                                                W);
+          solver.solve(W);
+          discretization.constraints.distribute(W);
+          W -= inhomogeneity;
+          responses.push_back({q, tangential, std::move(W)});
+        }
+  }
+
+
+
+  const Vector<double> &
+  LinearizedContact::trial_row(const unsigned int q,
+                               const bool         tangential) const
+  {
+    return tangential ? points[q].rows.q_trial : points[q].rows.p_trial;
+  }
+
+
+
+  LinearizedContact::AffineTraction
+  LinearizedContact::traction(const unsigned int q, const bool tangential) const
+  {
+    // A point that opens or closes is linearised from the side of contact.
+    const double   p = std::max(points[q].p, 0.);
+    const Traction t = interface.traction(interface.points[q],
+                                          points[q].status,
+                                          p,
+                                          points[q].q,
+                                          bound_moves());
+    if (tangential)
+      return {t.q - t.dq_dp * p - t.dq_dq * points[q].q, t.dq_dp, t.dq_dq};
+    return {t.p - t.dp_dp * p, t.dp_dp, 0.};
+  }
+
+
+
+  LinearizedContact::AffineTraction
+  LinearizedContact::excess(const unsigned int q, const bool tangential) const
+  {
+    const AffineTraction  now = traction(q, tangential);
+    const AffineTraction &old = tangential ? points[q].old_q : points[q].old_p;
+    return {now.constant - old.constant,
+            now.by_p - old.by_p,
+            now.by_q - old.by_q};
+  }
+
+
+
+  void LinearizedContact::find_responses(const Vector<double> &update,
+                                         Vector<double>       &z,
+                                         FullMatrix<double>   &G) const
+  {
+    const unsigned int n = responses.size();
+    z.reinit(n);
+    G.reinit(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const auto &[q, tangential, W] = responses[i];
+        const auto &row                = trial_row(q, tangential);
+        const auto &unknowns           = points[q].rows.unknowns;
+        z[i] =
+          tangential ? points[q].q_after(update) : points[q].p_after(update);
+        for (unsigned int j = 0; j < n; ++j)
+          G(i, j) = dot(unknowns, row, responses[j].W);
+      }
+  }
+
+
+
+  // The tractions t are those of the old statuses, a + D z, and the excess
+  // eta, and z = z_0 - G eta: (1 - G D) z = z_0 + G a - G t.
+  bool LinearizedContact::find_trial_values(const Vector<double> &update,
+                                            FullMatrix<double>   &matrix,
+                                            Vector<double> &constant) const
+  {
+    const unsigned int n = responses.size();
+    FullMatrix<double> G, D(n, n);
+    Vector<double>     a(n);
+    find_responses(update, constant, G);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const Point          &point = points[responses[i].point];
+        const AffineTraction &old =
+          responses[i].tangential ? point.old_q : point.old_p;
+        a[i] = old.constant;
+        for (unsigned int j = 0; j < n; ++j)
+          if (responses[j].point == responses[i].point)
+            D(i, j) = responses[j].tangential ? old.by_q : old.by_p;
+      }
+    FullMatrix<double> GD(n, n);
+    G.mmult(GD, D);
+    LAPACKFullMatrix<double> system(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        system(i, j) = (i == j ? 1 : 0) - GD(i, j);
+    G.vmult_add(constant, a);
+
+    // Singular, but for round-off, where nothing but contact holds a body.
+    const double norm = system.l1_norm();
+    try
+      {
+        system.invert();
+      }
+    catch (const LACExceptions::ExcSingular &)
+      {
+        return false;
+      }
+    if (!(norm * system.l1_norm() < 1e12))
+      return false;
+    const Vector<double> unloaded = constant;
+    system.vmult(constant, unloaded);
+    LAPACKFullMatrix<double> loads(n, n), response(n, n);
+    loads = G;
+    system.mmult(response, loads);
+    matrix.reinit(n, n);
+    matrix = response;
+    return true;
+  }
+
+
+
+  // With the trial values z of the points that respond, eta = eta_0 + D z:
+  //   (I + G D) z = z_0 - G eta_0,  G_qr = d_q . W_r.
+  Vector<double>
+  LinearizedContact::solve_changes(const Vector<double> &update) const
+  {
+    const unsigned int n = responses.size();
+
+    FullMatrix<double> G, D(n, n), system(n, n);
+    Vector<double>     z, eta(n), G_eta(n);
+    find_responses(update, z, G);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const unsigned int   q        = responses[i].point;
+        const AffineTraction traction = excess(q, responses[i].tangential);
+        eta[i]                        = traction.constant;
+        for (unsigned int j = 0; j < n; ++j)
+          if (responses[j].point == q)
+            D(i, j) = responses[j].tangential ? traction.by_q : traction.by_p;
+      }
+
+    G.mmult(system, D);
+    for (unsigned int i = 0; i < n; ++i)
+      system(i, i) += 1;
+    G.vmult(G_eta, eta);
+    z -= G_eta;
+
+    LAPACKFullMatrix<double> lu(n, n);
+    lu = system;
+    try
+      {
+        lu.compute_lu_factorization();
+        lu.solve(z);
+      }
+    catch (const LACExceptions::ExcSingular &)
+      {
+        throw NotConverged("the search of the active set meets statuses "
+                           "under which nothing holds a body");
+      }
+    D.vmult_add(eta, z);
+
+    Vector<double> corrected = update;
+    for (unsigned int i = 0; i < n; ++i)
+      corrected.add(-eta[i], responses[i].W);
+    return corrected;
+  }
+} // namespace Contact
