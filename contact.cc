@@ -36,13 +36,14 @@
 //                          start on the next finer one;
 //     load increments      because friction depends on the history; cut in
 //                          half and tried again if they do not converge;
-//       stabilization          of a body that nothing holds before it touches;
-//       geometry loop      which master edge faces which slave point, and with
+//       stabilization      of a body that nothing holds before it touches, by
+//                          soft springs that give way to contact;
+//         geometry loop    which master edge faces which slave point, and with
 //                          what normal; absent if Newton's method does it;
-//         friction loop    the bound mu p is frozen: a problem of Tresca's
+//           friction loop  the bound mu p is frozen: a problem of Tresca's
 //                          friction; absent without Coulomb friction, or if
 //                          Newton's method does it;
-//           Newton's method.
+//             Newton's method.
 //
 // The linear system of a Newton step comes in two forms. With the multipliers
 // it is a saddle point, solved by a sparse direct solver on one process: every
@@ -56,8 +57,8 @@
 //
 // With several processes each has a part of the mesh and of the matrix. The
 // vectors of the solution and the surfaces are small beside these, and every
-// process has them in full: what the points of contact decide is computed by
-// all alike.
+// process has them in full: the statuses of the points of contact are computed
+// by all alike.
 //
 // The classes behind this file, from the bottom up: Parameters, Mesh,
 // Discretization, Elasticity (the bodies), Surface and ContactPoint (where they
@@ -248,8 +249,8 @@ namespace Contact
 
   // @sect4{ContactProblem::setup_system}
   //
-  // Everything that can be wrong with the input shows here, before anything is
-  // computed or written: a body that nothing holds would show as a singular
+  // All errors of the input are found here, before anything is computed or
+  // written: a body that nothing holds would otherwise show as a singular
   // matrix much later.
   void ContactProblem::setup_system()
   {
@@ -273,7 +274,7 @@ namespace Contact
 
   // @sect4{ContactProblem::setup_level}
   //
-  // All that is made anew on every mesh.
+  // The objects that belong to one mesh.
   void ContactProblem::setup_level()
   {
     {
@@ -326,8 +327,8 @@ namespace Contact
 
   // @sect4{ContactProblem::begin_anew}
   //
-  // From the start, with points of contact at the ends of the masters, as if
-  // there had been nothing before.
+  // Return to the undeformed state, with points of contact at the ends of the
+  // masters.
   void ContactProblem::begin_anew()
   {
     ends_are_corners = true;
@@ -378,8 +379,8 @@ namespace Contact
 
   // @sect4{ContactProblem::solve_level}
   //
-  // All load increments on one mesh. The results of all but the last mesh are
-  // but the start of the next level.
+  // All load increments on one mesh. Coarser meshes only yield the start of the
+  // next level: the results of the last mesh are written.
   void ContactProblem::solve_level()
   {
     CoarserLevel here;
@@ -748,7 +749,7 @@ namespace Contact
                           << newton.changes() << std::endl;
             if (!system->has_multipliers())
               max_steps = parameters.solution.max_newton_iterations +
-                          model.interface->points.size();
+                          model.interface->points().size();
           }
         record.linear_iterations += newton.make_step();
         ++record.newton_iterations;
@@ -767,11 +768,9 @@ namespace Contact
     if (parameters.refinement.strategy == Parameters::Strategy::adaptive)
       {
         TimerOutput::Scope scope(report.timer, "estimate");
-        const auto        &stresses = postprocessor.recovered_stresses();
         flag_by_estimate(model,
                          parameters,
-                         postprocessor.stress_recovery(),
-                         stresses,
+                         postprocessor.recovered_stresses(),
                          state.solution);
       }
     else
@@ -801,7 +800,7 @@ namespace Contact
 
 
 
-  // @sect3{What has to hold}
+  // @sect3{The invariants}
 
   // @sect4{ContactProblem::check_invariants}
   //
@@ -823,8 +822,8 @@ namespace Contact
         "pairing: closest points jump between two places for good; the gaps of "
         "the one under the other are within the geometry tolerance, " +
         brief(parameters.solution.geometry_tolerance) +
-        " of the way of the surfaces. A finer master, the mortar discretization, or "
-        "'Geometry = fixed point' may come to rest.");
+        " of the way of the surfaces. A finer master, another contact "
+        "discretization, or 'Geometry = fixed point' may come to rest.");
     report.record(found);
   }
 } // namespace Contact

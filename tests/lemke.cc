@@ -44,7 +44,7 @@ namespace
     for (unsigned int i = 0; i < z.size(); i += 2)
       {
         t[i]     = std::max(0., z[i]);
-        t[i + 1] = friction_projection(z[i + 1], mu * t[i]);
+        t[i + 1] = std::clamp(z[i + 1], -mu * t[i], mu * t[i]);
       }
     Vector<double> misfit(constant);
     misfit -= z;

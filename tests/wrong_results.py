@@ -14,7 +14,9 @@ Proves that
 - a slave with lines of its master's own body is refused;
 - loads that round-off swallows are named;
 - a contact zone that ends where supports hold both bodies converges, and one
-  where slave and master end at the same place.
+  where slave and master end at the same place;
+- slave nodes that supports hold or move along the surface carry shear, mu times
+  the pressure where they slip, and are glued.
 
 Usage: wrong_results.py CONTACT PARAMETERS MESHES
 """
@@ -212,8 +214,90 @@ def held_ends():
         check("  in few steps", steps <= 30, str(steps))
 
 
+def shares(summary):
+    """Normal and tangential force of contact [N/mm]."""
+    contact = summary["contact"]
+    return contact["normal_force"], abs(contact["tangential_force"])
+
+
+def dragged():
+    """A block under 10 MPa, dragged by its side, over an obstacle and over a base
+    whose slave is held at its ends: all of it slips, and the shear is mu times
+    the pressure at supported nodes as well."""
+    for shapes, ground in (("half plane", {
+            "Contact/Slave": "Sole",
+            "Contact/Obstacle": "half plane: 0, 0, 0, 1"}),
+                           ("master", CONTACT),
+                           ("slave held", {"Contact/Slave": "Ground",
+                                           "Contact/Master": "Sole"})):
+        mesh = Mesh()
+        mesh.block("B", 10, 3, box(-5, 0, 5, 3),
+                   {"bottom": "Sole", "top": "Head", "left": "Side"})
+        if shapes != "half plane":
+            mesh.block("A", 16, 3, box(-8, -4, 8, 0),
+                       {"bottom": "Base", "top": "Ground", "left": "End",
+                        "right": "Other end"})
+        mesh.write("dragged")
+        base = shapes != "half plane"
+        for rule in ("mortar", "nodal"):
+            for degree in ("1", "2"):
+                for kinematics in ("small strain", "large displacement"):
+                    status, said, summary = run("dragged", {
+                        "Mesh/File": "dragged.msh",
+                        **solids(*(() if base else ("B: 1000", "B: 0.3")),
+                                 kinematics=kinematics), **ground,
+                        "Element/Degree": degree,
+                        "Boundary conditions/Displacement x": "Side: 0.5" + (
+                            ", Base: 0, End: 0, Other end: 0" if base else ""),
+                        **({"Boundary conditions/Displacement y": "Base: 0"}
+                           if base else {}),
+                        "Boundary conditions/Pressure": "Head: 10",
+                        "Contact/Discretization": rule,
+                        "Contact/Friction coefficient": "0.3"})
+                    what = f"{shapes}, {rule}, degree {degree}, {kinematics}"
+                    check(what + ": converges", status == 0, said[:300])
+                    if status == 0:
+                        normal, shear = shares(summary)
+                        check("  T = mu N", abs(shear - 0.3 * normal) <
+                              1e-6 * normal, f"{shear} of {normal}")
+
+
+def driven():
+    """A foundation whose surface supports press against a block and move along
+    it: it slips under mu N, or is glued, whichever side is the slave."""
+    glue = {}
+    for slave, master in (("Sole", "Ground"), ("Ground", "Sole")):
+        for tied in (False, True):
+            mesh = Mesh()
+            mesh.block("A", 11, 4, box(-8, -4, 8, 0),
+                       {"bottom": "Base", "top": "Ground"})
+            mesh.block("B", 10, 3, box(-5, 0, 5, 3),
+                       {"bottom": "Sole", "top": "Head"})
+            mesh.write("driven")
+            status, said, summary = run("driven", {
+                "Mesh/File": "driven.msh", **solids(), "Contact/Slave": slave,
+                "Contact/Master": master,
+                **({"Contact/Tied": "true"} if tied else
+                   {"Contact/Friction coefficient": "0.3"}),
+                "Boundary conditions/Displacement x": "Ground: 0.05, Head: 0",
+                "Boundary conditions/Displacement y": "Ground: 0.01, Head: 0"})
+            what = f"slave {slave}" + (", tied" if tied else "")
+            check(what + ": converges", status == 0, said[:300])
+            if status == 0:
+                normal, shear = shares(summary)
+                if tied:
+                    glue[slave] = shear
+                else:
+                    check("  T = mu N", abs(shear - 0.3 * normal) < 1e-6 * normal,
+                          f"{shear} of {normal}")
+    # Other meshes at the interface: the difference is that of discretization.
+    check("glue holds from either side",
+          len(glue) == 2 and abs(glue["Sole"] / glue["Ground"] - 1) < 0.05,
+          str(glue))
+
+
 for scene in (carried, overlap, cantilever, teeth, own_master, round_off,
-              held_ends):
+              held_ends, dragged, driven):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)

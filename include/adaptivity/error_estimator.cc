@@ -201,11 +201,9 @@ namespace Contact
 
 
   ErrorEstimator::ErrorEstimator(const Discretization &discretization,
-                                 const Elasticity     &elasticity,
-                                 const StressRecovery &recovery)
+                                 const Elasticity     &elasticity)
     : discretization(discretization)
     , elasticity(elasticity)
-    , recovery(recovery)
     , boundary(discretization,
                all_boundaries(discretization.mesh),
                "the whole boundary")
@@ -251,16 +249,6 @@ namespace Contact
     add_boundary_terms(vertex_stresses, interface, solution, eta_square);
     clear_at_nodal_forces(eta_square);
     return Vector<float>(eta_square);
-  }
-
-
-
-  Vector<float> ErrorEstimator::indicators(const ContactInterface *interface,
-                                           const Vector<double> &solution) const
-  {
-    return indicators(recovery.vertex_stresses(elasticity, solution),
-                      interface,
-                      solution);
   }
 
 
@@ -425,16 +413,13 @@ namespace Contact
 
   void flag_by_estimate(const ContactModel                       &model,
                         const Parameters::All                    &parameters,
-                        const StressRecovery                     &recovery,
                         const std::vector<SymmetricTensor<2, 3>> &stresses,
                         const Vector<double>                     &solution)
   {
     ++model.discretization->counters.error_estimates;
     Mesh &mesh = *model.mesh;
     flag_cells(mesh,
-               ErrorEstimator(*model.discretization,
-                              *model.elasticity,
-                              recovery)
+               ErrorEstimator(*model.discretization, *model.elasticity)
                  .indicators(stresses, model.interface.get(), solution),
                parameters.refinement.fraction);
     for (const auto &contact_pair : parameters.pairs())

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "contact/contact_model.h"
-#include "solid/stress_recovery.h"
+#include "solid/elasticity.h"
 
 namespace Contact
 {
@@ -51,8 +51,7 @@ namespace Contact
   {
   public:
     ErrorEstimator(const Discretization &discretization,
-                   const Elasticity     &elasticity,
-                   const StressRecovery &recovery);
+                   const Elasticity     &elasticity);
 
     /**
      * eta_T^2 by the index of the active cell, zero for cells of other
@@ -64,10 +63,6 @@ namespace Contact
     indicators(const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                const ContactInterface                   *interface,
                const Vector<double>                     &solution) const;
-
-    /// The same, with the stresses recovered here.
-    Vector<float> indicators(const ContactInterface *interface,
-                             const Vector<double>   &solution) const;
 
   private:
     struct Place;
@@ -114,7 +109,6 @@ namespace Contact
 
     const Discretization &discretization;
     const Elasticity     &elasticity;
-    const StressRecovery &recovery;
 
     /// The whole boundary of all bodies.
     const Surface             boundary;
@@ -130,7 +124,6 @@ namespace Contact
    */
   void flag_by_estimate(const ContactModel                       &model,
                         const Parameters::All                    &parameters,
-                        const StressRecovery                     &recovery,
                         const std::vector<SymmetricTensor<2, 3>> &stresses,
                         const Vector<double>                     &solution);
 } // namespace Contact

@@ -23,10 +23,10 @@ namespace Contact
           std::make_unique<ContactPair>(discretization, elasticity, of_pair);
         const unsigned int first = tangential_number.size();
         for (ContactPoint &point :
-             contact_pair->make_points(first, points.size()))
+             contact_pair->make_points(first, all_points.size()))
           {
             point.contact_pair = pairs.size();
-            points.push_back(std::move(point));
+            all_points.push_back(std::move(point));
           }
         for (unsigned int k = 0; k < contact_pair->multipliers.n_multipliers;
              ++k)
@@ -42,7 +42,8 @@ namespace Contact
   ArrayView<const ContactPoint>
   ContactInterface::points_of(const ContactPair &contact_pair) const
   {
-    return {points.data() + contact_pair.first_point, contact_pair.n_points};
+    return {all_points.data() + contact_pair.first_point,
+            contact_pair.n_points};
   }
 
 
@@ -130,11 +131,12 @@ namespace Contact
   {
     bool changed = false;
     for (const auto &contact_pair : pairs)
-      changed = contact_pair->pair({points.data() + contact_pair->first_point,
-                                    contact_pair->n_points},
-                                   u,
-                                   with_derivatives) ||
-                changed;
+      changed =
+        contact_pair->pair({all_points.data() + contact_pair->first_point,
+                            contact_pair->n_points},
+                           u,
+                           with_derivatives) ||
+        changed;
     return changed;
   }
 
@@ -143,7 +145,7 @@ namespace Contact
   double ContactInterface::largest_misfit(const Vector<double> &u) const
   {
     double largest = 0;
-    for (const ContactPoint &point : points)
+    for (const ContactPoint &point : all_points)
       if (point.facing && !contact_pair(point).tied)
         {
           const double gap = state(point, u, u).gap;
@@ -216,7 +218,7 @@ namespace Contact
   {
     // Every multiplier has a point of its own surroundings: the last one wins.
     std::vector<double> stiffness(n_normal_multipliers(), 0.);
-    for (const ContactPoint &point : points)
+    for (const ContactPoint &point : all_points)
       for (unsigned int k = 0; k < point.n_multipliers; ++k)
         stiffness[point.multipliers[k]] = contact_pair(point).stiffness(point);
 
@@ -257,7 +259,7 @@ namespace Contact
   void ContactInterface::add_couplings(DynamicSparsityPattern &pattern) const
   {
     std::vector<types::global_dof_index> unknowns;
-    for (const ContactPoint &point : points)
+    for (const ContactPoint &point : all_points)
       {
         collect_unknowns(point, unknowns);
         discretization.constraints.add_entries_local_to_global(

@@ -72,7 +72,12 @@ namespace Contact
                      const std::vector<Parameters::Contact> &parameters);
 
     std::vector<std::unique_ptr<const ContactPair>> pairs;
-    std::vector<ContactPoint> points; // contact pair by contact pair
+
+    /// All points, contact pair by contact pair.
+    const std::vector<ContactPoint> &points() const
+    {
+      return all_points;
+    }
 
     const ContactPair &contact_pair(const ContactPoint &point) const
     {
@@ -81,6 +86,13 @@ namespace Contact
 
     ArrayView<const ContactPoint>
     points_of(const ContactPair &contact_pair) const;
+
+    /// Return to the points of an earlier state, or of one to be checked.
+    void set_points(const std::vector<ContactPoint> &points)
+    {
+      AssertDimension(points.size(), all_points.size());
+      all_points = points;
+    }
 
     /// Whether there is nothing but glue: all contact pairs are tied.
     bool is_tied() const;
@@ -172,15 +184,16 @@ namespace Contact
     /// The bounds of all points [MPa].
     Vector<double> bounds() const;
     void           set_bounds(const Vector<double> &bounds);
+    void           set_bound(const unsigned int point, const double bound);
 
-    /// Let all points decide in the present state. Returns how many change
-    /// their status; with @p keep their new statuses are theirs from now on.
+    /// Update the statuses of all points in the present state. Returns how many
+    /// change; without @p keep they are counted only.
     unsigned int update_statuses(const Vector<double> &solution,
                                  const Vector<double> &u_start,
                                  const bool            moving_bound,
                                  const bool            keep);
 
-    /// Let but one point change its status, the first that wants to.
+    /// Update the status of the first point only whose status changes.
     void update_first_status(const Vector<double> &solution,
                              const Vector<double> &u_start,
                              const bool            moving_bound);
@@ -276,6 +289,13 @@ namespace Contact
                           const Vector<double> &u_start,
                           const bool            moving_bound) const;
 
+    /// The supports move in this increment by @p motion, zero elsewhere [mm]:
+    /// a point that only they move along its tangent slips with them.
+    void set_support_motion(const Vector<double> &motion)
+    {
+      support_motion = motion;
+    }
+
     /// The tractions that follow from a status and trial values.
     Traction traction(const ContactPoint &point,
                       const PointStatus  &status,
@@ -293,6 +313,9 @@ namespace Contact
     {
       return !contact_pair(point).law.is_frictionless();
     }
+
+    /// The direction of slip of a point that cannot stick.
+    int prescribed_direction(const ContactPoint &point) const;
 
     struct Motion;
     Motion motion(const ContactPoint   &point,
@@ -330,7 +353,9 @@ namespace Contact
                                  const SurfaceState &state,
                                  Vector<double>     &solution);
 
-    const Discretization &discretization;
+    const Discretization     &discretization;
+    std::vector<ContactPoint> all_points;
+    Vector<double>            support_motion; // of this increment
 
     /// Of each normal multiplier the number of its tangential one.
     std::vector<unsigned int> tangential_number;

@@ -277,7 +277,7 @@ namespace Contact
     Rows               rows;
     FullMatrix<double> local_matrix;
     Vector<double>     local_rhs;
-    for (const ContactPoint &point : points)
+    for (const ContactPoint &point : all_points)
       {
         assemble_point(point,
                        solution,

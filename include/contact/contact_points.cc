@@ -54,6 +54,36 @@ namespace Contact
 
 
 
+    /// Scalar products of the normal and the tangential row of a point over the
+    /// unknowns that no support fixes.
+    struct FreeRows
+    {
+      FreeRows(const ContactPoint &point, const Discretization &discretization)
+      {
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          for (unsigned int i = 0; i < 2; ++i)
+            if (!discretization.is_fixed(point.dofs[a][i]))
+              {
+                nn += std::pow(point.C[a] * point.normal[i], 2);
+                tt += std::pow(point.C[a] * point.tangent[i], 2);
+                nt +=
+                  point.C[a] * point.C[a] * point.normal[i] * point.tangent[i];
+              }
+      }
+
+      /// Below this sine of the angle between the rows their two multipliers
+      /// would be told apart by the round-off of the pairing alone.
+      bool are_parallel() const
+      {
+        const double sine = 1e-3;
+        return tt * nn - nt * nt <= sine * sine * nn * nn;
+      }
+
+      double nn = 0, nt = 0, tt = 0;
+    };
+
+
+
     Point<2> slave_position(const ContactPoint &point, const Vector<double> &u)
     {
       Point<2> x;
@@ -106,19 +136,32 @@ namespace Contact
   bool tangential_row_is_void(const ContactPoint   &point,
                               const Discretization &discretization)
   {
-    double nn = 0, nt = 0, tt = 0;
+    return FreeRows(point, discretization).are_parallel();
+  }
+
+
+
+  double prescribed_slip(const ContactPoint   &point,
+                         const Discretization &discretization,
+                         const Vector<double> &motion)
+  {
+    const FreeRows rows(point, discretization);
+    if (!rows.are_parallel())
+      return 0;
+    const Tensor<1, 2> along =
+      point.tangent - (rows.nn > 0 ? rows.nt / rows.nn : 0.) * point.normal;
+    double slip = 0, size = 0;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
-        if (!discretization.is_fixed(point.dofs[a][i]))
+        if (discretization.is_fixed(point.dofs[a][i]))
           {
-            nn += std::pow(point.C[a] * point.normal[i], 2);
-            tt += std::pow(point.C[a] * point.tangent[i], 2);
-            nt += point.C[a] * point.C[a] * point.normal[i] * point.tangent[i];
+            const double share =
+              point.C[a] * along[i] * motion[point.dofs[a][i]];
+            slip += share;
+            size += std::abs(share);
           }
-    // Below this sine of the angle between the rows their two multipliers
-    // would be told apart by the round-off of the pairing alone.
-    const double sine = 1e-3;
-    return tt * nn - nt * nt <= sine * sine * nn * nn;
+    const double round_off = 1e-10;
+    return std::abs(slip) > round_off * size ? slip : 0.;
   }
 
 

@@ -233,6 +233,14 @@ namespace Contact
                               const Discretization &discretization);
 
   /**
+   * The slip [mm] of a point whose tangential row is void, while its gap stays:
+   * it follows from the @p motion of the supports. Zero for any other point.
+   */
+  double prescribed_slip(const ContactPoint   &point,
+                         const Discretization &discretization,
+                         const Vector<double> &motion);
+
+  /**
    * A point whose nodes are held on both sides has no unknown for its pressure
    * to act on: it does not face the master. The pressure is missed only if the
    * supports press the bodies into each other.

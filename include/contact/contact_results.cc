@@ -244,12 +244,13 @@ namespace Contact
           add_force(interface, point, now, moving_bound, results);
         results.max_pressure = std::max(results.max_pressure, traction.p);
         results.max_shear = std::max(results.max_shear, std::abs(traction.q));
-        samples.push_back({s,
-                           true,
-                           point.status.kind == Status::stick,
-                           point.tangential_row_is_void,
-                           traction.p,
-                           std::abs(now.slip)});
+        samples.push_back(
+          {s,
+           true,
+           point.status.kind == Status::stick,
+           point.tangential_row_is_void && point.status.slip_direction == 0,
+           traction.p,
+           std::abs(now.slip)});
       }
     add_widths(slave, s_of_node, by_chain, results);
     return results;
@@ -308,7 +309,7 @@ namespace Contact
                                 const bool              moving_bound)
   {
     Vector<double> forces(u_start.size());
-    for (const ContactPoint &point : interface.points)
+    for (const ContactPoint &point : interface.points())
       {
         const ContactState now      = interface.state(point, solution, u_start);
         const Traction     traction = interface.traction(point,
@@ -337,7 +338,7 @@ namespace Contact
     std::ostringstream text;
     for (unsigned int q = 0; q < statuses.size(); ++q)
       {
-        const ContactPoint &point = interface.points[q];
+        const ContactPoint &point = interface.points()[q];
         if (point.status == statuses[q] || ++n > max_lines)
           continue;
         const ContactState now = interface.state(point, solution, u_start);

@@ -15,7 +15,7 @@ namespace Contact
 {
   void ContactInterface::initialize_status(const Vector<double> &u)
   {
-    for (ContactPoint &point : points)
+    for (ContactPoint &point : all_points)
       if (point.facing && !point.is_master_corner &&
           state(point, u, u).gap <=
             0.01 * contact_pair(point).edge_length(point))
@@ -29,11 +29,11 @@ namespace Contact
     if (count().active > 0)
       return;
     double smallest = std::numeric_limits<double>::max();
-    for (const ContactPoint &point : points)
+    for (const ContactPoint &point : all_points)
       if (point.facing)
         smallest = std::min(smallest, state(point, u, u).gap);
     const auto close = [&](const bool corners) {
-      for (ContactPoint &point : points)
+      for (ContactPoint &point : all_points)
         if (point.facing && point.is_master_corner == corners &&
             state(point, u, u).gap - smallest <=
               0.01 * contact_pair(point).edge_length(point))
@@ -53,11 +53,23 @@ namespace Contact
 
 
 
+  // Where the supports rest, the last slip goes on.
+  int ContactInterface::prescribed_direction(const ContactPoint &point) const
+  {
+    if (!has_friction(point) || contact_pair(point).tied ||
+        support_motion.size() == 0)
+      return 0;
+    const double slip = prescribed_slip(point, discretization, support_motion);
+    return slip == 0 ? point.status.slip_direction : slip > 0 ? -1 : 1;
+  }
+
+
+
   double ContactInterface::update_bounds(const Vector<double> &solution,
                                          const Vector<double> &u_start)
   {
     double change = 0, largest = 0;
-    for (ContactPoint &point : points)
+    for (ContactPoint &point : all_points)
       {
         if (contact_pair(point).tied)
           continue;
@@ -77,7 +89,7 @@ namespace Contact
 
   void ContactInterface::raise_unknown_bounds()
   {
-    for (ContactPoint &point : points)
+    for (ContactPoint &point : all_points)
       if (contact_pair(point).law.coulomb_coefficient > 0 &&
           point.friction_bound == 0)
         point.friction_bound = std::numeric_limits<double>::max();
@@ -87,9 +99,9 @@ namespace Contact
 
   Vector<double> ContactInterface::bounds() const
   {
-    Vector<double> bounds(points.size());
-    for (unsigned int q = 0; q < points.size(); ++q)
-      bounds[q] = points[q].friction_bound;
+    Vector<double> bounds(all_points.size());
+    for (unsigned int q = 0; q < all_points.size(); ++q)
+      bounds[q] = all_points[q].friction_bound;
     return bounds;
   }
 
@@ -97,8 +109,8 @@ namespace Contact
 
   void ContactInterface::set_bounds(const Vector<double> &bounds)
   {
-    for (unsigned int q = 0; q < points.size(); ++q)
-      points[q].friction_bound = bounds[q];
+    for (unsigned int q = 0; q < all_points.size(); ++q)
+      all_points[q].friction_bound = bounds[q];
   }
 
 
@@ -114,7 +126,7 @@ namespace Contact
     if (!point.facing || (!contact_pair(point).tied && p_trial <= 0))
       return {Status::open, 0};
     if (!can_stick(point))
-      return {Status::slip, 0};
+      return {Status::slip, prescribed_direction(point)};
 
     const double bound = moving_bound ? contact_pair(point).law.bound(p_trial)
                                       : point.friction_bound;
@@ -181,7 +193,7 @@ namespace Contact
                                                  const bool keep)
   {
     unsigned int n_changes = 0;
-    for (ContactPoint &point : points)
+    for (ContactPoint &point : all_points)
       {
         const PointStatus status =
           status_in(point, solution, u_start, moving_bound);
@@ -200,7 +212,7 @@ namespace Contact
                                              const Vector<double> &u_start,
                                              const bool            moving_bound)
   {
-    for (ContactPoint &point : points)
+    for (ContactPoint &point : all_points)
       {
         const PointStatus status =
           status_in(point, solution, u_start, moving_bound);
@@ -208,24 +220,32 @@ namespace Contact
           continue;
         point.status = status;
         if (!moving_bound && status.kind == Status::open)
-          reset_bound(&point - points.data());
+          reset_bound(&point - all_points.data());
         return;
       }
   }
 
 
 
+  void ContactInterface::set_bound(const unsigned int point, const double bound)
+  {
+    all_points[point].friction_bound = bound;
+  }
+
+
+
   void ContactInterface::reset_bound(const unsigned int point)
   {
-    points[point].friction_bound = contact_pair(points[point]).law.bound(0);
+    all_points[point].friction_bound =
+      contact_pair(all_points[point]).law.bound(0);
   }
 
 
 
   void ContactInterface::reset_bounds_of_open_points()
   {
-    for (unsigned int q = 0; q < points.size(); ++q)
-      if (points[q].status.kind == Status::open)
+    for (unsigned int q = 0; q < all_points.size(); ++q)
+      if (all_points[q].status.kind == Status::open)
         reset_bound(q);
   }
 
@@ -233,7 +253,7 @@ namespace Contact
 
   void ContactInterface::release_parted(const Vector<double> &solution)
   {
-    for (ContactPoint &point : points)
+    for (ContactPoint &point : all_points)
       if (!contact_pair(point).tied &&
           state(point, solution, solution).p_trial <= 0)
         point.status = PointStatus();
@@ -244,7 +264,7 @@ namespace Contact
   std::vector<PointStatus> ContactInterface::statuses() const
   {
     std::vector<PointStatus> all;
-    for (const ContactPoint &point : points)
+    for (const ContactPoint &point : all_points)
       all.push_back(point.status);
     return all;
   }
@@ -253,8 +273,8 @@ namespace Contact
 
   void ContactInterface::set_statuses(const std::vector<PointStatus> &all)
   {
-    for (unsigned int q = 0; q < points.size(); ++q)
-      points[q].status = all[q];
+    for (unsigned int q = 0; q < all_points.size(); ++q)
+      all_points[q].status = all[q];
   }
 
 
@@ -262,7 +282,7 @@ namespace Contact
   std::vector<signed char> ContactInterface::signature() const
   {
     std::vector<signed char> signature;
-    for (const ContactPoint &point : points)
+    for (const ContactPoint &point : all_points)
       signature.push_back(point.status.code());
     return signature;
   }
@@ -272,7 +292,7 @@ namespace Contact
   StatusCount ContactInterface::count() const
   {
     StatusCount count;
-    for (const ContactPoint &point : points)
+    for (const ContactPoint &point : all_points)
       {
         count.active += point.status.kind != Status::open;
         count.stick += point.status.kind == Status::stick;

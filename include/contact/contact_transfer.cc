@@ -65,8 +65,8 @@ namespace Contact
         state.shear.push_back(contact_pair.law.is_frictionless()
                                 ? 0.
                                 : solution[tangential_index(k)]);
-        state.bound.push_back(points[k].friction_bound);
-        state.statuses.push_back(points[k].status);
+        state.bound.push_back(all_points[k].friction_bound);
+        state.statuses.push_back(all_points[k].status);
       }
     for (const ContactPoint &point : points_of(contact_pair))
       if (point.is_master_corner)
@@ -161,21 +161,21 @@ namespace Contact
         solution[normal_index(k)] = between(state.pressure);
         if (!contact_pair.law.is_frictionless())
           solution[tangential_index(k)] = between(state.shear);
-        points[k].friction_bound = between(state.bound);
-        points[k].status         = state.statuses[x < 0.5 ? a : b];
-        const bool a_is_open     = state.statuses[a].kind == Status::open;
-        const bool b_is_open     = state.statuses[b].kind == Status::open;
+        all_points[k].friction_bound = between(state.bound);
+        all_points[k].status         = state.statuses[x < 0.5 ? a : b];
+        const bool a_is_open         = state.statuses[a].kind == Status::open;
+        const bool b_is_open         = state.statuses[b].kind == Status::open;
         if (a_is_open != b_is_open)
           {
-            const double end = b_is_open ? end_of_contact(state, a, b)
-                                         : end_of_contact(state, b, a);
-            points[k].status = state.statuses[all_places[i] < end ? a : b];
+            const double end     = b_is_open ? end_of_contact(state, a, b)
+                                             : end_of_contact(state, b, a);
+            all_points[k].status = state.statuses[all_places[i] < end ? a : b];
           }
-        if (!points[k].facing)
-          points[k].status = PointStatus();
-        else if (points[k].status.kind == Status::stick &&
-                 !can_stick(points[k]))
-          points[k].status = {Status::slip, 0};
+        if (!all_points[k].facing)
+          all_points[k].status = PointStatus();
+        else if (all_points[k].status.kind == Status::stick &&
+                 !can_stick(all_points[k]))
+          all_points[k].status = {Status::slip, 0};
       }
     restore_corners(contact_pair, state, solution);
   }
@@ -193,9 +193,9 @@ namespace Contact
          q < contact_pair.first_point + contact_pair.n_points &&
          corner != state.corners.end();
          ++q)
-      if (points[q].is_master_corner)
+      if (all_points[q].is_master_corner)
         {
-          ContactPoint &point  = points[q];
+          ContactPoint &point  = all_points[q];
           point.status         = point.facing ? corner->status : PointStatus();
           point.friction_bound = corner->bound;
           if (point.status.kind == Status::stick && !can_stick(point))

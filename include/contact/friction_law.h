@@ -40,13 +40,6 @@ namespace Contact
     }
   };
 
-
-
-  /// The admissible shear traction nearest to @p q.
-  inline double friction_projection(const double q, const double bound)
-  {
-    return std::max(-bound, std::min(bound, q));
-  }
 } // namespace Contact
 
 #endif

@@ -37,7 +37,10 @@ namespace Contact
       load_factor = to;
       start       = solution;
       if (model.interface)
-        points_at_start = model.interface->points;
+        points_at_start = model.interface->points();
+      if (model.has_friction())
+        model.interface->set_support_motion(
+          model.discretization->support_motion(start, to));
     }
 
     /// Back to its start, also of what the points know and which edges they
@@ -46,7 +49,7 @@ namespace Contact
     {
       solution = start;
       if (model.interface)
-        model.interface->points = points_at_start;
+        model.interface->set_points(points_at_start);
     }
 
     /// The largest change of a displacement [mm]. Collective.

@@ -153,9 +153,40 @@ namespace Contact
     point.master_edge = pairing.master_edge;
     point.projection  = Point<2>(pairing.excess * point.normal);
 
-    // The node itself has to be free to stick.
-    point.tangential_row_is_void = discretization.is_fixed(point.dofs[0][0]) ||
-                                   discretization.is_fixed(point.dofs[0][1]);
+    point.tangential_row_is_void =
+      tangential_row_is_void(point, discretization) ||
+      is_on_symmetry_line(point, u);
+  }
+
+
+
+  // There supports hold the slave node and the master node opposite. Slip is an
+  // odd function of the distance from the line, its integral over the dual
+  // function and the mirror image of that zero, although the row on this side
+  // of the line has other nodes.
+  bool MortarDiscretization::is_on_symmetry_line(const ContactPoint   &point,
+                                                 const Vector<double> &u) const
+  {
+    const auto along_tangent = [&](const unsigned int a) {
+      double s = 0;
+      for (unsigned int i = 0; i < 2; ++i)
+        s += point.tangent[i] * (point.X[a][i] + u[point.dofs[a][i]]);
+      return s;
+    };
+    const double tolerance = 1e-6 * slave.reference_length(point.slave_edge);
+    for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
+      if (std::abs(along_tangent(a) - along_tangent(0)) < tolerance)
+        {
+          ContactPoint pair = point;
+          pair.keep_nodes(1);
+          pair.dofs.push_back(point.dofs[a]);
+          pair.X.push_back(point.X[a]);
+          pair.C       = {1, -1};
+          pair.n_nodes = 2;
+          if (tangential_row_is_void(pair, discretization))
+            return true;
+        }
+    return false;
   }
 
 

@@ -90,6 +90,10 @@ namespace Contact
                  const Vector<double>         &u,
                  ContactPoint                 &point) const;
 
+    /// Whether a point is on a line that both bodies are symmetric to.
+    bool is_on_symmetry_line(const ContactPoint   &point,
+                             const Vector<double> &u) const;
+
     void add_nodes(const MortarPairing<double> &pairing,
                    ContactPoint                &point) const;
 

@@ -42,11 +42,6 @@ namespace Contact
     /// Cauchy stresses at the vertices [MPa]. Collective.
     const std::vector<SymmetricTensor<2, 3>> &recovered_stresses();
 
-    const StressRecovery &stress_recovery() const
-    {
-      return *recovery;
-    }
-
     /// Into the record of the present increment.
     void record_increment();
 

@@ -158,7 +158,7 @@ namespace Contact
       for (ContactPoint &point : points)
         {
           point.contact_pair =
-            interface.points[contact_pair.first_point].contact_pair;
+            interface.points()[contact_pair.first_point].contact_pair;
           point.n_multipliers          = 0;
           point.augmentation_parameter = 0;
         }

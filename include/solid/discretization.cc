@@ -175,6 +175,19 @@ namespace Contact
 
 
 
+  Vector<double> Discretization::support_motion(const Vector<double> &u,
+                                                const double load_factor) const
+  {
+    const auto     factors = support_factors(load_factor);
+    Vector<double> motion(dof_handler.n_dofs());
+    for (const auto &[dof, displacement] : prescribed)
+      motion[dof] =
+        factors[displacement.component] * displacement.value - u[dof];
+    return motion;
+  }
+
+
+
   double Discretization::distance_from_supports(const Vector<double> &u,
                                                 const double load_factor) const
   {

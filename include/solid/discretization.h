@@ -138,6 +138,11 @@ namespace Contact
      */
     void prescribe(Vector<double> &u, const double load_factor);
 
+    /// The way of all supported unknowns from @p u to what is prescribed under
+    /// @p load_factor [mm], zero elsewhere.
+    Vector<double> support_motion(const Vector<double> &u,
+                                  const double          load_factor) const;
+
     /// Give all ranks what the owner of each unknown has in @p u: a rank knows
     /// the constraints of its own unknowns, not those of all others.
     void gather(Vector<double> &u) const;

@@ -74,7 +74,7 @@ namespace Contact
     const double       tolerance = 1e-3;
 
     for (unsigned int q = 0; q < problem.points.size(); ++q)
-      problem.points[q].status = interface.points[q].status;
+      problem.points[q].status = interface.points()[q].status;
     problem.bounds_are_frozen = true;
     corrected                 = update;
     bool   is_found           = true;
@@ -102,7 +102,7 @@ namespace Contact
   {
     for (unsigned int q = 0; q < problem.points.size(); ++q)
       {
-        const ContactPoint &point = interface.points[q];
+        const ContactPoint &point = interface.points()[q];
         problem.points[q].status  = point.status;
         problem.points[q].has_changed =
           point.facing && !interface.contact_pair(point).tied;
@@ -119,7 +119,7 @@ namespace Contact
     for (unsigned int i = 0; i < problem.responses.size(); ++i)
       {
         const unsigned int  q     = problem.responses[i].point;
-        const ContactPoint &point = interface.points[q];
+        const ContactPoint &point = interface.points()[q];
         if (!problem.responses[i].tangential)
           {
             const FrictionLaw frozen{point.friction_bound, 0};
@@ -141,7 +141,7 @@ namespace Contact
 
     for (unsigned int i = 0; i < number_of.size(); ++i)
       problem.points[number_of[i]].status =
-        interface.updated_status(interface.points[number_of[i]],
+        interface.updated_status(interface.points()[number_of[i]],
                                  PointStatus(),
                                  z[tractions[i].p],
                                  tractions[i].q == numbers::invalid_unsigned_int
@@ -159,12 +159,12 @@ namespace Contact
     double change = 0, largest = 0;
     for (unsigned int q = 0; q < problem.points.size(); ++q)
       {
-        ContactPoint &point = interface.points[q];
-        const double  p     = problem.points[q].p_after(update);
-        const double  bound = interface.contact_pair(point).law.bound(p);
+        const ContactPoint &point = interface.points()[q];
+        const double        p     = problem.points[q].p_after(update);
+        const double        bound = interface.contact_pair(point).law.bound(p);
         change  = std::max(change, std::abs(bound - point.friction_bound));
         largest = std::max(largest, bound);
-        point.friction_bound = bound;
+        interface.set_bound(q, bound);
       }
     return largest > 0 ? change / largest : 0;
   }
@@ -181,7 +181,7 @@ namespace Contact
       {
         LinearizedContact::Point &point = problem.points[q];
         const PointStatus         status =
-          interface.updated_status(interface.points[q],
+          interface.updated_status(interface.points()[q],
                                    point.status,
                                    point.p_after(update),
                                    point.q_after(update),

@@ -99,8 +99,8 @@ namespace Contact
 
 
 
-  // Whether something is to be made anew is decided by all ranks together: what
-  // each of them sees may differ by round-off.
+  // All ranks together choose whether something is made anew: their values may
+  // differ by round-off.
   bool CondensedSystem::on_any_rank(const bool condition) const
   {
     return Utilities::MPI::max(static_cast<unsigned int>(condition),

@@ -59,7 +59,7 @@ namespace Contact
     , test_rows(slave_dofs)
   {
     if (interface != nullptr)
-      for (const ContactPoint &point : interface->points)
+      for (const ContactPoint &point : interface->points())
         slave_dofs.insert(point.dofs[0].begin(), point.dofs[0].end());
   }
 
@@ -112,14 +112,14 @@ namespace Contact
     // A point that slips under a moving bound makes the matrix unsymmetric.
     symmetric = true;
     if (interface != nullptr && moving_bound)
-      for (const ContactPoint &point : interface->points)
+      for (const ContactPoint &point : interface->points())
         if (point.status.slip_direction != 0 &&
             interface->contact_pair(point).law.coulomb_coefficient > 0)
           symmetric = false;
 
     add_base_lines(surroundings, lines);
     if (interface != nullptr)
-      for (const ContactPoint &point : interface->points)
+      for (const ContactPoint &point : interface->points())
         if (point.status.kind != Status::open)
           eliminate_point(point, interface->state(point, solution, u_start));
 
@@ -277,9 +277,9 @@ namespace Contact
 
 
 
-  // An equation that follows from others says nothing, if it does not say the
-  // contrary. Where supports hold all, no pressure helps against penetration;
-  // else the points may decide otherwise in the next step.
+  // An equation that follows from others is redundant, or contradicts them.
+  // Where supports hold all, no pressure helps against penetration; else the
+  // statuses may be others in the next step.
   void ContactElimination::drop(const ContactPoint &point,
                                 const Row          &row,
                                 const bool          is_held)
@@ -398,7 +398,7 @@ namespace Contact
       MultiplierRecovery(discretization, *interface, eliminated, moving_bound)
         .tractions(residual);
     for (unsigned int k = 0; k < tractions.size(); ++k)
-      solution[interface->normal_index(interface->points[k].multipliers[0])] =
+      solution[interface->normal_index(interface->points()[k].multipliers[0])] =
         tractions[k].p;
   }
 
@@ -414,7 +414,7 @@ namespace Contact
         .tractions(residual);
     for (unsigned int k = 0; k < tractions.size(); ++k)
       {
-        const ContactPoint &point = interface->points[k];
+        const ContactPoint &point = interface->points()[k];
         const FrictionLaw  &law   = interface->contact_pair(point).law;
         if (law.is_frictionless())
           continue;

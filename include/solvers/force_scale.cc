@@ -52,7 +52,7 @@ namespace Contact
     if (interface != nullptr)
       {
         const Vector<double> undeformed(discretization.dof_handler.n_dofs());
-        for (const ContactPoint &point : interface->points)
+        for (const ContactPoint &point : interface->points())
           if (point.facing && !interface->contact_pair(point).tied)
             overlap =
               std::max(overlap,
@@ -94,7 +94,7 @@ namespace Contact
                                     const bool            moving_bound) const
   {
     double sum = 0;
-    for (const ContactPoint &point : interface->points)
+    for (const ContactPoint &point : interface->points())
       if (point.status.kind != Status::open)
         {
           const ContactState now = interface->state(point, solution, u_start);

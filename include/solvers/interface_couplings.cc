@@ -64,7 +64,7 @@ namespace Contact
     partners.clear();
     if (interface == nullptr)
       return;
-    for (const ContactPoint &point : interface->points)
+    for (const ContactPoint &point : interface->points())
       {
         provided.push_back(reachable(point));
         for (const auto dof : point.dofs[0])
@@ -82,9 +82,9 @@ namespace Contact
   {
     if (interface == nullptr)
       return true;
-    for (unsigned int q = 0; q < interface->points.size(); ++q)
+    for (unsigned int q = 0; q < interface->points().size(); ++q)
       {
-        const ContactPoint &point = interface->points[q];
+        const ContactPoint &point = interface->points()[q];
         for (unsigned int a = 1; a < point.n_nodes; ++a)
           if (!std::binary_search(provided[q].begin(),
                                   provided[q].end(),

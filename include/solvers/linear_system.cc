@@ -82,7 +82,7 @@ namespace Contact
                                                state.load_factor);
         if (!settled)
           screen << "      the search of the active set does not settle: the "
-                    "points decide from step to step"
+                    "statuses change from step to step"
                  << std::endl;
         searches = searches && settled;
         return 0;
@@ -173,17 +173,16 @@ namespace Contact
       }
 
       // Inexact Newton: a step that others follow is not solved further than it
-      // is good for, a thousandth of the residual, and well enough for the
-      // points to decide on. Linear bodies under a status that stays are solved
-      // in one.
+      // is good for, a thousandth of the residual, and well enough for the new
+      // statuses. Linear bodies under statuses that stay are solved in one.
       unsigned int make_step(const Step     &step,
                              Vector<double> &rhs,
                              IncrementState &state) override
       {
-        const bool decided =
+        const bool statuses_stay =
           step.number > 0 || !model.interface || model.interface->is_tied();
         const bool one_solve_is_all =
-          model.elasticity->is_linear() && decided &&
+          model.elasticity->is_linear() && statuses_stay &&
           !parameters.pairs_each_step() &&
           parameters.friction == Parameters::FrictionLoop::fixed_point;
         const double forcing =

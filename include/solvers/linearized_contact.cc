@@ -60,10 +60,10 @@ namespace Contact
                                   const Vector<double> &u_start)
   {
     responses.clear();
-    points.resize(interface.points.size());
+    points.resize(interface.points().size());
     for (unsigned int q = 0; q < points.size(); ++q)
       {
-        const ContactPoint &point = interface.points[q];
+        const ContactPoint &point = interface.points()[q];
         const ContactState  now   = interface.state(point, solution, u_start);
         interface.rows(point, solution, u_start, linearization, points[q].rows);
         points[q].p           = now.p_trial;
@@ -108,7 +108,7 @@ namespace Contact
       for (const bool tangential : {false, true})
         {
           if (!points[q].has_changed || is_known(q, tangential) ||
-              (tangential && interface.contact_pair(interface.points[q])
+              (tangential && interface.contact_pair(interface.points()[q])
                                .law.is_frictionless()))
             continue;
 
@@ -142,7 +142,7 @@ namespace Contact
   {
     // A point that opens or closes is linearised from the side of contact.
     const double   p = std::max(points[q].p, 0.);
-    const Traction t = interface.traction(interface.points[q],
+    const Traction t = interface.traction(interface.points()[q],
                                           points[q].status,
                                           p,
                                           points[q].q,

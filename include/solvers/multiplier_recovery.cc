@@ -16,10 +16,10 @@ namespace Contact
                                          const std::vector<Dof> &eliminated,
                                          const bool              moving_bound)
     : discretization(discretization)
-    , points(interface.points)
+    , points(interface.points())
     , interface(interface)
     , moving_bound(moving_bound)
-    , coupled(interface.points.size(), false)
+    , coupled(interface.points().size(), false)
   {
     collect_equations(eliminated);
     collect_shares();

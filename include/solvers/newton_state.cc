@@ -95,9 +95,9 @@ namespace Contact
 
 
 
-  // After a step the points decide anew. Before the first one they only would:
-  // a change of load, pairing or bounds is not in their tractions yet, and the
-  // search of the active set comes first. Returns how many want to change.
+  // After a step the statuses are updated. Before the first one the changes are
+  // counted only: a change of load, pairing or bounds is not in the tractions
+  // yet, and the search of the active set comes first. Returns their number.
   unsigned int NewtonState::update_status(const bool single_changes)
   {
     ContactInterface &interface    = *model.interface;
@@ -112,8 +112,8 @@ namespace Contact
                                 /*keep=*/after_a_step && !single_changes);
     if (after_a_step && n > 0)
       ++model.discretization->counters.active_set_changes;
-    // As the search does. Without it the points go on from step to step, and
-    // that would begin each turn of the friction loop anew.
+    // As the search does. Without the search statuses change from step to step,
+    // and a reset would begin each turn of the friction loop anew.
     if (system->has_multipliers() && after_a_step && !moving_bound)
       interface.reset_bounds_of_open_points();
     if (after_a_step && single_changes)
@@ -125,10 +125,10 @@ namespace Contact
 
   bool NewtonState::has_converged() const
   {
-    const bool is_decided =
+    const bool has_statuses =
       n_status_changes == 0 ||
       (n_steps > 0 && !one_at_a_time && points_follow_the_law());
-    return is_decided && !model.discretization->update_is_prescribed() &&
+    return has_statuses && !model.discretization->update_is_prescribed() &&
            convergence.has_converged();
   }
 
@@ -139,8 +139,8 @@ namespace Contact
   {
     const ContactInterface &interface    = *model.interface;
     const bool              moving_bound = pairing.linearization().moving_bound;
-    return std::all_of(interface.points.begin(),
-                       interface.points.end(),
+    return std::all_of(interface.points().begin(),
+                       interface.points().end(),
                        [&](const ContactPoint &point) {
                          const ContactState now =
                            interface.state(point, state.solution, state.start);

@@ -189,12 +189,12 @@ namespace Contact
                            ResistedMotions        &motions)
     {
       const auto sticks = [&](const ContactPoint &point) {
-        return tangents == Tangents::as_decided
+        return tangents == Tangents::by_status
                  ? point.status.kind == Status::stick
                  : tangents == Tangents::stuck &&
                      !interface.contact_pair(point).law.is_frictionless();
       };
-      for (const ContactPoint &point : interface.points)
+      for (const ContactPoint &point : interface.points())
         {
           if (point.status.kind == Status::open)
             continue;

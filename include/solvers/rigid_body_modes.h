@@ -32,7 +32,7 @@ namespace Contact
   enum class Tangents
   {
     free,
-    as_decided,
+    by_status,
     stuck
   };
 
@@ -53,7 +53,7 @@ namespace Contact
   std::vector<RigidBodyMode>
   rigid_body_modes(const Discretization   &discretization,
                    const ContactInterface *interface,
-                   const Tangents          tangents = Tangents::as_decided);
+                   const Tangents          tangents = Tangents::by_status);
 
   /// The pieces of the nodes of all surfaces, by the first unknown of the node.
   /// Collective.

@@ -42,7 +42,7 @@ namespace Contact
          k < contact_pair.first_point + contact_pair.n_points;
          ++k)
       {
-        const ContactPoint &point = interface.points[k];
+        const ContactPoint &point = interface.points()[k];
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           forces[point.dofs[a][0]] +=
             point.weight * point.C[a] *
@@ -76,7 +76,7 @@ namespace Contact
          k < contact_pair.first_point + contact_pair.n_points;
          ++k)
       {
-        const ContactPoint &point = interface.points[k];
+        const ContactPoint &point = interface.points()[k];
         Tensor<1, 2>        r;
         double              sum_of_C = 0;
         for (unsigned int a = 0; a < point.n_nodes; ++a)

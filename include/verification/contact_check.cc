@@ -38,7 +38,7 @@ namespace Contact
     , u_start(u_start)
     , moved(moved)
   {
-    for (const ContactPoint &point : interface.points)
+    for (const ContactPoint &point : interface.points())
       {
         states.push_back(interface.state(point, solution, u_start));
         tractions.push_back(
@@ -62,7 +62,7 @@ namespace Contact
     if (parameters.friction == Parameters::FrictionLoop::fixed_point &&
         interface.has_coulomb_friction())
       slack.shear = parameters.friction_tolerance * largest_bound;
-    for (const ContactPoint &point : interface.points)
+    for (const ContactPoint &point : interface.points())
       if (point.status.kind == Status::slip)
         slack.shear_force += slack.shear * point.weight;
   }
@@ -75,7 +75,7 @@ namespace Contact
   {
     for (unsigned int k = 0; k < tractions.size(); ++k)
       {
-        const ContactPoint &point = interface.points[k];
+        const ContactPoint &point = interface.points()[k];
         const Traction     &t     = tractions[k];
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           for (unsigned int i = 0; i < 2; ++i)
@@ -150,7 +150,7 @@ namespace Contact
   bool ContactCheck::carries_force(const ContactPair &contact_pair,
                                    const unsigned int slave_edge) const
   {
-    for (const ContactPoint &point : interface.points)
+    for (const ContactPoint &point : interface.points())
       if (&interface.contact_pair(point) == &contact_pair &&
           point.status.kind != Status::open)
         for (unsigned int a = 0; a < point.n_nodes; ++a)

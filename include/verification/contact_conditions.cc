@@ -30,9 +30,9 @@ namespace Contact
                         std::vector<double>(n),
                         std::vector<double>(n),
                         std::vector<unsigned int>(n)};
-    for (unsigned int k = 0; k < interface.points.size(); ++k)
+    for (unsigned int k = 0; k < interface.points().size(); ++k)
       {
-        const ContactPoint &point        = interface.points[k];
+        const ContactPoint &point        = interface.points()[k];
         const ContactPair  &contact_pair = interface.contact_pair(point);
         if (tangential &&
             (contact_pair.tied || contact_pair.law.is_frictionless()))
@@ -60,7 +60,7 @@ namespace Contact
                                           const Slack       &slack,
                                           Worst             &worst) const
   {
-    const ContactPoint &point        = interface.points[k];
+    const ContactPoint &point        = interface.points()[k];
     const ContactState &now          = states[k];
     const ContactPair  &contact_pair = interface.contact_pair(point);
     if (point.status.kind != Status::open)
@@ -85,9 +85,9 @@ namespace Contact
                                   ContactInvariants &found) const
   {
     Worst worst;
-    for (unsigned int k = 0; k < interface.points.size(); ++k)
+    for (unsigned int k = 0; k < interface.points().size(); ++k)
       {
-        const ContactPoint &point        = interface.points[k];
+        const ContactPoint &point        = interface.points()[k];
         const ContactPair  &contact_pair = interface.contact_pair(point);
         if (contact_pair.tied || !point.facing)
           continue;
@@ -110,7 +110,7 @@ namespace Contact
                          "force " +
                          brief(weak.stiffness[l] * weak.defect[l]) + " N" +
                          discretization.per_thickness() +
-                         at(interface.points[weak.point[l]]);
+                         at(interface.points()[weak.point[l]]);
                 });
 
     check_penalty(found);
@@ -131,9 +131,9 @@ namespace Contact
   {
     double       largest_pressure = 0, largest_penalty = 0;
     unsigned int worst = 0;
-    for (unsigned int k = 0; k < interface.points.size(); ++k)
+    for (unsigned int k = 0; k < interface.points().size(); ++k)
       {
-        const ContactPoint &point        = interface.points[k];
+        const ContactPoint &point        = interface.points()[k];
         const ContactPair  &contact_pair = interface.contact_pair(point);
         if (point.status.kind == Status::open || contact_pair.tied ||
             contact_pair.has_point_per_multiplier())
@@ -153,7 +153,7 @@ namespace Contact
         0.5,
         "of the largest pressure " + brief(largest_pressure) + " MPa, " +
           brief(largest_penalty) + " MPa come from a penetration of " +
-          brief(-states[worst].gap) + " mm" + at(interface.points[worst]),
+          brief(-states[worst].gap) + " mm" + at(interface.points()[worst]),
         "An edge of the slave faces the master with a part of its points "
         "only: take the other surface as the slave, or another discretization.");
   }
@@ -165,7 +165,7 @@ namespace Contact
                                               Worst             &cone,
                                               Worst             &slip) const
   {
-    const ContactPoint &point        = interface.points[k];
+    const ContactPoint &point        = interface.points()[k];
     const ContactPair  &contact_pair = interface.contact_pair(point);
     const double        q            = tractions[k].q;
     const double        bound        = contact_pair.law.bound(tractions[k].p);
@@ -199,9 +199,9 @@ namespace Contact
     if (!interface.has_friction())
       return;
     Worst cone, slip;
-    for (unsigned int k = 0; k < interface.points.size(); ++k)
+    for (unsigned int k = 0; k < interface.points().size(); ++k)
       {
-        const ContactPoint &point        = interface.points[k];
+        const ContactPoint &point        = interface.points()[k];
         const ContactPair  &contact_pair = interface.contact_pair(point);
         if (!contact_pair.tied && !contact_pair.law.is_frictionless() &&
             point.status.kind != Status::open)
@@ -210,7 +210,7 @@ namespace Contact
     const WeakConditions weak = weak_conditions(/*tangential=*/true, slack);
     for (unsigned int l = 0; l < weak.defect.size(); ++l)
       {
-        const ContactPoint &point = interface.points[weak.point[l]];
+        const ContactPoint &point = interface.points()[weak.point[l]];
         slip.add(weak.stiffness[l] * std::abs(weak.defect[l]),
                  slack.force + weak.stiffness[l] * weak.allowed[l] /
                                  point.augmentation_parameter,

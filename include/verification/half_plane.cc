@@ -153,7 +153,7 @@ namespace Contact
 
 
 
-  // Let all elements decide anew; returns whether one changed its status.
+  // Update the status of all elements. Returns whether one has changed.
   bool HalfPlaneContact::updated_status()
   {
     const double round_off = 1e-12;
