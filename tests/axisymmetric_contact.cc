@@ -52,7 +52,7 @@ namespace
     model.interface.pair(model.solution);
     double       sum = 0, smallest = 1e9;
     unsigned int n_on_axis = 0;
-    for (const ContactPoint &point : model.interface.points)
+    for (const ContactPoint &point : model.interface.points())
       {
         const bool on_axis =
           model.discretization.is_on_axis(point.X[0]) && degree == 2;

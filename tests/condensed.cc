@@ -21,8 +21,8 @@ namespace
   std::string counts(const ContactInterface &interface)
   {
     const StatusCount count = interface.count();
-    return std::to_string(interface.points.size() - count.active) + " open, " +
-           std::to_string(count.stick) + " stick, " +
+    return std::to_string(interface.points().size() - count.active) +
+           " open, " + std::to_string(count.stick) + " stick, " +
            std::to_string(count.active - count.stick) + " slip";
   }
 

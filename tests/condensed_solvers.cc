@@ -103,24 +103,25 @@ namespace
     // With every third point in another state, and back again.
     const auto old_decisions = [&]() {
       std::vector<PointStatus> statuses;
-      for (const ContactPoint &point : model.interface->points)
+      for (const ContactPoint &point : model.interface->points())
         statuses.push_back(point.status);
       return statuses;
     }();
     double worst = 0;
     for (unsigned int round = 0; round < 4; ++round)
       {
+        std::vector<PointStatus> statuses(old_decisions.size());
         for (unsigned int q = 0; q < old_decisions.size(); ++q)
           {
-            ContactPoint &point = model.interface->points[q];
-            point.status        = old_decisions[q];
-            if (q % 3 != round || !point.facing)
+            statuses[q] = old_decisions[q];
+            if (q % 3 != round || !model.interface->points()[q].facing)
               continue;
-            if (point.status.kind == Status::slip)
-              point.status = PointStatus();
+            if (statuses[q].kind == Status::slip)
+              statuses[q] = PointStatus();
             else
-              point.status = {Status::slip, round == 0 ? 1 : -1};
+              statuses[q] = {Status::slip, round == 0 ? 1 : -1};
           }
+        model.interface->set_statuses(statuses);
         model.assemble(1, false);
         model.condensed->solve(model.solution,
                                model.start,
@@ -181,10 +182,10 @@ namespace
              (shear ? ", stretched and sheared" : ", stretched"));
     check("converges, all points stick",
           model.solve(1) &&
-            model.interface->count().stick == model.interface->points.size());
+            model.interface->count().stick == model.interface->points().size());
 
     double relative = 0;
-    for (const ContactPoint &point : model.interface->points)
+    for (const ContactPoint &point : model.interface->points())
       {
         const auto now =
           model.interface->state(point,

@@ -67,18 +67,17 @@ namespace
     // otherwise slip in its direction under the bound @p bound.
     void set(const Profile &pressure, const Profile &slip, const double bound)
     {
-      for (ContactPoint &point : interface.points)
-        {
-          const double p = pressure(x(point)), s = slip(x(point));
-          point.status = {p <= 0   ? Status::open
-                          : s == 0 ? Status::stick
-                                   : Status::slip,
-                          p <= 0 || s == 0 ? 0 : (s > 0 ? 1 : -1)};
-          point.psi.fill(0);
-          point.psi[0]         = std::max(0., p);
-          point.friction_bound = bound;
-          point.tangent *= s / point.tangent.norm();
-        }
+      change_points(interface, [&](ContactPoint &point) {
+        const double p = pressure(x(point)), s = slip(x(point));
+        point.status = {p <= 0   ? Status::open
+                        : s == 0 ? Status::stick
+                                 : Status::slip,
+                        p <= 0 || s == 0 ? 0 : (s > 0 ? 1 : -1)};
+        point.psi.fill(0);
+        point.psi[0]         = std::max(0., p);
+        point.friction_bound = bound;
+        point.tangent *= s / point.tangent.norm();
+      });
     }
 
     ContactResults results() const
@@ -111,7 +110,7 @@ namespace
                 std::abs(found.tangential_force + 0.25 * length),
                 1e-12);
     double largest = 0;
-    for (const auto &point : model.interface.points)
+    for (const auto &point : model.interface.points())
       largest = std::max(largest, 2 + model.x(point));
     check_small(name + ", largest values",
                 std::abs(found.max_pressure - largest) +
@@ -252,8 +251,10 @@ namespace
             return near(x, 0) ? slip : (x < 2.5 * h ? 0. : 1.);
           },
           1);
-        model.interface.points[0].status                 = {Status::slip, 0};
-        model.interface.points[0].tangential_row_is_void = true;
+        auto points                      = model.interface.points();
+        points[0].status                 = {Status::slip, 0};
+        points[0].tangential_row_is_void = true;
+        model.interface.set_points(points);
         check_small("held point",
                     std::abs(model.results().stick_width - 2.5 * h),
                     1e-12);

@@ -64,9 +64,9 @@ namespace
       }
     model.interface.pair(model.solution);
 
-    const ContactPoint &corner = model.interface.points.back();
+    const ContactPoint &corner = model.interface.points().back();
     unsigned int        n      = 0;
-    for (const ContactPoint &point : model.interface.points)
+    for (const ContactPoint &point : model.interface.points())
       n += point.is_master_corner;
     check("one corner, which faces the edge",
           n == 1 && corner.is_master_corner && corner.facing);
@@ -121,7 +121,7 @@ namespace
     ContactModel model(parameters);
     check("converges", model.solve(1, true) > 0);
 
-    const ContactPoint &corner = model.interface.points.back();
+    const ContactPoint &corner = model.interface.points().back();
     check("the corner is in contact, and nothing else",
           corner.status.kind != Status::open &&
             model.interface.count().active == 1);
@@ -202,12 +202,12 @@ namespace
     parameters.boundary.displacement_y = {{"low bottom", 0}, {"up top", -0.01}};
     ContactModel model(parameters);
     unsigned int n = 0;
-    for (const ContactPoint &point : model.interface.points)
+    for (const ContactPoint &point : model.interface.points())
       n += point.is_master_corner;
     check("two corners", n == 2);
     check("converges", model.solve(1, true) > 0);
     double depth = 0, tension = 0;
-    for (const ContactPoint &point : model.interface.points)
+    for (const ContactPoint &point : model.interface.points())
       if (point.facing)
         {
           const ContactState now =
@@ -247,7 +247,7 @@ namespace
     check("converges", model.solve(1, true) > 0);
     unsigned int n_facing = 0;
     double       depth = 0, tension = 0;
-    for (const ContactPoint &point : model.interface.points)
+    for (const ContactPoint &point : model.interface.points())
       if (point.is_master_corner && point.facing)
         {
           const ContactState now =

@@ -77,17 +77,18 @@ namespace
       parameters.boundary.force_x = {{"block top left", 1}};
     const Bodies         bodies(parameters);
     const StressRecovery recovery(bodies.discretization);
-    const ErrorEstimator estimator(bodies.discretization,
-                                   *bodies.elasticity,
-                                   recovery);
+    const ErrorEstimator estimator(bodies.discretization, *bodies.elasticity);
 
     const double         pressure = 3;
     const Vector<double> u        = bodies.displacement([=](const Point<2> &X) {
       return X + X[1] * Point<2>(0.002, -pressure / youngs_modulus);
     });
-    const auto           indicators = estimator.indicators(nullptr, u);
-    const unsigned int   n          = std::pow(2, refinements);
-    const double edge = std::pow(pressure * 2 / (3 * n), 2) / youngs_modulus;
+    const auto           indicators =
+      estimator.indicators(recovery.vertex_stresses(*bodies.elasticity, u),
+                           nullptr,
+                           u);
+    const unsigned int n = std::pow(2, refinements);
+    const double edge    = std::pow(pressure * 2 / (3 * n), 2) / youngs_modulus;
 
     const std::string name =
       "degree " + std::to_string(degree) + (refinements > 0 ? ", refined" : "");
@@ -176,10 +177,12 @@ namespace
       return values;
     };
     const auto slave = by_hand("upper", 3), master = by_hand("lower", 4);
-    const ErrorEstimator estimator(model.discretization,
-                                   *model.elasticity,
-                                   recovery);
-    const auto indicators = estimator.indicators(&interface, model.solution);
+    const ErrorEstimator estimator(model.discretization, *model.elasticity);
+    const auto           indicators =
+      estimator.indicators(recovery.vertex_stresses(*model.elasticity,
+                                                    model.solution),
+                           &interface,
+                           model.solution);
 
     const std::string name = "degree " + std::to_string(degree) + ", " + rule;
     check_edges(name + ", slave",
@@ -212,11 +215,12 @@ namespace
       model.solution[model.interface.normal_index(k)] = 1;
 
     const StressRecovery recovery(model.discretization);
-    const ErrorEstimator estimator(model.discretization,
-                                   *model.elasticity,
-                                   recovery);
+    const ErrorEstimator estimator(model.discretization, *model.elasticity);
     const auto           indicators =
-      estimator.indicators(&model.interface, model.solution);
+      estimator.indicators(recovery.vertex_stresses(*model.elasticity,
+                                                    model.solution),
+                           &model.interface,
+                           model.solution);
     const auto check_side = [&](const std::string  &side,
                                 std::vector<double> values) {
       const auto  &X = model.surface(side).nodes;

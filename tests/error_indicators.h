@@ -10,6 +10,7 @@
 
 #include <numeric>
 
+#include "solid/stress_recovery.h"
 #include "tests.h"
 
 namespace Tests

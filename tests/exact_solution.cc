@@ -341,7 +341,7 @@ namespace
                              const bool           upper_is_slave,
                              const double         x)
   {
-    const auto  &points  = model.interface.points;
+    const auto  &points  = model.interface.points();
     const double along_x = std::min_element(points.begin(),
                                             points.end(),
                                             [&](const auto &a, const auto &b) {
@@ -365,13 +365,12 @@ namespace
     ContactModel model(parameters);
     auto        &interface = model.interface;
     interface.pair(model.solution);
-    for (ContactPoint &point : interface.points)
-      {
-        point.status = {Status::stick, 0};
-        for (unsigned int k = 0; k < point.n_multipliers; ++k)
-          model.solution[interface.tangential_index(point.multipliers[k])] =
-            (upper_is_slave ? sign : -sign) * (point.tangent[0] > 0 ? 1 : -1);
-      }
+    change_points(interface, [&](ContactPoint &point) {
+      point.status = {Status::stick, 0};
+      for (unsigned int k = 0; k < point.n_multipliers; ++k)
+        model.solution[interface.tangential_index(point.multipliers[k])] =
+          (upper_is_slave ? sign : -sign) * (point.tangent[0] > 0 ? 1 : -1);
+    });
     const auto        results = contact_results(interface,
                                          *interface.pairs[0],
                                          model.solution,

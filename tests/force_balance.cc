@@ -214,7 +214,7 @@ namespace
   void print_contact(const ContactModel &model)
   {
     double largest_gap = 0;
-    for (const ContactPoint &point : model.interface.points)
+    for (const ContactPoint &point : model.interface.points())
       if (point.status.kind != Status::open)
         largest_gap = std::max(
           largest_gap,

@@ -108,13 +108,22 @@ namespace
       return names.empty() ? "none" : names;
     }
 
-    ContactPoint *find(const Status status)
+    const ContactPoint *find(const Status status) const
     {
-      for (ContactPoint &point : interface.points)
+      for (const ContactPoint &point : interface.points())
         if (point.status.kind == status && point.facing &&
             (status != Status::slip || point.status.slip_direction != 0))
           return &point;
       return nullptr;
+    }
+
+    /// Change the first point of a status.
+    void change(const Status                               status,
+                const std::function<void(ContactPoint &)> &change_point)
+    {
+      auto points = interface.points();
+      change_point(points[find(status) - interface.points().data()]);
+      interface.set_points(points);
     }
 
     double &lambda_n(const ContactPoint &point)
@@ -273,7 +282,7 @@ namespace
     const Invariants dragged = model.check();
     double           hand = 0, trapezoid = 0;
     bool             slips = true;
-    for (const ContactPoint &point : model.interface.points)
+    for (const ContactPoint &point : model.interface.points())
       {
         slips = slips && point.status.kind == Status::slip;
         // Along x, from which the surface turns away by a little.
@@ -318,39 +327,43 @@ namespace
      [](Checked &m) { m.solution[m.find(Status::stick)->dofs[0][1]] -= 1e-4; }},
     {"an open slave node moved into the master",
      [](Checked &m) {
-       ContactPoint &point = *m.find(Status::open);
-       const double  gap   = m.interface.state(point, m.solution, m.start).gap;
+       const ContactPoint &point = *m.find(Status::open);
+       const double gap = m.interface.state(point, m.solution, m.start).gap;
        m.solution[point.dofs[0][1]] -= 2 * gap / point.C[0];
      }},
     {"a slave node that sticks moved along the master",
      [](Checked &m) { m.solution[m.find(Status::stick)->dofs[0][0]] += 1e-4; }},
     {"a shear above the bound",
      [](Checked &m) {
-       ContactPoint &point = *m.find(Status::stick);
-       m.lambda_t(point)   = 2 * 0.2 * m.lambda_n(point);
+       const ContactPoint &point = *m.find(Status::stick);
+       m.lambda_t(point)         = 2 * 0.2 * m.lambda_n(point);
      }},
     {"the sign of a shear",
      [](Checked &m) {
-       ContactPoint &point = *m.find(Status::slip);
-       point.status.slip_direction *= -1;
-       m.lambda_t(point) *= -1;
+       m.lambda_t(*m.find(Status::slip)) *= -1;
+       m.change(Status::slip,
+                [](ContactPoint &point) { point.status.slip_direction *= -1; });
      }},
     {"a point in contact left out",
      [](Checked &m) {
-       ContactPoint &point = *m.find(Status::stick);
-       point.status        = {Status::open, 0};
+       const ContactPoint &point = *m.find(Status::stick);
        m.lambda_n(point) = m.lambda_t(point) = 0;
+       m.change(Status::stick, [](ContactPoint &point) {
+         point.status = {Status::open, 0};
+       });
      }},
     {"a force on the slave alone",
      [](Checked &m) {
-       ContactPoint &point = *m.find(Status::stick);
-       point.C[point.n_nodes - 1] *= 1.001;
+       m.change(Status::stick, [](ContactPoint &point) {
+         point.C[point.n_nodes - 1] *= 1.001;
+       });
      }},
     {"the foot shifted along the master",
      [](Checked &m) {
-       ContactPoint &point = *m.find(Status::stick);
-       point.C[point.n_nodes - 1] += 0.01;
-       point.C[point.n_nodes - 2] -= 0.01;
+       m.change(Status::stick, [](ContactPoint &point) {
+         point.C[point.n_nodes - 1] += 0.01;
+         point.C[point.n_nodes - 2] -= 0.01;
+       });
      }},
     {"the load", [](Checked &m) { m.load_factor *= 0.999; }},
     {"the energy of the start", [](Checked &m) {
@@ -384,7 +397,7 @@ namespace
       return;
 
     const auto solution = model.solution;
-    const auto points   = model.interface.points;
+    const auto points   = model.interface.points();
     const auto state    = model.invariants.state();
     const auto load     = model.load_factor;
     for (const Corruption &corruption : corruptions)
@@ -392,9 +405,9 @@ namespace
         corruption.apply(model);
         std::cout << "  " << corruption.what << ": " << model.alarms()
                   << std::endl;
-        model.solution         = solution;
-        model.interface.points = points;
-        model.load_factor      = load;
+        model.solution = solution;
+        model.interface.set_points(points);
+        model.load_factor = load;
         model.invariants.restore(state);
       }
   }

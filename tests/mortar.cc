@@ -195,7 +195,7 @@ namespace
 
     double                 error = 0, largest = 0;
     ContactInterface::Rows rows;
-    for (const ContactPoint &point : model.interface.points)
+    for (const ContactPoint &point : model.interface.points())
       {
         const auto &interface = model.interface;
         interface.rows(point, model.solution, model.start, {false, true}, rows);

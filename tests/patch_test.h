@@ -101,7 +101,7 @@ namespace Tests
     result.deviation      = deviation_of_stress(model, poisson, axis);
     result.all_in_contact = true;
     const double pressure = exact_pressure(poisson);
-    for (const ContactPoint &point : model.interface.points)
+    for (const ContactPoint &point : model.interface.points())
       {
         result.all_in_contact =
           result.all_in_contact && point.status.kind == Status::slip;

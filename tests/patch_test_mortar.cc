@@ -214,7 +214,7 @@ namespace
       exact_pressure(poisson) / std::sqrt(1 + slope * slope);
     double       error  = 0;
     unsigned int n_void = 0;
-    for (const ContactPoint &point : model.interface.points)
+    for (const ContactPoint &point : model.interface.points())
       {
         const auto now =
           model.interface.state(point, model.solution, model.start);
@@ -230,8 +230,8 @@ namespace
       }
     check_small("traction", error, 1e-10);
     check("all points but the one at the end stick",
-          n_void == 1 &&
-            model.interface.count().stick + 1 == model.interface.points.size());
+          n_void == 1 && model.interface.count().stick + 1 ==
+                           model.interface.points().size());
   }
 
 
@@ -301,7 +301,7 @@ namespace
     double       length = 0, coefficients = 0, force = 0, moment = 0;
     bool         positive = true, pressed = true;
     unsigned int n_facing = 0;
-    for (const ContactPoint &point : model.interface.points)
+    for (const ContactPoint &point : model.interface.points())
       if (point.facing)
         {
           const double p =
@@ -323,7 +323,7 @@ namespace
         }
     check("some points beyond the end",
           (lower_is_slave == (width_of_lower > 2)) ==
-            (n_facing < model.interface.points.size()));
+            (n_facing < model.interface.points().size()));
     check("all others pressed, their weights positive", positive && pressed);
     check_small("weights and overlap",
                 std::abs(length - std::min(2., width_of_lower)),

@@ -64,7 +64,7 @@ namespace
         converged = converged && model.solve(1);
         hanging   = hanging &&
                   (level == 0 || model.mesh.triangulation.has_hanging_nodes());
-        for (const ContactPoint &point : model.interface->points)
+        for (const ContactPoint &point : model.interface->points())
           {
             in_contact = in_contact && point.status.kind == Status::slip;
             deviation  = std::max(
@@ -177,22 +177,21 @@ namespace
   {
     Strips     strips(make_strips(degree, 6, rule));
     const auto p = [](const double x) { return 3 + x; };
-    for (ContactPoint &point : strips.interface->points)
-      {
-        const double x         = point.X[0][0];
-        strips.pressure(point) = p(x);
-        strips.shear(point)    = -0.1 * p(x);
-        point.friction_bound   = 0.2 * p(x);
-        point.status           = x < -0.1 ? PointStatus{Status::slip, -1}
-                                          : PointStatus{Status::stick, 0};
-      }
+    change_points(*strips.interface, [&](ContactPoint &point) {
+      const double x         = point.X[0][0];
+      strips.pressure(point) = p(x);
+      strips.shear(point)    = -0.1 * p(x);
+      point.friction_bound   = 0.2 * p(x);
+      point.status           = x < -0.1 ? PointStatus{Status::slip, -1}
+                                        : PointStatus{Status::stick, 0};
+    });
     const auto state = strips.interface->save(strips.solution);
     strips.refine_all();
     strips.interface->restore(state, strips.solution);
 
     double error = 0;
-    bool   right = strips.interface->points.size() == degree * 12 + 1;
-    for (const ContactPoint &point : strips.interface->points)
+    bool   right = strips.interface->points().size() == degree * 12 + 1;
+    for (const ContactPoint &point : strips.interface->points())
       {
         const double x = point.X[0][0];
         error          = std::max({error,
@@ -225,20 +224,19 @@ namespace
         const auto inside = [=](const ContactPoint &point) {
           return std::abs(point.X[0][0] - center) < a;
         };
-        for (ContactPoint &point : strips.interface->points)
-          {
-            const double x = point.X[0][0] - center;
-            strips.pressure(point) =
-              inside(point) ? std::sqrt(a * a - x * x) : 0.;
-            point.status =
-              inside(point) ? PointStatus{Status::slip, 1} : PointStatus();
-          }
+        change_points(*strips.interface, [&](ContactPoint &point) {
+          const double x = point.X[0][0] - center;
+          strips.pressure(point) =
+            inside(point) ? std::sqrt(a * a - x * x) : 0.;
+          point.status =
+            inside(point) ? PointStatus{Status::slip, 1} : PointStatus();
+        });
         const auto state = strips.interface->save(strips.solution);
         strips.refine_all();
         strips.interface->restore(state, strips.solution);
 
         unsigned int wrong_left = 0, wrong_right = 0;
-        for (const ContactPoint &point : strips.interface->points)
+        for (const ContactPoint &point : strips.interface->points())
           {
             const bool wrong =
               inside(point) != (point.status.kind == Status::slip);

@@ -115,8 +115,9 @@ namespace
       }
     for (unsigned int i = model.n_dofs(); i < model.solution.size(); ++i)
       model.solution[i] = random(0.5, 1.5);
-    for (ContactPoint &point : interface.points)
+    change_points(interface, [&](ContactPoint &point) {
       point.friction_bound = random(0.1, 0.5);
+    });
   }
 
 
@@ -179,8 +180,9 @@ namespace
                       const std::string &name,
                       const PointStatus &status)
   {
-    for (ContactPoint &point : model.interface.points)
+    change_points(model.interface, [&](ContactPoint &point) {
       point.status = point.facing ? status : PointStatus();
+    });
 
     const bool slips = status.slip_direction != 0;
     bool       kept  = true;
@@ -200,7 +202,7 @@ namespace
             // integrated along surfaces that move; sticking has one as long as
             // the pairing stands still.
             const bool is_mortar =
-              model.interface.points[0].change.dofs.size() > 0;
+              model.interface.points()[0].change.dofs.size() > 0;
             if ((model.interface.pairs[0]->law.is_frictionless() &&
                  !is_mortar) ||
                 (!slips && !moving_geometry))
@@ -222,7 +224,7 @@ namespace
 
     model.interface.pair(model.solution);
     bool within = true, curved = false;
-    for (const ContactPoint &point : model.interface.points)
+    for (const ContactPoint &point : model.interface.points())
       {
         within = within && point.facing && std::abs(point.master_xi) < 0.98;
         Tensor<1, 2> kappa;
@@ -270,7 +272,7 @@ namespace
 
     model.interface.pair(model.solution);
     bool facing = true;
-    for (const ContactPoint &point : model.interface.points)
+    for (const ContactPoint &point : model.interface.points())
       facing = facing && point.facing;
     check("all points face the master", facing == whole);
 
@@ -308,7 +310,7 @@ namespace
 
     model.interface.pair(model.solution);
     bool over_corner = true;
-    for (const ContactPoint &point : model.interface.points)
+    for (const ContactPoint &point : model.interface.points())
       over_corner =
         over_corner && point.facing && std::abs(point.master_xi) == 1;
     check("all points face the corner", over_corner);
@@ -339,7 +341,7 @@ namespace
     randomize(model, -0.08);
 
     model.interface.pair(model.solution);
-    const ContactPoint &corner = model.interface.points.back();
+    const ContactPoint &corner = model.interface.points().back();
     check("the last point is at the corner",
           corner.is_master_corner && corner.facing);
     check("and deep inside",

@@ -236,6 +236,17 @@ namespace Tests
 
 
 
+  /// Change all points of an interface, as no solution may have them.
+  template<typename Change>
+  void change_points(ContactInterface &interface, const Change &change)
+  {
+    auto points = interface.points();
+    for (ContactPoint &point : points)
+      change(point);
+    interface.set_points(points);
+  }
+
+
   /// The bodies of a case.
   struct Bodies
   {
@@ -327,22 +338,13 @@ namespace Tests
       solver.initialize(pattern);
     }
 
-    /// Let all points decide anew; returns whether one changed its status.
+    /// Update all statuses. Returns whether one has changed.
     bool updated_status()
     {
-      bool changed = false;
-      for (ContactPoint &point : interface.points)
-        {
-          const ContactState now    = interface.state(point, solution, start);
-          const PointStatus  status = interface.updated_status(point,
-                                                              point.status,
-                                                              now.p_trial,
-                                                              now.q_trial,
-                                                              true);
-          changed                   = changed || !(status == point.status);
-          point.status              = status;
-        }
-      return changed;
+      return interface.update_statuses(solution,
+                                       start,
+                                       /*moving_bound=*/true,
+                                       /*keep=*/true) > 0;
     }
 
     /**
@@ -408,7 +410,7 @@ namespace Tests
     Vector<double> contact_forces() const
     {
       Vector<double> forces(n_dofs());
-      for (const ContactPoint &point : interface.points)
+      for (const ContactPoint &point : interface.points())
         {
           const ContactState now = interface.state(point, solution, start);
           const Traction     t   = interface.traction(point,

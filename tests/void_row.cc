@@ -40,7 +40,7 @@ namespace
     model.pair();
     std::cout << "  " << name << ':';
     unsigned int n_void = 0;
-    for (const ContactPoint &point : model.interface.points)
+    for (const ContactPoint &point : model.interface.points())
       if (point.tangential_row_is_void)
         {
           const auto &edge =
@@ -55,7 +55,7 @@ namespace
           std::cout << " (" << X << ')';
           ++n_void;
         }
-    std::cout << ' ' << n_void << " of " << model.interface.points.size()
+    std::cout << ' ' << n_void << " of " << model.interface.points().size()
               << std::endl;
   }
 
@@ -89,7 +89,7 @@ namespace
     check("converges", model.solve(1, true) > 0);
     bool   slips_without_direction = true;
     double multiplier = 0, largest = 0;
-    for (const ContactPoint &point : model.interface.points)
+    for (const ContactPoint &point : model.interface.points())
       {
         const double lambda_t =
           model.interface.state(point, model.solution, model.start).lambda_t;

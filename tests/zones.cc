@@ -115,9 +115,9 @@ namespace
     check("multipliers are counted",
           interface.n_multipliers() ==
               interface.n_normal_multipliers() + n_tangential &&
-            n_points == interface.points.size());
+            n_points == interface.points().size());
     check("all points are in contact",
-          interface.count().active == interface.points.size());
+          interface.count().active == interface.points().size());
   }
 } // namespace
 
