@@ -16,7 +16,8 @@ Proves that
 - a contact zone that ends where supports hold both bodies converges, and one
   where slave and master end at the same place;
 - slave nodes that supports hold or move along the surface carry shear, mu times
-  the pressure where they slip, and are glued.
+  the pressure where they slip, and are glued;
+- a node in the corner of two obstacles with friction is no error.
 
 Usage: wrong_results.py CONTACT PARAMETERS MESHES
 """
@@ -296,8 +297,41 @@ def driven():
           str(glue))
 
 
+def cornered():
+    """A block pressed into the corner of a rigid floor and a rigid wall: the node
+    in the corner is held by two normals, its shear is redundant."""
+    for rule in ("mortar", "nodal"):
+        for mu in (0.05, 0.3):
+            mesh = Mesh()
+            mesh.block("B", 6, 5, box(0, 0, 10, 8),
+                       {"bottom": "Sole", "top": "Head", "left": "Side",
+                        "right": "Front"})
+            mesh.write("cornered")
+            status, said, summary = run("cornered", {
+                "Mesh/File": "cornered.msh", **solids("B: 1000", "B: 0.3"),
+                "Contact/Slave": "Sole",
+                "Contact/Obstacle": "half plane: 0, 0, 0, 1",
+                "Contact/Friction coefficient": str(mu),
+                "Contact/Discretization": rule,
+                "Contact wall/Slave": "Side",
+                "Contact wall/Obstacle": "half plane: 0, 0, 1, 0",
+                "Contact wall/Friction coefficient": str(mu),
+                "Contact wall/Discretization": rule,
+                "Boundary conditions/Pressure": "Head: 10; Front: 6"})
+            check(f"{rule}, mu = {mu}: converges", status == 0, said[:300])
+            if status != 0:
+                continue
+            floor, wall = summary["contact"], summary["contact wall"]
+            for of, on, force in ((floor, wall, 100), (wall, floor, 48)):
+                both = of["normal_force"] + abs(on["tangential_force"])
+                check("  balance of forces", abs(both - force) < 1e-6 * force,
+                      f"{both} of {force}")
+                check("  within the cone", abs(of["tangential_force"]) <=
+                      mu * of["normal_force"] * (1 + 1e-9))
+
+
 for scene in (carried, overlap, cantilever, teeth, own_master, round_off,
-              held_ends, dragged, driven):
+              held_ends, dragged, driven, cornered):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)

@@ -35,6 +35,22 @@ namespace Contact
                                         : n_tangential++);
         pairs.push_back(std::move(contact_pair));
       }
+    find_corners();
+  }
+
+
+
+  void ContactInterface::find_corners()
+  {
+    std::map<NodeDoFs, std::vector<unsigned int>> at_node;
+    for (unsigned int q = 0; q < all_points.size(); ++q)
+      if (!contact_pair(all_points[q]).master && all_points[q].n_nodes == 1)
+        at_node[all_points[q].dofs[0]].push_back(q);
+    for (const auto &[node, points] : at_node)
+      for (const unsigned int q : points)
+        for (const unsigned int other : points)
+          if (other != q)
+            in_corner[q].push_back(other);
   }
 
 

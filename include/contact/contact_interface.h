@@ -10,6 +10,9 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_matrix.h>
 
+#include <algorithm>
+#include <map>
+
 #include "contact/contact_pair.h"
 
 namespace Contact
@@ -276,6 +279,13 @@ namespace Contact
     /// contact slips.
     bool can_stick(const ContactPoint &point) const;
 
+    /// Whether a point sticks although its node is in contact with another
+    /// obstacle, whose normal holds it already: one of the two conditions is
+    /// redundant. @p status_of gives the status of a point by its number.
+    template<typename StatusOf>
+    bool is_held_in_corner(const unsigned int point,
+                           const StatusOf    &status_of) const;
+
     /// The status of a point under trial values, after the one @p before.
     PointStatus updated_status(const ContactPoint &point,
                                const PointStatus  &before,
@@ -353,14 +363,41 @@ namespace Contact
                                  const SurfaceState &state,
                                  Vector<double>     &solution);
 
-    const Discretization     &discretization;
-    std::vector<ContactPoint> all_points;
-    Vector<double>            support_motion; // of this increment
+    /// Points that stick and are held in a corner slip in no direction.
+    void release_in_corners();
+
+    /// The points of other obstacles with the same node, by point.
+    void find_corners();
+
+    const Discretization                             &discretization;
+    std::vector<ContactPoint>                         all_points;
+    std::map<unsigned int, std::vector<unsigned int>> in_corner;
+    Vector<double> support_motion; // of this increment
 
     /// Of each normal multiplier the number of its tangential one.
     std::vector<unsigned int> tangential_number;
     unsigned int              n_tangential = 0;
   };
+
+
+
+  template<typename StatusOf>
+  bool ContactInterface::is_held_in_corner(const unsigned int point,
+                                           const StatusOf    &status_of) const
+  {
+    const auto others = in_corner.find(point);
+    if (others == in_corner.end() || status_of(point).kind != Status::stick)
+      return false;
+    // As for two rows of one point, see tangential_row_is_void().
+    const double sine = 1e-3;
+    return std::any_of(others->second.begin(),
+                       others->second.end(),
+                       [&](const unsigned int other) {
+                         return status_of(other).kind != Status::open &&
+                                std::abs(all_points[point].tangent *
+                                         all_points[other].normal) > sine;
+                       });
+  }
 
 
 

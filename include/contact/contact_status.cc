@@ -20,6 +20,18 @@ namespace Contact
           state(point, u, u).gap <=
             0.01 * contact_pair(point).edge_length(point))
         point.status.kind = can_stick(point) ? Status::stick : Status::slip;
+    release_in_corners();
+  }
+
+
+
+  void ContactInterface::release_in_corners()
+  {
+    for (const auto &[q, others] : in_corner)
+      if (is_held_in_corner(q, [this](const unsigned int point) {
+            return all_points[point].status;
+          }))
+        all_points[q].status = {Status::slip, 0};
   }
 
 
@@ -42,6 +54,7 @@ namespace Contact
     close(false);
     if (count().active == 0)
       close(true);
+    release_in_corners();
   }
 
 
@@ -192,17 +205,20 @@ namespace Contact
                                                  const bool moving_bound,
                                                  const bool keep)
   {
+    std::vector<PointStatus> updated;
+    for (const ContactPoint &point : all_points)
+      updated.push_back(status_in(point, solution, u_start, moving_bound));
+    for (const auto &[q, others] : in_corner)
+      if (is_held_in_corner(q, [&](const unsigned int point) {
+            return updated[point];
+          }))
+        updated[q] = {Status::slip, 0};
+
     unsigned int n_changes = 0;
-    for (ContactPoint &point : all_points)
-      {
-        const PointStatus status =
-          status_in(point, solution, u_start, moving_bound);
-        if (status == point.status)
-          continue;
-        ++n_changes;
-        if (keep)
-          point.status = status;
-      }
+    for (unsigned int q = 0; q < all_points.size(); ++q)
+      n_changes += !(updated[q] == all_points[q].status);
+    if (keep)
+      set_statuses(updated);
     return n_changes;
   }
 
@@ -212,15 +228,16 @@ namespace Contact
                                              const Vector<double> &u_start,
                                              const bool            moving_bound)
   {
-    for (ContactPoint &point : all_points)
+    for (unsigned int q = 0; q < all_points.size(); ++q)
       {
-        const PointStatus status =
-          status_in(point, solution, u_start, moving_bound);
-        if (status == point.status)
+        ContactPoint     &point  = all_points[q];
+        const PointStatus before = point.status;
+        point.status = status_in(point, solution, u_start, moving_bound);
+        release_in_corners();
+        if (point.status == before)
           continue;
-        point.status = status;
-        if (!moving_bound && status.kind == Status::open)
-          reset_bound(&point - all_points.data());
+        if (!moving_bound && point.status.kind == Status::open)
+          reset_bound(q);
         return;
       }
   }

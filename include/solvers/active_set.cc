@@ -148,6 +148,7 @@ namespace Contact
                                    ? 0.
                                    : z[tractions[i].q],
                                  problem.bound_moves());
+    problem.release_in_corners();
     corrected = problem.solve_changes(update);
     return true;
   }
@@ -180,12 +181,15 @@ namespace Contact
          ++q)
       {
         LinearizedContact::Point &point = problem.points[q];
-        const PointStatus         status =
-          interface.updated_status(interface.points()[q],
-                                   point.status,
-                                   point.p_after(update),
-                                   point.q_after(update),
-                                   problem.bound_moves());
+        PointStatus status = interface.updated_status(interface.points()[q],
+                                                      point.status,
+                                                      point.p_after(update),
+                                                      point.q_after(update),
+                                                      problem.bound_moves());
+        if (interface.is_held_in_corner(q, [&](const unsigned int other) {
+              return other == q ? status : problem.points[other].status;
+            }))
+          status = {Status::slip, 0};
         if (status == point.status)
           continue;
         changed           = true;
@@ -194,6 +198,7 @@ namespace Contact
         if (!problem.bound_moves() && status.kind == Status::open)
           interface.reset_bound(q);
       }
+    problem.release_in_corners();
     return changed;
   }
 

@@ -77,6 +77,20 @@ namespace Contact
 
 
 
+  void LinearizedContact::release_in_corners()
+  {
+    for (unsigned int q = 0; q < points.size(); ++q)
+      if (interface.is_held_in_corner(q, [this](const unsigned int point) {
+            return points[point].status;
+          }))
+        {
+          points[q].status      = {Status::slip, 0};
+          points[q].has_changed = true;
+        }
+  }
+
+
+
   std::vector<signed char> LinearizedContact::signature() const
   {
     std::vector<signed char> signature;

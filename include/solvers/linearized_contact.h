@@ -87,6 +87,9 @@ namespace Contact
       return linearization.moving_bound && !bounds_are_frozen;
     }
 
+    /// Release what ContactInterface::is_held_in_corner() finds.
+    void release_in_corners();
+
     /// The statuses of all points, to be compared.
     std::vector<signed char> signature() const;
 
