@@ -68,22 +68,6 @@ namespace Tests
     return parameters;
   }
 
-
-
-  /// The largest difference of a part of two vectors, by the largest value.
-  inline double difference(const Vector<double> &a,
-                           const Vector<double> &b,
-                           const unsigned int    from,
-                           const unsigned int    to)
-  {
-    double difference = 0, largest = 0;
-    for (unsigned int i = from; i < to; ++i)
-      {
-        difference = std::max(difference, std::abs(a[i] - b[i]));
-        largest    = std::max(largest, std::abs(a[i]));
-      }
-    return difference / largest;
-  }
 } // namespace Tests
 
 #endif

@@ -52,22 +52,6 @@ namespace
 
 
 
-  double difference(const Vector<double> &a,
-                    const Vector<double> &b,
-                    const unsigned int    from,
-                    const unsigned int    to)
-  {
-    double difference = 0, largest = 0;
-    for (unsigned int i = from; i < to; ++i)
-      {
-        difference = std::max(difference, std::abs(a[i] - b[i]));
-        largest    = std::max(largest, std::abs(b[i]));
-      }
-    return difference / largest;
-  }
-
-
-
   /// The norms of the residuals, relative to the forces, after each step to the
   /// load factor 1 under the statuses of now, until round-off is left.
   std::vector<double> residuals(CondensedModel &model)

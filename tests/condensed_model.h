@@ -137,6 +137,24 @@ namespace Tests
     TimerOutput                         timer;
     Vector<double>                      solution, start, rhs, update;
   };
+
+
+
+  /// The largest difference of a part of two vectors, by the largest value of
+  /// that part of @p b.
+  inline double difference(const Vector<double> &a,
+                           const Vector<double> &b,
+                           const unsigned int    from,
+                           const unsigned int    to)
+  {
+    double difference = 0, largest = 0;
+    for (unsigned int i = from; i < to; ++i)
+      {
+        difference = std::max(difference, std::abs(a[i] - b[i]));
+        largest    = std::max(largest, std::abs(b[i]));
+      }
+    return difference / largest;
+  }
 } // namespace Tests
 
 #endif

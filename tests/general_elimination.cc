@@ -69,22 +69,6 @@ namespace
 
 
 
-  double difference(const Vector<double> &a,
-                    const Vector<double> &b,
-                    const unsigned int    from,
-                    const unsigned int    to)
-  {
-    double difference = 0, largest = 0;
-    for (unsigned int i = from; i < to; ++i)
-      {
-        difference = std::max(difference, std::abs(a[i] - b[i]));
-        largest    = std::max(largest, std::abs(b[i]));
-      }
-    return difference / largest;
-  }
-
-
-
   std::string counts(const ContactInterface &interface)
   {
     const StatusCount count = interface.count();
