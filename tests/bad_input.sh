@@ -133,6 +133,11 @@ expect_entry "Middle" "Probes/Probes=DY(B): displacement y, Middle; SIYY(B): str
 
 # The place of the mesh
 expect_entry "Mesh/Scale" "Mesh/Scale=0"
+expect_entry "Mesh/Scale" "Mesh/Scale=1e200"
+expect_entry "Mesh/Scale" "Mesh/Scale=1e-200"
+expect_entry "Mesh/Refinements" "Mesh/Refinements=30"
+expect_entry "above 0.01" "Solution/Newton tolerance=0.5"
+expect_entry "above 0.1" "Solution/Geometry tolerance=1"
 expect_entry "shift of the mesh" "Mesh/Shift=1"
 expect_entry "move of 'Cylinder'" "Mesh/Move=Cylinder: 1"
 expect_entry "no body 'Ball'" "Mesh/Move=Ball: 0, 1"
@@ -174,6 +179,9 @@ expect "in a loop or in the tangent" "$friction" --set "$saddle" \
 
 # Loads, geometry and theories
 expect_entry "is no formula in t" "Boundary conditions/Histories=Force y: 2*"
+expect_entry "is not a number at t" "Boundary conditions/Histories=Force y: sqrt(-t)"
+expect_entry "is infinite at t = 1" "Boundary conditions/Histories=Force y: 1/(t-1)"
+expect_entry "is not a number at x,y" "Boundary conditions/Pressure=Top_B: sqrt(-1)"
 expect_entry "t does not grow" "Boundary conditions/Histories=Force y: table(0 0, 0 1)"
 expect_entry "'Force z' has no history" "Boundary conditions/Histories=Force z: t"
 expect_entry "is no formula in x,y" "Boundary conditions/Pressure=Top_B: z"

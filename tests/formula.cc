@@ -24,7 +24,7 @@ namespace
                    const Point<n>    &p,
                    const double       value)
   {
-    const auto         function = parse_formula<n>(formula, variables);
+    const auto         function = parse_formula<n>(formula, variables, "entry");
     std::ostringstream text;
     text << formula << " at " << p;
     check_small(text.str(), std::abs(function(p) - value), 1e-14);
@@ -50,8 +50,8 @@ namespace
     check_value("sin(pi*x)/pi + y^3", "x,y", Point<2>(0.5, 2), 1 / pi + 8);
     check_value("(x^2 - y^2)/(x^2 + y^2)", "x,y", Point<2>(2, 1), 0.6);
 
-    const auto first  = parse_formula<1>("t", "t");
-    const auto second = parse_formula<1>("2*t", "t");
+    const auto first  = parse_formula<1>("t", "t", "entry");
+    const auto second = parse_formula<1>("2*t", "t", "entry");
     const auto copy   = first;
     check("two functions at a time",
           first(Point<1>(3)) == 3 && second(Point<1>(3)) == 6 &&
@@ -69,7 +69,7 @@ namespace
          {"", "2*", "x + z", "sin(x", "x y", "f(x)", "x,y"})
       try
         {
-          parse_formula<2>(formula, "x,y");
+          parse_formula<2>(formula, "x,y", "entry");
           check("'" + formula + "' is refused", false);
         }
       catch (const std::runtime_error &error)
@@ -86,7 +86,7 @@ namespace
   void check_tables()
   {
     headline("tables");
-    const auto table = parse_history(" table (0 0, 0.5 1,1 -1e0 ) ");
+    const auto table = parse_history(" table (0 0, 0.5 1,1 -1e0 ) ", "entry");
     for (const auto &[t, value] : std::map<double, double>{{-1, 0},
                                                            {0, 0},
                                                            {0.125, 0.25},
@@ -96,9 +96,9 @@ namespace
                                                            {1, -1},
                                                            {2, -1}})
       check("t = " + std::to_string(t), table(Point<1>(t)) == value);
-    const auto constant = parse_history("table(0.5 3)");
+    const auto constant = parse_history("table(0.5 3)", "entry");
     check("one pair", constant(Point<1>(0)) == 3 && constant(Point<1>(1)) == 3);
-    check("a formula", parse_history("2*t")(Point<1>(3)) == 6);
+    check("a formula", parse_history("2*t", "entry")(Point<1>(3)) == 6);
     for (const std::string history : {"table",
                                       "table 0 0, 1 1",
                                       "table()",
@@ -112,7 +112,7 @@ namespace
                                       "2*"})
       try
         {
-          parse_history(history);
+          parse_history(history, "entry");
           check("'" + history + "' is refused", false);
         }
       catch (const std::runtime_error &error)

@@ -17,11 +17,15 @@ Proves that
   where slave and master end at the same place;
 - slave nodes that supports hold or move along the surface carry shear, mu times
   the pressure where they slip, and are glued;
-- a node in the corner of two obstacles with friction is no error.
+- a node in the corner of two obstacles with friction is no error;
+- a slave node that is supported on one side only pushes along the normal of the
+  surface, not along the direction that the support leaves free, and so does one
+  of a surface that meets a symmetry line at a slant.
 
 Usage: wrong_results.py CONTACT PARAMETERS MESHES
 """
 
+import math
 import sys
 
 from block_scenes import Mesh, box, check, failures, rows, run
@@ -330,8 +334,104 @@ def cornered():
                       mu * of["normal_force"] * (1 + 1e-9))
 
 
+def flank():
+    """A half wedge without friction, pushed by supports of its head, whose last
+    node is on the flank too: that node pushes along the flank's normal as the
+    others do. It is no symmetry line, which the other side of the wedge is."""
+    slope = math.tan(math.radians(15))
+    mesh = Mesh()
+    mesh.block("W", 4, 5, lambda s, t: (s * (3 + 8 * t * slope), 8 * t),
+               {"left": "Middle", "right": "Flank", "top": "Head"})
+    mesh.block("A", 4, 7, lambda s, t: (
+        (1 - s) * (3 + (9.6 * t - 0.8) * slope) + 12 * s, 9.6 * t - 0.8),
+               {"left": "Seat", "right": "Outer"})
+    mesh.write("flank")
+    for slave, master in (("Flank", "Seat"), ("Seat", "Flank")):
+        for rule in ("mortar", "nodal", "Gauss"):
+            for degree in ("1", "2"):
+                status, said, summary = run("flank", {
+                    "Mesh/File": "flank.msh",
+                    **solids("W: 1000, A: 5000", "W: 0.3, A: 0.3"),
+                    "Element/Degree": degree,
+                    "Boundary conditions/Displacement x": "Middle: 0, Outer: 0",
+                    "Boundary conditions/Displacement y":
+                        "Head: -0.01, Outer: 0",
+                    "Contact/Slave": slave, "Contact/Master": master,
+                    "Contact/Discretization": rule})
+                what = f"slave {slave}, {rule}, degree {degree}"
+                check(what + ": converges", status == 0, said[:300])
+                if status == 0:
+                    force = summary["increments"][-1]["reactions"]["Outer"]
+                    turned = abs(force["y"] / force["x"]) - slope
+                    check("  it pushes along the normal of the flank",
+                          abs(turned) < 1e-3, str(turned))
+
+
+def groove():
+    """A half tongue in a half groove that meets the symmetry line at a slant,
+    under the same pressure all around: so is the pressure of contact, at the
+    node on the line as well."""
+    mesh = Mesh()
+    mesh.block("A", 5, 3, lambda s, t: (8 * s, -6 + t * (4 * s + 6)),
+               {"bottom": "Base", "left": "Line", "right": "Side",
+                "top": "Ground"})
+    mesh.block("B", 4, 3, lambda s, t: (8 * s, 4 * s + t * (8 - 4 * s)),
+               {"bottom": "Sole", "left": "Line", "right": "Side",
+                "top": "Head"})
+    mesh.write("groove")
+    for slave, master in (("Sole", "Ground"), ("Ground", "Sole")):
+        for degree in ("1", "2"):
+            for mu in ("0", "0.3"):
+                status, said, _ = run("groove", {
+                    "Mesh/File": "groove.msh",
+                    **solids("A: 1e6, B: 1e6"), "Element/Degree": degree,
+                    "Contact/Slave": slave, "Contact/Master": master,
+                    "Contact/Friction coefficient": mu,
+                    "Boundary conditions/Displacement x": "Line: 0",
+                    "Boundary conditions/Displacement y": "Base: 0",
+                    "Boundary conditions/Pressure": "Side: 1; Head: 1",
+                    "Output/Profile": "true"})
+                what = f"slave {slave}, degree {degree}, mu = {mu}"
+                check(what + ": converges", status == 0, said[:300])
+                if status == 0:
+                    off = max(abs(row["pressure_MPa"] - 1) for row in rows(
+                        "groove") if row["surface"] == "slave")
+                    check("  the pressure is the same everywhere", off < 1e-5,
+                          str(off))
+
+
+def pinned():
+    """A block under 10 MPa, one corner of which a support pushes into the base:
+    the support is along the normal, which stays that of the surface."""
+    for rule in ("mortar", "nodal"):
+        for depth in (0.01, 0.03, 0.1):
+            mesh = Mesh()
+            mesh.block("A", 10, 2, box(-20, -5, 20, 0),
+                       {"bottom": "Base", "top": "Ground"})
+            mesh.block("B", 5, 3, box(-5, 0, 5, 5),
+                       {"bottom": "Sole", "top": "Head", "right": "Side",
+                        "corner": "Pin"})
+            mesh.write("pinned")
+            status, said, summary = run("pinned", {
+                "Mesh/File": "pinned.msh", **solids(), **CONTACT,
+                "Boundary conditions/Displacement x": "Base: 0, Side: 0",
+                "Boundary conditions/Displacement y": f"Base: 0, Pin: -{depth}",
+                "Boundary conditions/Pressure": "Head: 10",
+                "Contact/Discretization": rule})
+            what = f"{rule}, {depth} mm"
+            check(what + ": converges", status == 0, said[:300])
+            if status == 0:
+                force = summary["increments"][-1]["reactions"]
+                check("  balance of forces", abs(
+                    force["Base"]["y"] + force["Pin"]["y"] - 100) < 1e-6,
+                      str(force))
+                check("  no shear", abs(force["Base"]["x"]) < 0.02 *
+                      force["Base"]["y"], str(force))
+
+
 for scene in (carried, overlap, cantilever, teeth, own_master, round_off,
-              held_ends, dragged, driven, cornered):
+              held_ends, dragged, driven, cornered, flank,
+              groove, pinned):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)

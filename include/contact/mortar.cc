@@ -83,7 +83,7 @@ namespace Contact
   {
     const MortarGeometry<double> now(slave, master, discretization, u);
     const MortarSegments         segments(now, u);
-    MortarIntegrals<double>      integrals(now, carries, discretization);
+    MortarIntegrals<double>      integrals(now, carries);
     std::vector<MortarOverlap>   overlaps(slave.edges.size());
     for (unsigned int e = 0; e < slave.edges.size(); ++e)
       {
@@ -246,7 +246,7 @@ namespace Contact
     const unsigned int node                = slave_node(point);
     const auto [slave_nodes, master_nodes] = nodes_around(node, overlaps);
     now.follow(slave_nodes, master_nodes);
-    MortarIntegrals<WithDerivatives> integrals(now, carries, discretization);
+    MortarIntegrals<WithDerivatives> integrals(now, carries);
     for (const unsigned int e : slave.edges_of_node[node])
       if (!overlaps[e].segments.empty())
         integrals.add_edge(e, overlaps[e], node);

@@ -55,8 +55,7 @@ namespace Contact
    *    there are nodes left, that still sum up to one: a constant pressure is
    *    in the space everywhere, and D_k > 0. Other nodes of the edge are then
    *    in g_k, too.
-   *  - At a node with a support in one direction (a symmetry line) the normal
-   *    is the free direction.
+   *  - On a symmetry line the normal is along the line.
    *  - The feet of a node are shifted along the master such that
    *    x_slave - x_master, weighted, is parallel to n_k. The shift vanishes
    *    with the gap; with it the forces balance in moment exactly, not only up

@@ -111,10 +111,70 @@ namespace Contact
       slave_x.emplace_back(slave.position(i, u));
     for (unsigned int i = 0; i < master.nodes.size(); ++i)
       master_x.emplace_back(master.position(i, u));
+    find_symmetry_lines();
     for (unsigned int e = 0; e < slave.edges.size(); ++e)
       find_slave_normals(e);
     for (unsigned int e = 0; e < master.edges.size(); ++e)
       find_master_normals(e);
+  }
+
+
+
+  // Both surfaces end there, and supports hold both ends in the direction
+  // across the line. An end that supports hold on one side only, as that of a
+  // body which is dragged, is no symmetry line. A surface that meets the line
+  // at a slant has a corner there, with its mirror image.
+  template<typename Number>
+  void MortarGeometry<Number>::find_symmetry_lines()
+  {
+    const auto ends_of = [](const Surface &surface) {
+      std::map<unsigned int, unsigned int> edge_of_end;
+      for (unsigned int e = 0; e < surface.edges.size(); ++e)
+        {
+          const Surface::Edge &edge = surface.edges[e];
+          if (edge.begins_surface)
+            edge_of_end[edge.nodes[0]] = e;
+          if (edge.ends_surface)
+            edge_of_end[edge.nodes[1]] = e;
+        }
+      return edge_of_end;
+    };
+    const auto is_held = [&](const Surface::Node &node, const unsigned int c) {
+      return discretization.is_fixed(node.dofs[c]);
+    };
+    const auto is_smooth = [&](const unsigned int e, const unsigned int c) {
+      const auto        &nodes = slave.edges[e].nodes;
+      const Tensor<1, 2> chord =
+        slave.nodes[nodes[1]].X - slave.nodes[nodes[0]].X;
+      return std::abs(chord[1 - c]) <
+             chord.norm() *
+               std::sin(numbers::PI / 180 * Surface::feature_angle / 2);
+    };
+    const auto master_ends = ends_of(master);
+    for (const auto &[node, edge] : ends_of(slave))
+      for (unsigned int c = 0; c < 2; ++c)
+        if (is_held(slave.nodes[node], c) &&
+            !is_held(slave.nodes[node], 1 - c) && is_smooth(edge, c))
+          for (const auto &end : master_ends)
+            if (is_held(master.nodes[end.first], c) &&
+                std::abs(value_of(slave_x[node][c] - master_x[end.first][c])) <
+                  1e-6 * slave.reference_length(edge))
+              symmetry_lines[node] = Point<2>::unit_vector(1 - c);
+  }
+
+
+
+  template<typename Number>
+  Tensor<1, 2, Number>
+  MortarGeometry<Number>::symmetric(const Tensor<1, 2, Number> &normal,
+                                    const unsigned int          node) const
+  {
+    const auto           line = symmetry_lines.find(node);
+    Tensor<1, 2, Number> unit = normal;
+    if (line != symmetry_lines.end())
+      unit = (normal * line->second) * Tensor<1, 2, Number>(line->second);
+    unit /= length(unit);
+    return unit;
   }
 
 
@@ -124,18 +184,9 @@ namespace Contact
   {
     for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
       {
-        Tensor<1, 2, Number> &normal = slave_normals[edge][a];
-        normal = Number(-1) * mean_normal(slave, slave_x, edge, a);
-        // Against a support the node carries no multiplier, and its own normal
-        // serves for the projection.
-        const auto free = free_part(normal,
-                                    slave.nodes[slave.edges[edge].nodes[a]],
-                                    discretization);
-        if (value_of(free).norm_square() > 0.5)
-          {
-            const Number size = length(free);
-            normal            = free / size;
-          }
+        const Tensor<1, 2, Number> normal =
+          Number(-1) * mean_normal(slave, slave_x, edge, a);
+        slave_normals[edge][a] = symmetric(normal, slave.edges[edge].nodes[a]);
       }
   }
 

@@ -14,6 +14,7 @@
 #  error "deal.II is built without Sacado: install Debian's libdeal.ii-dev."
 #endif
 #include <Sacado.hpp>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -57,27 +58,12 @@ namespace Contact
 
 
 
-  /// The part of a direction along which supports leave a node free.
-  template<typename Number>
-  Tensor<1, 2, Number> free_part(const Tensor<1, 2, Number> &direction,
-                                 const Surface::Node        &node,
-                                 const Discretization       &discretization)
-  {
-    Tensor<1, 2, Number> free = direction;
-    for (unsigned int c = 0; c < 2; ++c)
-      if (discretization.is_fixed(node.dofs[c]))
-        free[c] = 0;
-    return free;
-  }
-
-
-
   /**
    * Slave and master in one configuration, and the projection between them:
    * along the normal field of the slave, which is continuous but at corners.
    * There each edge has its own normal; elsewhere the normals of the nodes are
-   * the means of those of both edges, interpolated. At a node with a support in
-   * one direction (a symmetry line) the normal is the free direction.
+   * the means of those of both edges, interpolated. On a symmetry line the
+   * normal is along the line, as the mean with the mirror image of the edge is.
    *
    * Of numbers that carry derivatives, those with respect to the positions of
    * some nodes at a time: follow().
@@ -124,6 +110,11 @@ namespace Contact
       return sum;
     }
 
+    /// A normal of a slave node, normalized, and along the line on a symmetry
+    /// line.
+    Tensor<1, 2, Number> symmetric(const Tensor<1, 2, Number> &normal,
+                                   const unsigned int          node) const;
+
     /// The coordinate at which the line through @p x along @p n meets a master
     /// edge, perhaps beyond its ends.
     Number projection_on_edge(const Tensor<1, 2, Number> &x,
@@ -145,6 +136,7 @@ namespace Contact
     Normals slave_normals, master_normals;
 
   private:
+    void find_symmetry_lines();
     void find_slave_normals(const unsigned int edge);
     void find_master_normals(const unsigned int edge);
 
@@ -153,6 +145,9 @@ namespace Contact
     edges_around(const Surface &surface, const std::set<unsigned int> &nodes);
 
     const Discretization &discretization;
+
+    // By the slave nodes on symmetry lines: the direction of the line.
+    std::map<unsigned int, Tensor<1, 2>> symmetry_lines;
 
     // The nodes and edges that carry derivatives.
     std::set<unsigned int> followed_slave_nodes, followed_master_nodes;

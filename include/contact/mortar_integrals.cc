@@ -48,13 +48,11 @@ namespace Contact
   template<typename Number>
   MortarIntegrals<Number>::MortarIntegrals(
     const MortarGeometry<Number> &geometry,
-    const Carriers               &carries,
-    const Discretization         &discretization)
+    const Carriers               &carries)
     : now(geometry)
     , slave(geometry.slave)
     , master(geometry.master)
     , carries(carries)
-    , discretization(discretization)
   {
   }
 
@@ -287,11 +285,9 @@ namespace Contact
     const Tensor<1, 2, Number> n_m = normalized(integrals.master_normal);
     const Number               slave_square = square(slave.turns[node]);
     const Tensor<1, 2, Number> sum = master_square * n_s + slave_square * n_m;
-    const Tensor<1, 2, Number> n =
-      free_part(sum, slave.nodes[node], discretization);
-    const Tensor<1, 2> n_0 = value_of(n);
-    return n_0.norm_square() == 0 || n_0 * value_of(n_s) <= 0 ? n_s
-                                                              : normalized(n);
+    if (value_of(sum) * value_of(n_s) <= 0)
+      return n_s;
+    return now.symmetric(sum, node);
   }
 
 

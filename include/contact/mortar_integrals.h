@@ -43,8 +43,7 @@ namespace Contact
     using Carriers = std::vector<Surface::PerEdgeNode<bool>>;
 
     MortarIntegrals(const MortarGeometry<Number> &geometry,
-                    const Carriers               &carries,
-                    const Discretization         &discretization);
+                    const Carriers               &carries);
 
     /// Integrate over a slave edge, for all of its nodes or for one.
     void add_edge(const unsigned int   slave_edge,
@@ -112,7 +111,6 @@ namespace Contact
     const MortarGeometry<Number> &now;
     const Surface                &slave, &master;
     const Carriers               &carries;
-    const Discretization         &discretization;
 
     std::map<unsigned int, OfNode> of_nodes;
   };

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/errors.h"
 #include "base/string_utilities.h"
@@ -164,6 +165,21 @@ namespace Contact
                              "move both alike in entry 'Mesh/Move', or none");
       for (unsigned int v = 0; v < points.size(); ++v)
         points[v] = placement(points[v], body[v]);
+
+      // Products of two areas are the largest and smallest numbers of the
+      // geometry.
+      for (const auto &cell : cells)
+        {
+          const double square =
+            (points[cell.vertices[1]] - points[cell.vertices[0]]).norm_square();
+          if (!std::isnormal(square * square))
+            throw InputError("a cell has a side of " +
+                               brief(std::sqrt(square)) +
+                               " mm, too far from 1 mm for floating point",
+                             msh.name + ", entry 'Mesh/Scale'",
+                             "choose a scale that makes millimetres of the "
+                             "lengths of the file");
+        }
     }
 
 
@@ -250,7 +266,21 @@ namespace Contact
                                        coarse.lines);
     pieces.find(triangulation);
     set_arcs(parameters, placement, *this);
-    triangulation.refine_global(parameters.refinements);
+    refine(parameters.refinements);
+  }
+
+
+
+  void Mesh::refine(const unsigned int n)
+  {
+    const double n_cells =
+      std::ldexp(triangulation.n_global_active_cells(), 2 * n);
+    if (n_cells > std::numeric_limits<unsigned int>::max())
+      throw InputError("the mesh would have " + Utilities::to_string(n_cells) +
+                         " cells, more than there are numbers for",
+                       "entry 'Mesh/Refinements'",
+                       "refine less often");
+    triangulation.refine_global(n);
   }
 
 

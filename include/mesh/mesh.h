@@ -97,6 +97,9 @@ namespace Contact
     Mesh(const Parameters::Mesh &parameters,
          const MshFile          &msh,
          const MPI_Comm          communicator);
+
+    /// Refine all cells n times.
+    void refine(const unsigned int n);
   };
 } // namespace Contact
 

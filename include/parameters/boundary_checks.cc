@@ -41,7 +41,7 @@ namespace Contact
     {
       try
         {
-          parse_formula<n_variables>(formula, variables);
+          parse_formula<n_variables>(formula, variables, entry);
         }
       catch (const std::runtime_error &error)
         {
@@ -62,7 +62,7 @@ namespace Contact
         return check_formula<1>(history, "t", entry);
       try
         {
-          parse_history(history);
+          parse_history(history, entry);
         }
       catch (const std::runtime_error &error)
         {

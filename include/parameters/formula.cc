@@ -10,11 +10,14 @@
 
 #include <algorithm>
 #include <boost/io/ios_state.hpp>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
+
+#include "base/errors.h"
 
 namespace Contact
 {
@@ -53,7 +56,9 @@ namespace Contact
 
   template<int n_variables>
   std::function<double(const Point<n_variables> &)>
-  parse_formula(const std::string &formula, const std::string &variables)
+  parse_formula(const std::string &formula,
+                const std::string &variables,
+                const std::string &entry)
   {
     const auto fail = [&](const std::string &reason) {
       throw std::runtime_error("'" + formula + "' is no formula in " +
@@ -76,7 +81,20 @@ namespace Contact
       {
         fail(reason(exception));
       }
-    return [parser](const Point<n_variables> &p) { return parser->value(p); };
+    return [parser, formula, variables, entry](const Point<n_variables> &p) {
+      const double value = parser->value(p);
+      if (!std::isfinite(value))
+        {
+          std::ostringstream place;
+          place << p;
+          throw InputError("'" + formula + "' is " +
+                             (std::isnan(value) ? "not a number" : "infinite") +
+                             " at " + variables + " = " + place.str(),
+                           "entry '" + entry + "'",
+                           "write a formula that has a finite value there");
+        }
+      return value;
+    };
   }
 
 
@@ -90,10 +108,10 @@ namespace Contact
 
 
   std::function<double(const Point<1> &)>
-  parse_history(const std::string &history)
+  parse_history(const std::string &history, const std::string &entry)
   {
     if (!is_table(history))
-      return parse_formula<1>(history, "t");
+      return parse_formula<1>(history, "t", entry);
 
     const std::string text = Utilities::trim(history);
     const auto        fail = [&](const std::string &reason) {
@@ -138,7 +156,11 @@ namespace Contact
 
 
   template std::function<double(const Point<1> &)>
-  parse_formula<1>(const std::string &, const std::string &);
+  parse_formula<1>(const std::string &,
+                   const std::string &,
+                   const std::string &);
   template std::function<double(const Point<2> &)>
-  parse_formula<2>(const std::string &, const std::string &);
+  parse_formula<2>(const std::string &,
+                   const std::string &,
+                   const std::string &);
 } // namespace Contact

@@ -18,20 +18,23 @@ namespace Contact
   /**
    * A formula of the user's, as a function of its variables, whose names are
    * separated by commas: what deal.II's FunctionParser understands, with pi.
-   * Throws std::runtime_error with the reason if it can not be read.
+   * Throws std::runtime_error with the reason if it can not be read, and the
+   * function an InputError that names the @p entry where its value is no number
+   * or infinite, as of sqrt(-1) or 1/0.
    */
   template<int n_variables>
   std::function<double(const Point<n_variables> &)>
-  parse_formula(const std::string &formula, const std::string &variables);
+  parse_formula(const std::string &formula,
+                const std::string &variables,
+                const std::string &entry);
 
   /**
    * A function of the load factor t: a formula in t, or a table <code>table(t0
    * f0, t1 f1, ...)</code> with growing t, linear in between and constant
-   * before the first and after the last pair. Throws std::runtime_error with
-   * the reason if it can not be read.
+   * before the first and after the last pair. Throws as parse_formula() does.
    */
   std::function<double(const Point<1> &)>
-  parse_history(const std::string &history);
+  parse_history(const std::string &history, const std::string &entry);
 
   /// Whether a history is meant to be a table.
   bool is_table(const std::string &history);

@@ -35,6 +35,22 @@ namespace Contact
 
 
 
+    // With a coarser tolerance a loop ends before it begins.
+    void check_tolerance(const double       value,
+                         const double       coarsest,
+                         const std::string &entry)
+    {
+      check_positive(value, entry);
+      if (value > coarsest)
+        throw EntryError(entry + " is " + Utilities::to_string(value) +
+                           ", above " + Utilities::to_string(coarsest) + ".",
+                         {entry},
+                         "set a value between 0 and " +
+                           Utilities::to_string(coarsest));
+    }
+
+
+
     // The keys of one map have to be keys of another one as well.
     template<typename A, typename B>
     void check_keys(const std::map<std::string, A> &map,
@@ -265,9 +281,9 @@ namespace Contact
 
     void Solution::check() const
     {
-      check_positive(geometry_tolerance, "Solution/Geometry tolerance");
-      check_positive(friction_tolerance, "Solution/Friction tolerance");
-      check_positive(newton_tolerance, "Solution/Newton tolerance");
+      check_tolerance(geometry_tolerance, 0.1, "Solution/Geometry tolerance");
+      check_tolerance(friction_tolerance, 0.1, "Solution/Friction tolerance");
+      check_tolerance(newton_tolerance, 0.01, "Solution/Newton tolerance");
       check_positive(linear_tolerance, "Solution/Linear tolerance");
       if (linear_tolerance >= 1)
         throw EntryError("The linear tolerance is not below 1.",

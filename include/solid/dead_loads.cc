@@ -30,7 +30,8 @@ namespace Contact
       }
     for (const auto &[name, formula] : discretization.boundary.pressure)
       {
-        const auto pressure = parse_formula<2>(formula, "x,y");
+        const auto pressure =
+          parse_formula<2>(formula, "x,y", section + "Pressure");
         load_of("Pressure") +=
           integrate_boundary(name,
                              "Pressure",
@@ -93,7 +94,7 @@ namespace Contact
     for (const auto &[name, formula] :
          c == 0 ? boundary.traction_x : boundary.traction_y)
       {
-        const auto value = parse_formula<2>(formula, "x,y");
+        const auto value = parse_formula<2>(formula, "x,y", section + traction);
         load_of(traction) +=
           integrate_boundary(name,
                              traction,
@@ -106,7 +107,8 @@ namespace Contact
     for (const auto &[name, formula] :
          c == 0 ? boundary.body_force_x : boundary.body_force_y)
       {
-        const auto value = parse_formula<2>(formula, "x,y");
+        const auto value =
+          parse_formula<2>(formula, "x,y", section + body_force);
         load_of(body_force) +=
           integrate_body(discretization.mesh.body(name, section + body_force),
                          [&](const Point<2> &X) {

@@ -76,8 +76,15 @@ namespace Contact
     , dof_handler(mesh.triangulation)
     , boundary(parameters.boundary)
   {
+    // Their values at once, not in the middle of a long run.
+    const unsigned int n = parameters.solution.n_increments;
     for (const auto &[entry, formula] : boundary.histories)
-      histories[entry] = parse_history(formula);
+      {
+        histories[entry] =
+          parse_history(formula, "Boundary conditions/Histories");
+        for (unsigned int i = 1; i <= n; ++i)
+          factor(entry, i / double(n));
+      }
     if (axisymmetric)
       check_radii();
     redistribute();

@@ -68,6 +68,22 @@ def carried(rng, seed):
     return settle(rng, scene)
 
 
+def dragged(rng, seed):
+    """Pressed by a pressure, then moved along the base by supports at its side,
+    whose nodes are in contact or not; the base held at its ends or not."""
+    scene, s = two_blocks(rng, "dragged", seed, overhang=rng.choice([0, 0, 0.1]))
+    scene.hold(rng.choice(["Up_left", "Up_right"]),
+               uniform(rng, -0.05, 0.05) * s)
+    for side in rng.choice([(), ("Low_left", "Low_right"), ("Low_left",)]):
+        scene.hold(side, 0)
+    scene.contact(*swap(rng, "Up_below", "Low_above"), friction(rng, 0.1))
+    scene.load("Pressure", "Up_above",
+               uniform(rng, 0.001, 0.02) * stiffness(scene))
+    scene.histories["Pressure"] = RAMP_THEN_HOLD
+    scene.histories["Displacement x"] = HOLD_THEN_RAMP
+    return settle(rng, scene)
+
+
 def stack(rng, seed):
     """Three blocks; the middle one is held by friction alone."""
     s = size(rng)
@@ -225,5 +241,5 @@ def bricks(rng, seed):
     return settle(rng, scene)
 
 
-KINDS = (blocks, pressed, carried, stack, loose, pulled_off, lifted, feet, comb,
-         bricks)
+KINDS = (blocks, pressed, carried, dragged, stack, loose, pulled_off, lifted,
+         feet, comb, bricks)

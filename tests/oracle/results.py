@@ -116,6 +116,16 @@ def vtu_arrays(path):
     return arrays
 
 
+def pieces(path):
+    """The arrays of a file, or of the pieces of several processes."""
+    if path.suffix != ".pvtu":
+        return vtu_arrays(path)
+    parts = [vtu_arrays(path.parent / name) for name in re.findall(
+        '<Piece Source="([^"]*)"', path.read_text())]
+    return {name: np.concatenate([part[name] for part in parts])
+            for name in ("points", "displacement", "body")}
+
+
 def decode(text):
     n = struct.unpack("<I", base64.b64decode(text[:8])[:4])[0]
     length = (4 * (3 + n) + 2) // 3 * 4
@@ -136,8 +146,7 @@ def middle_displacements(run_, model, u):
                            .read_text())
     except OSError:
         return False
-    path = run_.directory / files[-1]
-    arrays = vtu_arrays(path)
+    arrays = pieces(run_.directory / files[-1])
     points = arrays["points"].reshape(-1, 3)[:, :2].astype(float)
     values = arrays["displacement"].reshape(-1, 3)[:, :2].astype(float)
     bodies = arrays["body"].astype(int)

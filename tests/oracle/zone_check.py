@@ -19,6 +19,8 @@ ROUND = 0.6
 CORNER = np.sin(np.radians(35))
 # Forces along surfaces that bend by more are not taken together [rad].
 BUNDLE = 2.0
+# A slip that counts, of the largest displacement of an increment.
+SLIPS = 0.05
 # A force that counts, of the largest one.
 COUNTS = 1e-3
 
@@ -63,6 +65,7 @@ class ZoneCheck:
         self.gaps = self.master.gap(flat).reshape(self.points.shape[:2])
         self.normals = self.master.normals(flat).reshape(self.points.shape)
         self.own = surfaces.Polyline(self.lines, state.x)
+        self.shared = shared
         self.judged = ~shared[self.nodes] & ~state.held[self.nodes].any(1)
         self.force = state.residual[self.nodes]
         # Lines of the slave that lie on the master: more than one place of them
@@ -93,6 +96,8 @@ class ZoneCheck:
             found += self.check_resultant()
         if before is not None and not found:
             found += self.check_slip(before)
+        if not found:
+            found += self.check_shear(before)
         return found
 
     def add_neighbours(self):
@@ -327,14 +332,7 @@ class ZoneCheck:
         if self.zone.mu == 0 or self.zone.obstacle or self.model.degree == 2:
             return []
         step = self.state.u - before.u
-        group = self.master.group
-        _, piece, s = group.closest(self.state.x[self.nodes])
-        line = self.lines_of_master()[group.line[piece]]
-        of_master = ((1 - s)[:, None] * step[line[:, 0]] +
-                     s[:, None] * step[line[:, 1]])
-        n = group.normal[piece]
-        t = np.stack([-n[:, 1], n[:, 0]], 1)
-        slip = np.einsum("ki,ki->k", step[self.nodes] - of_master, t)
+        slip, n, t = self.slip(step)
         force = self.state.residual[self.nodes]
         shear = np.einsum("ki,ki->k", force, t)
         push = np.einsum("ki,ki->k", force, n)
@@ -348,6 +346,52 @@ class ZoneCheck:
         if work > 0.1 * scale + 1e-2 * self.zone.mu * total:
             return [Problem("friction", "does work: %.3g of %.3g N mm" %
                             (work, total))]
+        return []
+
+    def slip(self, step):
+        """Of the slave's nodes along the master, with its normal and tangent."""
+        group = self.master.group
+        _, piece, s = group.closest(self.state.x[self.nodes])
+        line = self.lines_of_master()[group.line[piece]]
+        of_master = ((1 - s)[:, None] * step[line[:, 0]] +
+                     s[:, None] * step[line[:, 1]])
+        n = group.normal[piece]
+        t = np.stack([-n[:, 1], n[:, 0]], 1)
+        return np.einsum("ki,ki->k", step[self.nodes] - of_master, t), n, t
+
+    def check_shear(self, before):
+        """The force on a flat master, whose nodes may be free where supports
+        hold those of the slave: within the cone, and where all of the contact
+        slips to the same side, the shear is mu times the pressure."""
+        near = (self.gaps <= APART * self.slack).any(1)
+        if self.zone.obstacle or self.model.degree == 2 or (
+                not near.any() or not self.is_flat()):
+            return []
+        master = np.unique(self.lines_of_master())
+        if self.state.held[master].any() or self.shared[master].any():
+            return []
+        step = self.state.u - (before.u if before is not None else 0)
+        slip, normals, tangents = self.slip(step)
+        judged = np.isin(self.nodes, self.lines[near])
+        slip, normals = slip[judged], normals[judged]
+        force = -self.state.residual[master].sum(0)
+        n, t = normals.mean(0), tangents[judged].mean(0)
+        push, shear = abs(force @ n), abs(force @ t)
+        if self.model.axisymmetric and abs(n[0]) > 0.1:
+            return []
+        bound = self.zone.mu * push
+        allowed = (0.02 * bound + 2 * np.abs(normals - n).max() * push +
+                   10 * self.state.error[master].sum() +
+                   1e-6 * self.state.scale)
+        if shear > bound + allowed + 0.02 * push:
+            return [Problem("shear", "%.4g N on the master, mu N = %.4g" % (
+                shear, bound))]
+        moved = max(np.abs(step).max(), 1e-6 * self.largest)
+        slips = (np.abs(slip).min() > SLIPS * moved and
+                 np.ptp(np.sign(slip)) == 0)
+        if slips and shear < bound - allowed:
+            return [Problem("shear", "%.4g N where all slips under mu N = %.4g"
+                            % (shear, bound))]
         return []
 
     def parallel(self, normals):
