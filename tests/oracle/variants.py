@@ -1,6 +1,7 @@
 """The same scene in other words: mirrored, renumbered, its bodies in another
 order, on two processes. Its results have to be the same."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
+import copy
 import random
 
 import numpy as np
@@ -43,21 +44,49 @@ def compare(scene, base, name, binary, directory):
     if made is None:
         return None
     other, sign, ranks = made
-    other.write(directory)
-    run = results.run(binary, directory, ranks)
+    run = run_variant(other, binary, directory, ranks)
     if ranks > 1 and run.status == 2:
         return None
     if run.status != 0:
         crashed = run.status not in (1, 2, 3)
         return "crash" if crashed else "differs", "%s: exit status %s: %s" % (
             name, run.status, run.message)
-    (u, largest), (v, _) = displacements(scene, base), displacements(other, run)
-    v = v[getattr(other.mesh, "order", slice(None))] * sign
-    off = np.abs(u - v).max() / max(largest, 1e-300)
+    off = distance(scene, base, other, run, sign)
     if off <= SAME:
         return None
     found = check.problems(other, run)
     if found:
         return "wrong", "%s (%.1e off): %s" % (name, off, found[0])
-    return "differs", "%s: %.1e of the largest displacement; both in " \
-        "equilibrium" % (name, off)
+    close = tightened(made, scene, binary, directory)
+    if close <= SAME:
+        return None
+    return "differs", "%s: %.1e of the largest displacement, %.1e under " \
+        "tight tolerances; both in equilibrium" % (name, off, close)
+
+
+def run_variant(scene, binary, directory, ranks):
+    scene.write(directory)
+    return results.run(binary, directory, ranks)
+
+
+def distance(scene, base, other, run, sign):
+    """Of two results, by the largest displacement; by the resolution of the
+    mesh file where nothing moves."""
+    (u, largest), (v, _) = displacements(scene, base), displacements(other, run)
+    v = v[getattr(other.mesh, "order", slice(None))] * sign
+    return np.abs(u - v).max() / max(largest, 1e-9 * scene.size)
+
+
+def tightened(made, scene, binary, directory):
+    """The distance once more where loops stop later: what they may leave is not
+    the same in the system of one process and that of two."""
+    other, sign, ranks = made
+    tight = [copy.deepcopy(s) for s in (scene, other)]
+    for s in tight:
+        s.entries.update({"Solution/Geometry tolerance": "1e-8",
+                          "Solution/Newton tolerance": "1e-11"})
+    runs = [run_variant(s, binary, directory / name, n) for s, name, n in zip(
+        tight, ("first", "second"), (1, ranks))]
+    if any(run.status != 0 for run in runs):
+        return np.inf
+    return distance(tight[0], runs[0], tight[1], runs[1], sign)
