@@ -90,7 +90,7 @@
 #include "adaptivity/refinement.h"
 #include "base/errors.h"
 #include "base/interruption.h"
-#include "base/string_utilities.h"
+#include "contact/surface_transfer.h"
 #include "output/application.h"
 #include "output/checkpoint.h"
 #include "output/postprocessor.h"
@@ -127,7 +127,6 @@ namespace Contact
     // Setting up.
     void setup_system();
     void setup_level();
-    bool lacks_ends_of_masters() const;
     void begin_anew();
 
     // The loops.
@@ -135,8 +134,9 @@ namespace Contact
     void solve_level();
     void solve_increment(const LoadSteps::Step &step);
     void start_from_coarser_level(const unsigned int increment);
-    void give_up_increment(const std::string &reason);
-    bool try_again(LoadSteps &steps, const LoadSteps::Step &step);
+    bool try_again(LoadSteps             &steps,
+                   const LoadSteps::Step &step,
+                   const std::string     &reason);
     void make_first_contact(LoadSteps &steps);
     void solve_with_stabilization();
     void solve_with_geometry_loop();
@@ -152,7 +152,6 @@ namespace Contact
     // The invariants.
     void check_invariants(const Vector<double> &springs);
 
-    const MPI_Comm        communicator = MPI_COMM_WORLD;
     const Parameters::All parameters;
     Report                report;
 
@@ -171,8 +170,8 @@ namespace Contact
     // the states of the surfaces after each increment.
     struct CoarserLevel
     {
-      std::vector<Vector<double>>                              solutions;
-      std::vector<std::vector<ContactInterface::SurfaceState>> surfaces;
+      std::vector<Vector<double>>            solutions;
+      std::vector<std::vector<SurfaceState>> surfaces;
     };
 
     unsigned int level = 0;
@@ -188,7 +187,7 @@ namespace Contact
                                  const ParameterHandler &prm,
                                  const bool              verbose)
     : parameters(parameters)
-    , report(this->parameters, prm, verbose, communicator)
+    , report(this->parameters, prm, verbose, MPI_COMM_WORLD)
     , pairing(model, this->parameters, report.timer)
     , stabilization(model, report.screen)
     , newton(model, system, state, pairing, report.timer)
@@ -256,11 +255,13 @@ namespace Contact
   {
     {
       TimerOutput::Scope scope(report.timer, "setup");
-      model.mesh = std::make_unique<Mesh>(parameters.mesh, communicator);
+      model.mesh = std::make_unique<Mesh>(parameters.mesh, report.communicator);
       if (parameters.refinement.strategy == Parameters::Strategy::adaptive)
         check_adaptive(*model.mesh);
       model.discretization =
-        std::make_unique<Discretization>(*model.mesh, parameters, communicator);
+        std::make_unique<Discretization>(*model.mesh,
+                                         parameters,
+                                         report.communicator);
     }
     setup_level();
     if (model.interface)
@@ -314,17 +315,6 @@ namespace Contact
 
 
 
-  bool ContactProblem::lacks_ends_of_masters() const
-  {
-    return model.interface && std::any_of(model.interface->pairs.begin(),
-                                          model.interface->pairs.end(),
-                                          [](const auto &contact_pair) {
-                                            return contact_pair->lacks_ends();
-                                          });
-  }
-
-
-
   // @sect4{ContactProblem::begin_anew}
   //
   // Return to the undeformed state, with points of contact at the ends of the
@@ -364,7 +354,7 @@ namespace Contact
       }
     catch (const NotConverged &failure)
       {
-        if (!lacks_ends_of_masters())
+        if (!model.interface || !model.interface->lacks_ends_of_masters())
           throw;
         report.screen << failure.what() << std::endl
                       << "Once more from the start, with points of contact at "
@@ -404,8 +394,7 @@ namespace Contact
           }
         catch (const NotConverged &failure)
           {
-            give_up_increment(failure.what());
-            if (try_again(steps, step))
+            if (try_again(steps, step, failure.what()))
               continue;
             std::ostringstream message;
             message << "no solution at the load factor " << step.to
@@ -431,7 +420,8 @@ namespace Contact
           {
             here.solutions.push_back(state.solution);
             if (model.interface)
-              here.surfaces.push_back(model.interface->save(state.solution));
+              here.surfaces.push_back(
+                save_surfaces(*model.interface, state.solution));
           }
       }
     coarser = std::move(here);
@@ -479,17 +469,22 @@ namespace Contact
     std::copy(u.begin(), u.end(), state.solution.begin());
     pairing.pair(state.solution);
     if (model.interface)
-      model.interface->restore(coarser.surfaces[increment - 1], state.solution);
+      restore_surfaces(coarser.surfaces[increment - 1],
+                       *model.interface,
+                       state.solution);
   }
 
 
 
-  // @sect4{ContactProblem::give_up_increment}
+  // @sect4{ContactProblem::try_again}
   //
   // An increment that does not converge leaves no trace but its record. The
   // state is that of the increment's start; the pattern of the matrix is made
-  // anew.
-  void ContactProblem::give_up_increment(const std::string &reason)
+  // anew. A body that contact alone held may have come loose on the way: then
+  // it is held, too. Else the load is applied in smaller steps.
+  bool ContactProblem::try_again(LoadSteps             &steps,
+                                 const LoadSteps::Step &step,
+                                 const std::string     &reason)
   {
     report.increment().message = reason;
     report.screen << "  " << reason << std::endl;
@@ -497,16 +492,7 @@ namespace Contact
     postprocessor.forget_stresses();
     system->forget_pattern();
     pairing.pair(state.solution);
-  }
 
-
-
-  // @sect4{ContactProblem::try_again}
-  //
-  // A body that contact alone held may have come loose on the way: then it is
-  // held, too. Else the load is applied in smaller steps.
-  bool ContactProblem::try_again(LoadSteps &steps, const LoadSteps::Step &step)
-  {
     stabilization.stabilize_free_pieces(nullptr);
     if (stabilization.has_grown())
       return true;
@@ -558,7 +544,7 @@ namespace Contact
         return;
       }
 
-    stabilization.choose_stiffness(newton.convergence.force_scale());
+    stabilization.choose_stiffness();
     const unsigned int max_turns = 20;
     for (unsigned int turn = 1;; ++turn)
       {
@@ -708,12 +694,14 @@ namespace Contact
   // present state, and under a pairing of the present state.
   void ContactProblem::solve_newton()
   {
-    IncrementRecord &record    = report.increment();
-    unsigned int     max_steps = parameters.solution.max_newton_iterations;
+    IncrementRecord   &record = report.increment();
+    const unsigned int limit  = parameters.solution.newton_limit(
+      /*converges_linearly=*/model.interface && !system->has_multipliers());
+    unsigned int max_steps = limit;
     newton.begin();
     for (unsigned int step = 0;; ++step)
       {
-        stop_if_interrupted(communicator);
+        stop_if_interrupted(report.communicator);
         newton.evaluate();
         report.print_step(model,
                           step,
@@ -748,8 +736,7 @@ namespace Contact
                              "time changes:"
                           << newton.changes() << std::endl;
             if (!system->has_multipliers())
-              max_steps = parameters.solution.max_newton_iterations +
-                          model.interface->points().size();
+              max_steps = limit + model.interface->points().size();
           }
         record.linear_iterations += newton.make_step();
         ++record.newton_iterations;
@@ -817,13 +804,8 @@ namespace Contact
                         springs.size() > 0 ? &springs : nullptr,
                         pairing.follows() ? pairing.misplacement(state) : 0.);
     invariants->advance();
-    if (pairing.jumps())
-      found.notes.push_back(
-        "pairing: closest points jump between two places for good; the gaps of "
-        "the one under the other are within the geometry tolerance, " +
-        brief(parameters.solution.geometry_tolerance) +
-        " of the way of the surfaces. A finer master, another contact "
-        "discretization, or 'Geometry = fixed point' may come to rest.");
+    if (const std::string note = pairing.note(); !note.empty())
+      found.notes.push_back(note);
     report.record(found);
   }
 } // namespace Contact

@@ -68,11 +68,12 @@ namespace
             model.elimination->recover_pressures(model.rhs, model.solution);
             model.elimination->recover_shears(model.rhs, model.solution);
           }
-        model.interface->assemble(model.solution,
-                                  model.start,
-                                  {false, true},
-                                  model.rhs,
-                                  nullptr);
+        ContactKernel(*model.interface)
+          .assemble(model.solution,
+                    model.start,
+                    {false, true},
+                    model.rhs,
+                    nullptr);
         const double scale =
           model.elasticity->forces(model.solution, 1).linfty_norm();
         if (step > 0)

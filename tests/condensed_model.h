@@ -85,7 +85,8 @@ namespace Tests
         }
       const unsigned int n_changes =
         interface->update_statuses(solution, start, moving_bound, after_a_step);
-      interface->assemble(solution, start, {false, moving_bound}, rhs, nullptr);
+      ContactKernel(*interface)
+        .assemble(solution, start, {false, moving_bound}, rhs, nullptr);
       return n_changes;
     }
 

@@ -184,11 +184,12 @@ namespace
                                    load_factor,
                                    rhs,
                                    &model.matrix);
-        model.interface.assemble(model.solution,
-                                 model.start,
-                                 {false, true},
-                                 rhs,
-                                 &model.matrix);
+        ContactKernel(model.interface)
+          .assemble(model.solution,
+                    model.start,
+                    {false, true},
+                    rhs,
+                    &model.matrix);
         for (unsigned int i = 0; i < model.n_dofs(); ++i)
           if (model.discretization.constraints.is_constrained(i))
             {

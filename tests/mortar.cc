@@ -193,12 +193,16 @@ namespace
     for (double &value : other)
       value += random(-0.1, 0.1);
 
-    double                 error = 0, largest = 0;
-    ContactInterface::Rows rows;
+    double              error = 0, largest = 0;
+    ContactKernel::Rows rows;
     for (const ContactPoint &point : model.interface.points())
       {
         const auto &interface = model.interface;
-        interface.rows(point, model.solution, model.start, {false, true}, rows);
+        ContactKernel(interface).rows(point,
+                                      model.solution,
+                                      model.start,
+                                      {false, true},
+                                      rows);
         const auto from = interface.state(point, model.solution, model.start);
         const auto to   = interface.state(point, other, model.start);
         double     p = from.p_trial - to.p_trial, q = from.q_trial - to.q_trial;

@@ -9,6 +9,8 @@
 // know: pressure, shear and bound of friction exactly where they are linear,
 // and each end of the contact to within one node.
 
+#include "contact/surface_transfer.h"
+
 #include "condensed_model.h"
 #include "refine_bodies.h"
 
@@ -185,9 +187,9 @@ namespace
       point.status           = x < -0.1 ? PointStatus{Status::slip, -1}
                                         : PointStatus{Status::stick, 0};
     });
-    const auto state = strips.interface->save(strips.solution);
+    const auto state = save_surfaces(*strips.interface, strips.solution);
     strips.refine_all();
-    strips.interface->restore(state, strips.solution);
+    restore_surfaces(state, *strips.interface, strips.solution);
 
     double error = 0;
     bool   right = strips.interface->points().size() == degree * 12 + 1;
@@ -231,9 +233,9 @@ namespace
           point.status =
             inside(point) ? PointStatus{Status::slip, 1} : PointStatus();
         });
-        const auto state = strips.interface->save(strips.solution);
+        const auto state = save_surfaces(*strips.interface, strips.solution);
         strips.refine_all();
-        strips.interface->restore(state, strips.solution);
+        restore_surfaces(state, *strips.interface, strips.solution);
 
         unsigned int wrong_left = 0, wrong_right = 0;
         for (const ContactPoint &point : strips.interface->points())

@@ -55,14 +55,18 @@ namespace
       matrix.reinit(pattern);
     }
 
-    void assemble(const ContactInterface                &interface,
-                  const Vector<double>                  &solution,
-                  const Vector<double>                  &start,
-                  const ContactInterface::Linearization &linearization)
+    void assemble(const ContactInterface             &interface,
+                  const Vector<double>               &solution,
+                  const Vector<double>               &start,
+                  const ContactKernel::Linearization &linearization)
     {
       matrix = 0;
       rhs    = 0;
-      interface.assemble(solution, start, linearization, rhs, &matrix);
+      ContactKernel(interface).assemble(solution,
+                                        start,
+                                        linearization,
+                                        rhs,
+                                        &matrix);
     }
 
     SparsityPattern      pattern;
@@ -132,8 +136,8 @@ namespace
 
 
 
-  Result compare(ContactModel                          &model,
-                 const ContactInterface::Linearization &linearization)
+  Result compare(ContactModel                       &model,
+                 const ContactKernel::Linearization &linearization)
   {
     ContactInterface &interface       = model.interface;
     const bool        moving_geometry = linearization.moving_geometry;

@@ -18,7 +18,7 @@
 #include <random>
 #include <sstream>
 
-#include "contact/contact_interface.h"
+#include "contact/contact_kernel.h"
 #include "mesh/mesh.h"
 #include "mpi_session.h"
 #include "parameters/parameters.h"
@@ -373,11 +373,11 @@ namespace Tests
           matrix             = 0;
           rhs                = 0;
           elasticity->assemble(solution, load_factor, rhs, &matrix);
-          interface.assemble(solution,
-                             start,
-                             {moving_geometry, true},
-                             rhs,
-                             &matrix);
+          ContactKernel(interface).assemble(solution,
+                                            start,
+                                            {moving_geometry, true},
+                                            rhs,
+                                            &matrix);
           for (unsigned int i = 0; i < n_dofs(); ++i)
             if (discretization.constraints.is_constrained(i))
               {

@@ -99,6 +99,15 @@ namespace Contact
 
 
 
+  bool ContactInterface::lacks_ends_of_masters() const
+  {
+    return std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) {
+      return pair->lacks_ends();
+    });
+  }
+
+
+
   unsigned int ContactInterface::n_multipliers() const
   {
     return n_normal_multipliers() + n_tangential;
@@ -250,11 +259,10 @@ namespace Contact
 
 
 
-  void ContactInterface::collect_unknowns(
-    const ContactPoint                   &point,
-    std::vector<types::global_dof_index> &unknowns) const
+  std::vector<types::global_dof_index>
+  ContactInterface::unknowns_of(const ContactPoint &point) const
   {
-    unknowns.clear();
+    std::vector<types::global_dof_index> unknowns;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (const auto dof : point.dofs[a])
         unknowns.push_back(dof);
@@ -268,20 +276,17 @@ namespace Contact
       if (std::find(unknowns.begin(), unknowns.begin() + n_own, dof) ==
           unknowns.begin() + n_own)
         unknowns.push_back(dof);
+    return unknowns;
   }
 
 
 
   void ContactInterface::add_couplings(DynamicSparsityPattern &pattern) const
   {
-    std::vector<types::global_dof_index> unknowns;
     for (const ContactPoint &point : all_points)
-      {
-        collect_unknowns(point, unknowns);
-        discretization.constraints.add_entries_local_to_global(
-          unknowns,
-          pattern,
-          /*keep_constrained_entries=*/false);
-      }
+      discretization.constraints.add_entries_local_to_global(
+        unknowns_of(point),
+        pattern,
+        /*keep_constrained_entries=*/false);
   }
 } // namespace Contact

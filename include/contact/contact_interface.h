@@ -52,8 +52,8 @@ namespace Contact
 
 
   /**
-   * All contact pairs: their points, the kernel that reads them, and the active
-   * set.
+   * All contact pairs: their points, the numbers of their multipliers, and the
+   * active set. ContactKernel makes equations of them.
    *
    * The solution vector holds the displacement, then the normal multipliers,
    * and of contact pairs with friction the tangential ones. With the tractions
@@ -74,6 +74,7 @@ namespace Contact
                      const Elasticity                       &elasticity,
                      const std::vector<Parameters::Contact> &parameters);
 
+    const Discretization                           &discretization;
     std::vector<std::unique_ptr<const ContactPair>> pairs;
 
     /// All points, contact pair by contact pair.
@@ -103,6 +104,15 @@ namespace Contact
     /// Whether a contact pair that is not tied has friction, and Coulomb's.
     bool has_friction() const;
     bool has_coulomb_friction() const;
+
+    /// Whether a point has tangential multipliers.
+    bool has_friction(const ContactPoint &point) const
+    {
+      return !contact_pair(point).law.is_frictionless();
+    }
+
+    /// Whether a master has ends without points of their own.
+    bool lacks_ends_of_masters() const;
 
     /// All of them, and those of the normal direction.
     unsigned int n_multipliers() const;
@@ -150,30 +160,6 @@ namespace Contact
      * of the master, if no point of the slave is as close.
      */
     void activate_nearest(const Vector<double> &u);
-
-    /// The part of the solution that belongs to the points, by the place on the
-    /// slave: its reference arc length as a part of the whole.
-    struct SurfaceState
-    {
-      std::vector<double>      place;
-      std::vector<double>      pressure, shear, bound; // [MPa]
-      std::vector<PointStatus> statuses;
-
-      /// Corners of the master, which every mesh has: force and shear [N per
-      /// mm], bound [MPa].
-      struct Corner
-      {
-        double      force, shear, bound;
-        PointStatus status;
-      };
-      std::vector<Corner> corners;
-    };
-
-    /// Rules with a point per node: from one mesh to a finer one, by contact
-    /// pair.
-    std::vector<SurfaceState> save(const Vector<double> &solution) const;
-    void                      restore(const std::vector<SurfaceState> &states,
-                                      Vector<double>                  &solution);
 
     /// Set the bounds of the next Tresca problem from the present pressures;
     /// return the largest change, relative to the largest bound.
@@ -232,48 +218,13 @@ namespace Contact
     template<class Archive>
     void serialize(Archive &archive, const unsigned int);
 
+    /// The unknowns of a point: displacements of its nodes, its multipliers,
+    /// and unknowns of other nodes that its pairing depends on.
+    std::vector<types::global_dof_index>
+    unknowns_of(const ContactPoint &point) const;
+
     /// Add the couplings of the points.
     void add_couplings(DynamicSparsityPattern &pattern) const;
-
-    /// The terms that the kernel linearises.
-    struct Linearization
-    {
-      /// Projection, normal and tangent move with the bodies.
-      bool moving_geometry;
-
-      /// The bound of the shear traction moves with the pressure.
-      bool moving_bound;
-    };
-
-    /// Add minus the residual to @p rhs and, unless @p matrix is null, the
-    /// tangent to it; constraints eliminated.
-    void assemble(const Vector<double> &solution,
-                  const Vector<double> &u_start,
-                  const Linearization  &linearization,
-                  Vector<double>       &rhs,
-                  SparseMatrix<double> *matrix) const;
-
-    /**
-     * The rows of a point over its unknowns: derivatives of the trial values
-     * p and q, and the loads on all equations that a unit of p and q exerts.
-     * The equations of the whole problem are
-     *   elastic(x) + sum over the points of (load_p p + load_q q) = ...,
-     * where p and q depend on x through the trial values alone (and with moving
-     * geometry through the turning of the loads): all that the search of the
-     * active set needs.
-     */
-    struct Rows
-    {
-      std::vector<types::global_dof_index> unknowns;
-      Vector<double>                       p_trial, q_trial; // derivatives
-      Vector<double>                       load_p, load_q;
-    };
-
-    void rows(const ContactPoint   &point,
-              const Vector<double> &solution,
-              const Vector<double> &u_start,
-              const Linearization  &linearization,
-              Rows                 &rows) const;
 
     /// Without friction, and where its tangential row is void, a point in
     /// contact slips.
@@ -318,50 +269,8 @@ namespace Contact
                        const Vector<double> &u_start) const;
 
   private:
-    /// Whether a point has tangential multipliers.
-    bool has_friction(const ContactPoint &point) const
-    {
-      return !contact_pair(point).law.is_frictionless();
-    }
-
     /// The direction of slip of a point that cannot stick.
     int prescribed_direction(const ContactPoint &point) const;
-
-    struct Motion;
-    Motion motion(const ContactPoint   &point,
-                  const Vector<double> &solution,
-                  const Vector<double> &u_start) const;
-    Motion motion_of_projection(const ContactPoint   &point,
-                                const Vector<double> &solution,
-                                const Tensor<1, 2>   &r) const;
-    Motion motion_of_change(const ContactPoint &point) const;
-
-    /// Add the motion of the loads of a point to its tangent.
-    void add_motion(const ContactPoint   &point,
-                    const Motion         &moves,
-                    const Traction       &t,
-                    FullMatrix<double>   &matrix,
-                    const Vector<double> &residual) const;
-
-    void assemble_point(const ContactPoint   &point,
-                        const Vector<double> &solution,
-                        const Vector<double> &u_start,
-                        const Linearization  &linearization,
-                        Rows                 &rows,
-                        FullMatrix<double>   &matrix,
-                        Vector<double>       &residual) const;
-
-    void collect_unknowns(const ContactPoint                   &point,
-                          std::vector<types::global_dof_index> &unknowns) const;
-
-    SurfaceState save_pair(const ContactPair    &contact_pair,
-                           const Vector<double> &solution) const;
-    void         restore_pair(const ContactPair  &contact_pair,
-                              const SurfaceState &state,
-                              Vector<double>     &solution);
-    void         restore_corners(const ContactPair  &contact_pair,
-                                 const SurfaceState &state,
-                                 Vector<double>     &solution);
 
     /// Points that stick and are held in a corner slip in no direction.
     void release_in_corners();
@@ -369,7 +278,6 @@ namespace Contact
     /// The points of other obstacles with the same node, by point.
     void find_corners();
 
-    const Discretization                             &discretization;
     std::vector<ContactPoint>                         all_points;
     std::map<unsigned int, std::vector<unsigned int>> in_corner;
     Vector<double> support_motion; // of this increment

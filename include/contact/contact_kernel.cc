@@ -5,16 +5,18 @@
 
 // The kernel of ContactInterface: what a point adds to the linear system.
 
+#include "contact/contact_kernel.h"
+
 #include <algorithm>
 #include <numeric>
 
-#include "contact/contact_interface.h"
+
 
 namespace Contact
 {
   /// The motion of the pairing of a contact point with the bodies: derivatives
   /// with respect to its unknowns, by their place in Rows::unknowns.
-  struct ContactInterface::Motion
+  struct ContactKernel::Motion
   {
     std::vector<unsigned int> columns;
 
@@ -33,10 +35,10 @@ namespace Contact
   // (C1 carries the minus of the master side), and the edge turns by
   //   omega = n . d_tau / m.
   // The mortar discretization brings derivatives of its own.
-  ContactInterface::Motion
-  ContactInterface::motion(const ContactPoint   &point,
-                           const Vector<double> &solution,
-                           const Vector<double> &u_start) const
+  ContactKernel::Motion
+  ContactKernel::motion(const ContactPoint   &point,
+                        const Vector<double> &solution,
+                        const Vector<double> &u_start) const
   {
     Tensor<1, 2> r = -point.projection, d_r;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
@@ -74,10 +76,10 @@ namespace Contact
 
   // The projection is on the edge however it moves: along it the gap does not
   // change.
-  ContactInterface::Motion
-  ContactInterface::motion_of_projection(const ContactPoint   &point,
-                                         const Vector<double> &solution,
-                                         const Tensor<1, 2>   &r) const
+  ContactKernel::Motion
+  ContactKernel::motion_of_projection(const ContactPoint   &point,
+                                      const Vector<double> &solution,
+                                      const Tensor<1, 2>   &r) const
   {
     Tensor<1, 2> kappa = point.projection_curvature;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
@@ -115,12 +117,11 @@ namespace Contact
 
 
   // Unknowns that are not of the point's own nodes come behind its multipliers.
-  ContactInterface::Motion
-  ContactInterface::motion_of_change(const ContactPoint &point) const
+  ContactKernel::Motion
+  ContactKernel::motion_of_change(const ContactPoint &point) const
   {
-    std::vector<types::global_dof_index> unknowns;
-    collect_unknowns(point, unknowns);
-    Motion motion;
+    const auto unknowns = interface.unknowns_of(point);
+    Motion     motion;
     for (const auto dof : point.change.dofs)
       motion.columns.push_back(
         std::find(unknowns.begin(), unknowns.end(), dof) - unknowns.begin());
@@ -135,13 +136,13 @@ namespace Contact
 
 
 
-  void ContactInterface::rows(const ContactPoint   &point,
-                              const Vector<double> &solution,
-                              const Vector<double> &u_start,
-                              const Linearization  &linearization,
-                              Rows                 &rows) const
+  void ContactKernel::rows(const ContactPoint   &point,
+                           const Vector<double> &solution,
+                           const Vector<double> &u_start,
+                           const Linearization  &linearization,
+                           Rows                 &rows) const
   {
-    collect_unknowns(point, rows.unknowns);
+    rows.unknowns          = interface.unknowns_of(point);
     const unsigned int n_u = 2 * point.n_nodes;
     const unsigned int n_m = point.n_multipliers;
     for (auto *row : {&rows.p_trial, &rows.q_trial, &rows.load_p, &rows.load_q})
@@ -155,31 +156,32 @@ namespace Contact
           const unsigned int j = 2 * a + i;
           rows.p_trial[j]      = -c * point.C[a] * point.normal[i];
           rows.load_p[j]       = -w * point.C[a] * point.normal[i];
-          if (has_friction(point))
+          if (interface.has_friction(point))
             {
               rows.q_trial[j] = -c * point.C[a] * point.tangent[i];
               rows.load_q[j]  = -w * point.C[a] * point.tangent[i];
             }
         }
-    discretization.counters.tangential_rows += has_friction(point);
+    interface.discretization.counters.tangential_rows +=
+      interface.has_friction(point);
     for (unsigned int k = 0; k < n_m; ++k)
       {
         rows.p_trial[n_u + k] = point.psi[k];
         rows.load_p[n_u + k]  = w * point.psi[k] / c;
-        if (has_friction(point))
+        if (interface.has_friction(point))
           {
             rows.q_trial[n_u + n_m + k] = point.psi[k];
             rows.load_q[n_u + n_m + k]  = w * point.psi[k] / c;
           }
       }
 
-    if (linearization.moving_geometry && !contact_pair(point).tied)
+    if (linearization.moving_geometry && !interface.contact_pair(point).tied)
       {
         const Motion moves = motion(point, solution, u_start);
         for (unsigned int j = 0; j < moves.columns.size(); ++j)
           {
             rows.p_trial[moves.columns[j]] -= c * moves.gap[j];
-            if (has_friction(point))
+            if (interface.has_friction(point))
               rows.q_trial[moves.columns[j]] -= c * moves.slip[j];
           }
       }
@@ -187,25 +189,25 @@ namespace Contact
 
 
 
-  void ContactInterface::assemble_point(const ContactPoint   &point,
-                                        const Vector<double> &solution,
-                                        const Vector<double> &u_start,
-                                        const Linearization  &linearization,
-                                        Rows                 &rows,
-                                        FullMatrix<double>   &matrix,
-                                        Vector<double>       &residual) const
+  void ContactKernel::assemble_point(const ContactPoint   &point,
+                                     const Vector<double> &solution,
+                                     const Vector<double> &u_start,
+                                     const Linearization  &linearization,
+                                     Rows                 &rows,
+                                     FullMatrix<double>   &matrix,
+                                     Vector<double>       &residual) const
   {
     this->rows(point, solution, u_start, linearization, rows);
     const unsigned int n   = rows.unknowns.size();
     const unsigned int n_u = 2 * point.n_nodes;
     const unsigned int n_m = point.n_multipliers;
 
-    const ContactState now = state(point, solution, u_start);
-    const Traction     t   = traction(point,
-                                point.status,
-                                now.p_trial,
-                                now.q_trial,
-                                linearization.moving_bound);
+    const ContactState now = interface.state(point, solution, u_start);
+    const Traction     t   = interface.traction(point,
+                                          point.status,
+                                          now.p_trial,
+                                          now.q_trial,
+                                          linearization.moving_bound);
 
     matrix.reinit(n, n);
     residual.reinit(n);
@@ -221,7 +223,7 @@ namespace Contact
     // The constraints w psi_k (p - lambda)/c = 0 take the multipliers off.
     const double scale = point.weight / point.augmentation_parameter;
     for (unsigned int k = 0; k < n_m; ++k)
-      for (unsigned int b = 0; b < (has_friction(point) ? 2 : 1); ++b)
+      for (unsigned int b = 0; b < (interface.has_friction(point) ? 2 : 1); ++b)
         {
           const unsigned int row    = n_u + b * n_m + k;
           const double       lambda = b == 0 ? now.lambda_n : now.lambda_t;
@@ -233,22 +235,23 @@ namespace Contact
 
     const bool acts =
       point.status.kind != Status::open || !point.change.dofs.empty();
-    if (linearization.moving_geometry && !contact_pair(point).tied && acts)
+    if (linearization.moving_geometry && !interface.contact_pair(point).tied &&
+        acts)
       add_motion(point, motion(point, solution, u_start), t, matrix, residual);
   }
 
 
 
   // The loads turn and travel with the master edge.
-  void ContactInterface::add_motion(const ContactPoint   &point,
-                                    const Motion         &moves,
-                                    const Traction       &t,
-                                    FullMatrix<double>   &matrix,
-                                    const Vector<double> &residual) const
+  void ContactKernel::add_motion(const ContactPoint   &point,
+                                 const Motion         &moves,
+                                 const Traction       &t,
+                                 FullMatrix<double>   &matrix,
+                                 const Vector<double> &residual) const
   {
     const unsigned int n_u = 2 * point.n_nodes;
     const unsigned int n_constraints =
-      (has_friction(point) ? 2 : 1) * point.n_multipliers;
+      (interface.has_friction(point) ? 2 : 1) * point.n_multipliers;
     const Tensor<1, 2> along  = t.p * point.normal + t.q * point.tangent;
     const Tensor<1, 2> turned = t.q * point.normal - t.p * point.tangent;
     for (unsigned int j = 0; j < moves.columns.size(); ++j)
@@ -267,17 +270,17 @@ namespace Contact
 
 
 
-  void ContactInterface::assemble(const Vector<double> &solution,
-                                  const Vector<double> &u_start,
-                                  const Linearization  &linearization,
-                                  Vector<double>       &rhs,
-                                  SparseMatrix<double> *matrix) const
+  void ContactKernel::assemble(const Vector<double> &solution,
+                               const Vector<double> &u_start,
+                               const Linearization  &linearization,
+                               Vector<double>       &rhs,
+                               SparseMatrix<double> *matrix) const
   {
-    const auto        &constraints = discretization.constraints;
+    const auto        &constraints = interface.discretization.constraints;
     Rows               rows;
     FullMatrix<double> local_matrix;
     Vector<double>     local_rhs;
-    for (const ContactPoint &point : all_points)
+    for (const ContactPoint &point : interface.points())
       {
         assemble_point(point,
                        solution,

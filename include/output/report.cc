@@ -17,13 +17,13 @@ namespace Contact
                  const ParameterHandler &prm,
                  const bool              verbose,
                  const MPI_Comm          communicator)
-    : screen(std::cout,
+    : communicator(communicator)
+    , screen(std::cout,
              verbose && parameters.output.screen == Parameters::Screen::full &&
                Utilities::MPI::this_mpi_process(communicator) == 0)
     , timer(std::cout, TimerOutput::never, TimerOutput::cpu_and_wall_times)
     , parameters(parameters)
     , prm(prm)
-    , communicator(communicator)
   {
     summary.case_name = parameters.name;
     summary.mesh_file =

@@ -34,6 +34,7 @@ namespace Contact
            const bool              verbose,
            const MPI_Comm          communicator);
 
+    const MPI_Comm     communicator;
     ConditionalOStream screen;
     TimerOutput        timer;
     RunSummary         summary;
@@ -99,7 +100,6 @@ namespace Contact
 
     const Parameters::All       &parameters;
     const ParameterHandler      &prm;
-    const MPI_Comm               communicator;
     std::unique_ptr<ResultFiles> result_files;
     const Discretization *discretization = nullptr; // once files are open
   };

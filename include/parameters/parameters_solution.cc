@@ -76,10 +76,13 @@ namespace Contact
                         newton_tolerance,
                         "Residual of equilibrium and of the contact "
                         "constraints, relative to the load [-]; > 0.");
-      prm.add_parameter("Max Newton iterations",
-                        max_newton_iterations,
-                        "Newton iterations before giving up [-].",
-                        at_least_one);
+      prm.add_parameter(
+        "Max Newton iterations",
+        max_newton_iterations,
+        "Newton iterations before giving up [-]; 0: 25, and 100 "
+        "with contact in the condensed system, whose tangent "
+        "does not know how the pairing moves.",
+        Patterns::Integer(0));
     }
 
 

@@ -34,10 +34,19 @@ namespace Contact
 
       Choice<FrictionLoop> friction                = FrictionLoop::newton;
       double               friction_tolerance      = 1e-10;
-      unsigned int         max_friction_iterations = 60;
+      unsigned int         max_friction_iterations = 300;
 
       double       newton_tolerance      = 1e-8;
-      unsigned int max_newton_iterations = 25;
+      unsigned int max_newton_iterations = 0;
+
+      /// The entry, or if that is 0 a number that suffices for quadratic
+      /// convergence, or for linear one.
+      unsigned int newton_limit(const bool converges_linearly) const
+      {
+        return max_newton_iterations > 0 ? max_newton_iterations
+               : converges_linearly      ? 100
+                                         : 25;
+      }
 
       /// Of iterative solvers, relative to the residual of the Newton step.
       double linear_tolerance = 1e-3;

@@ -13,10 +13,10 @@
 namespace Contact
 {
   ActiveSetSearch::ActiveSetSearch(
-    const Discretization                  &discretization,
-    ContactInterface                      &interface,
-    const DirectSolver                    &solver,
-    const ContactInterface::Linearization &linearization)
+    const Discretization               &discretization,
+    ContactInterface                   &interface,
+    const DirectSolver                 &solver,
+    const ContactKernel::Linearization &linearization)
     : interface(interface)
     , problem(discretization, interface, solver, linearization)
   {

@@ -32,10 +32,10 @@ namespace Contact
   class ActiveSetSearch
   {
   public:
-    ActiveSetSearch(const Discretization                  &discretization,
-                    ContactInterface                      &interface,
-                    const DirectSolver                    &solver,
-                    const ContactInterface::Linearization &linearization);
+    ActiveSetSearch(const Discretization               &discretization,
+                    ContactInterface                   &interface,
+                    const DirectSolver                 &solver,
+                    const ContactKernel::Linearization &linearization);
 
     /**
      * Given the Newton @p update under the present statuses at @p solution,

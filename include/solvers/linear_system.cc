@@ -17,11 +17,11 @@ namespace Contact
     class SaddlePointForm : public LinearSystem
     {
     public:
-      SaddlePointForm(const ContactModel                    &model,
-                      const Parameters::All                 &parameters,
-                      const ContactInterface::Linearization &linearization,
-                      ConditionalOStream                    &screen,
-                      TimerOutput                           &timer)
+      SaddlePointForm(const ContactModel                 &model,
+                      const Parameters::All              &parameters,
+                      const ContactKernel::Linearization &linearization,
+                      ConditionalOStream                 &screen,
+                      TimerOutput                        &timer)
         : model(model)
         , screen(screen)
         , system(*model.discretization,
@@ -235,11 +235,11 @@ namespace Contact
 
 
   std::unique_ptr<LinearSystem>
-  LinearSystem::create(const ContactModel                    &model,
-                       const Parameters::All                 &parameters,
-                       const ContactInterface::Linearization &linearization,
-                       ConditionalOStream                    &screen,
-                       TimerOutput                           &timer)
+  LinearSystem::create(const ContactModel                 &model,
+                       const Parameters::All              &parameters,
+                       const ContactKernel::Linearization &linearization,
+                       ConditionalOStream                 &screen,
+                       TimerOutput                        &timer)
   {
     if (parameters.is_condensed(model.n_displacements()))
       return std::make_unique<CondensedForm>(model,

@@ -9,6 +9,7 @@
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/timer.h>
 
+#include "contact/contact_kernel.h"
 #include "contact/increment_state.h"
 #include "parameters/parameters.h"
 
@@ -26,11 +27,11 @@ namespace Contact
   public:
     /// That of the parameters. @p linearization may change from step to step.
     static std::unique_ptr<LinearSystem>
-    create(const ContactModel                    &model,
-           const Parameters::All                 &parameters,
-           const ContactInterface::Linearization &linearization,
-           ConditionalOStream                    &screen,
-           TimerOutput                           &timer);
+    create(const ContactModel                 &model,
+           const Parameters::All              &parameters,
+           const ContactKernel::Linearization &linearization,
+           ConditionalOStream                 &screen,
+           TimerOutput                        &timer);
 
     virtual ~LinearSystem() = default;
 

@@ -29,10 +29,10 @@ namespace Contact
 
 
   LinearizedContact::LinearizedContact(
-    const Discretization                  &discretization,
-    const ContactInterface                &interface,
-    const DirectSolver                    &solver,
-    const ContactInterface::Linearization &linearization)
+    const Discretization               &discretization,
+    const ContactInterface             &interface,
+    const DirectSolver                 &solver,
+    const ContactKernel::Linearization &linearization)
     : linearization(linearization)
     , discretization(discretization)
     , interface(interface)
@@ -65,7 +65,11 @@ namespace Contact
       {
         const ContactPoint &point = interface.points()[q];
         const ContactState  now   = interface.state(point, solution, u_start);
-        interface.rows(point, solution, u_start, linearization, points[q].rows);
+        ContactKernel(interface).rows(point,
+                                      solution,
+                                      u_start,
+                                      linearization,
+                                      points[q].rows);
         points[q].p           = now.p_trial;
         points[q].q           = now.q_trial;
         points[q].status      = point.status;

@@ -10,6 +10,7 @@
 
 #include "base/errors.h"
 #include "base/string_utilities.h"
+#include "contact/contact_kernel.h"
 #include "contact/contact_results.h"
 
 namespace Contact
@@ -85,11 +86,12 @@ namespace Contact
 
     TimerOutput::Scope scope(timer, "residual");
     if (model.interface)
-      model.interface->assemble(state.solution,
-                                state.start,
-                                pairing.linearization(),
-                                rhs,
-                                nullptr);
+      ContactKernel(*model.interface)
+        .assemble(state.solution,
+                  state.start,
+                  pairing.linearization(),
+                  rhs,
+                  nullptr);
     convergence.evaluate(rhs, state, pairing.linearization().moving_bound);
   }
 

@@ -5,6 +5,8 @@
 
 #include "solvers/pairing.h"
 
+#include "base/string_utilities.h"
+
 
 namespace Contact
 {
@@ -177,5 +179,18 @@ namespace Contact
   {
     renew(solution, relaxation);
     guard.count_renewal();
+  }
+
+
+
+  std::string Pairing::note() const
+  {
+    if (!is_jumping)
+      return {};
+    return "pairing: closest points jump between two places for good; the gaps "
+           "of the one under the other are within the geometry tolerance, " +
+           brief(parameters.solution.geometry_tolerance) +
+           " of the way of the surfaces. A finer master, another contact "
+           "discretization, or 'Geometry = fixed point' may come to rest.";
   }
 } // namespace Contact

@@ -8,6 +8,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include "contact/contact_kernel.h"
 #include "contact/increment_state.h"
 #include "parameters/parameters.h"
 #include "solvers/aitken.h"
@@ -36,7 +37,7 @@ namespace Contact
     void begin_level(LinearSystem &system);
 
     /// The terms that the kernel linearises at present.
-    const ContactInterface::Linearization &linearization() const
+    const ContactKernel::Linearization &linearization() const
     {
       return present;
     }
@@ -85,12 +86,9 @@ namespace Contact
     /// If it is not, pair anew.
     void renew(const Vector<double> &solution);
 
-    /// The solution was accepted although closest points jump between two
-    /// places for good.
-    bool jumps() const
-    {
-      return is_jumping;
-    }
+    /// The remark that the solution was accepted although closest points jump
+    /// between two places for good; empty if they do not.
+    std::string note() const;
 
   private:
     void   freeze(const bool frozen);
@@ -101,9 +99,9 @@ namespace Contact
     TimerOutput           &timer;
     LinearSystem          *system = nullptr;
 
-    ContactInterface::Linearization present{};
-    Vector<double>                  paired_at;
-    AitkenExtrapolation             extrapolation;
+    ContactKernel::Linearization present{};
+    Vector<double>               paired_at;
+    AitkenExtrapolation          extrapolation;
 
     // Of the present Newton's method.
     PairingGuard guard;

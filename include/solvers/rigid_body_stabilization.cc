@@ -104,8 +104,11 @@ namespace Contact
 
 
 
-  // Far softer than any body, yet far above the round-off of the stiffest.
-  void RigidBodyStabilization::choose_stiffness(const double force)
+  // Far softer than any body, yet far above the round-off of the stiffest. What
+  // turns in itself is held as stiffly as by a body: the corners of polygons
+  // that slide on each other turn it with the stiffness of the bodies times
+  // (h/2R)^2, h the length of the edges, R the radius of the surface.
+  void RigidBodyStabilization::choose_stiffness()
   {
     const auto &springs = model.elasticity->springs;
     double      softest = std::numeric_limits<double>::max();
@@ -116,15 +119,9 @@ namespace Contact
     for (const RigidBodyMode &motion : held)
       stiffness[motion.piece] =
         1e-6 * softest * springs.mean_circumference(motion.piece);
-
     for (const TurningPiece &piece : turning)
-      {
-        const auto corners =
-          model.mesh->pieces[piece.piece].box.get_boundary_points();
-        stiffness[piece.piece] =
-          std::max(stiffness[piece.piece],
-                   10 * force / corners.first.distance(corners.second));
-      }
+      stiffness[piece.piece] =
+        softest * springs.mean_circumference(piece.piece);
   }
 
 

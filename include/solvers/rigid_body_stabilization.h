@@ -54,10 +54,10 @@ namespace Contact
 
     /**
      * Choose the stiffness of the springs, in proportion to that of the softest
-     * body. What turns in itself may not be carried away by what pushes it: it
-     * is held against @p force [N per mm of thickness]. Collective.
+     * body. What turns in itself may not be carried away by what pushes it.
+     * Collective.
      */
-    void choose_stiffness(const double force);
+    void choose_stiffness();
 
     /// Hang up the springs where the pieces are. Collective.
     void attach(const Vector<double> &solution);

@@ -324,13 +324,13 @@ namespace Contact
         const double angle     = std::abs(angles[motion.piece]);
         const double elongates = std::sqrt(1 + angle * angle) - 1;
         if (elongates > yield &&
-            elongates >
+            10 * elongates >
               largest_strain(discretization, elasticity, motion.piece, u))
           throw NotConverged(
             discretization.mesh.piece_name(motion.piece) + " turns by " +
             brief(angle) + " rad, which lengthens it by " +
             brief(100 * elongates) +
-            " % in small strain, more than it is strained: set "
+            " % in small strain, more than a tenth of its strain: set "
             "Solids/Kinematics = large displacement, or hold it against "
             "rotation");
       }

@@ -62,8 +62,8 @@ namespace Contact
    * strain can mean. There a rotation by omega lengthens a body by
    * sqrt(1 + omega^2) - 1, about omega^2/2, which is no strain in this theory
    * but moves its surface all the same. Beyond the larger one of
-   *   - the largest strain of the piece, sqrt(s : D^-1 : s / E): what is left
-   *     out is more than what is computed,
+   *   - a tenth of the largest strain of the piece, sqrt(s : D^-1 : s / E):
+   *     what is left out is no small part of what is computed,
    *   - 1e-3, the strain at which metals yield (omega = 2.6 degrees): below
    *     it, an unstrained body that moves aside is where it should be to a
    *     thousandth of its size,

@@ -12,13 +12,13 @@
 namespace Contact
 {
   SaddlePointSystem::SaddlePointSystem(
-    const Discretization                  &discretization,
-    const Elasticity                      &elasticity,
-    ContactInterface                      *interface,
-    const ContactInterface::Linearization &linearization,
-    const bool                             geometry_follows,
-    const bool                             keeps_factorization,
-    TimerOutput                           &timer)
+    const Discretization               &discretization,
+    const Elasticity                   &elasticity,
+    ContactInterface                   *interface,
+    const ContactKernel::Linearization &linearization,
+    const bool                          geometry_follows,
+    const bool                          keeps_factorization,
+    TimerOutput                        &timer)
     : discretization(discretization)
     , elasticity(elasticity)
     , interface(interface)
@@ -104,9 +104,9 @@ namespace Contact
                                           const double          load_factor,
                                           Vector<double>       &rhs_and_update)
   {
-    const Vector<double>            newton_step = rhs_and_update;
-    ContactInterface::Linearization standing    = linearization;
-    standing.moving_geometry                    = false;
+    const Vector<double>         newton_step = rhs_and_update;
+    ContactKernel::Linearization standing    = linearization;
+    standing.moving_geometry                 = false;
     assemble_and_factorize(solution,
                            u_start,
                            load_factor,
@@ -153,12 +153,12 @@ namespace Contact
   // The right-hand side is assembled anew with the matrix, because prescribed
   // displacements enter it through the matrix.
   void SaddlePointSystem::assemble_and_factorize(
-    const Vector<double>                  &solution,
-    const Vector<double>                  &u_start,
-    const double                           load_factor,
-    const ContactInterface::Linearization &linearization,
-    const StressStiffness                  stress_stiffness,
-    Vector<double>                        &rhs)
+    const Vector<double>               &solution,
+    const Vector<double>               &u_start,
+    const double                        load_factor,
+    const ContactKernel::Linearization &linearization,
+    const StressStiffness               stress_stiffness,
+    Vector<double>                     &rhs)
   {
     {
       TimerOutput::Scope scope(timer, "assembly");
@@ -179,7 +179,8 @@ namespace Contact
                               stress_stiffness);
         }
       if (interface)
-        interface->assemble(solution, u_start, linearization, rhs, &matrix);
+        ContactKernel(*interface)
+          .assemble(solution, u_start, linearization, rhs, &matrix);
 
       // Unknowns that are not free keep a row of their own, and get their
       // update from the constraints afterwards.

@@ -10,7 +10,7 @@
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/sparsity_pattern.h>
 
-#include "contact/contact_interface.h"
+#include "contact/contact_kernel.h"
 #include "solvers/linear_solver.h"
 
 namespace Contact
@@ -30,13 +30,13 @@ namespace Contact
     /// bodies that have moved. @p keeps_factorization: one may serve for steps
     /// that reduce the residual well. @p linearization may change from step to
     /// step. Phases are measured by @p timer.
-    SaddlePointSystem(const Discretization                  &discretization,
-                      const Elasticity                      &elasticity,
-                      ContactInterface                      *interface,
-                      const ContactInterface::Linearization &linearization,
-                      const bool                             geometry_follows,
-                      const bool   keeps_factorization,
-                      TimerOutput &timer);
+    SaddlePointSystem(const Discretization               &discretization,
+                      const Elasticity                   &elasticity,
+                      ContactInterface                   *interface,
+                      const ContactKernel::Linearization &linearization,
+                      const bool                          geometry_follows,
+                      const bool                          keeps_factorization,
+                      TimerOutput                        &timer);
 
     /// When a point faces another edge than before, the matrix couples other
     /// unknowns than before: a new pattern, and a new analysis in the solver.
@@ -73,12 +73,12 @@ namespace Contact
     bool factorization_serves(const double residual,
                               const double last_residual) const;
     void
-         assemble_and_factorize(const Vector<double>                  &solution,
-                                const Vector<double>                  &u_start,
-                                const double                           load_factor,
-                                const ContactInterface::Linearization &linearization,
-                                const StressStiffness stress_stiffness,
-                                Vector<double>       &rhs);
+         assemble_and_factorize(const Vector<double>               &solution,
+                                const Vector<double>               &u_start,
+                                const double                        load_factor,
+                                const ContactKernel::Linearization &linearization,
+                                const StressStiffness               stress_stiffness,
+                                Vector<double>                     &rhs);
     void solve_factorized(Vector<double> &rhs_and_update);
     bool search_standing(const Vector<double> &solution,
                          const Vector<double> &u_start,
@@ -86,13 +86,13 @@ namespace Contact
                          Vector<double>       &rhs_and_update);
     void add_tangent_of_linear_bodies(const Vector<double> &solution);
 
-    const Discretization                  &discretization;
-    const Elasticity                      &elasticity;
-    ContactInterface                      *interface;
-    const ContactInterface::Linearization &linearization;
-    const bool                             geometry_follows;
-    const bool                             keeps_factorization;
-    TimerOutput                           &timer;
+    const Discretization               &discretization;
+    const Elasticity                   &elasticity;
+    ContactInterface                   *interface;
+    const ContactKernel::Linearization &linearization;
+    const bool                          geometry_follows;
+    const bool                          keeps_factorization;
+    TimerOutput                        &timer;
 
     SparsityPattern      pattern;
     SparseMatrix<double> matrix;

@@ -120,7 +120,11 @@ namespace Contact
         for (const auto dof : node.dofs)
           way = std::max(way, std::abs(solution[dof]));
     const double overlap = largest_depth(contact_pair, none).depth;
-    if (now.depth - overlap <= 0.5 * way)
+    // No less than the digits of a mesh file resolve.
+    const double allowed =
+      std::max(0.5 * way,
+               1e-9 * contact_pair.slave.reference_length(now.slave_edge));
+    if (now.depth - overlap <= allowed)
       return;
     const std::string what =
       "the node of the " + std::string(now.of_master ? "master" : "slave") +
@@ -140,7 +144,7 @@ namespace Contact
     else
       found.check("depth",
                   now.depth - overlap,
-                  0.5 * way,
+                  allowed,
                   what + ", and no force acts there",
                   advice);
   }

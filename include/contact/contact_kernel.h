@@ -1,0 +1,97 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_contact_kernel_h
+#define contact_contact_kernel_h
+
+#include "contact/contact_interface.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The equations of the contact points, see ContactInterface, and their
+   * tangent: the only place that multiplies coefficients, normals and tractions
+   * of a point with each other.
+   */
+  class ContactKernel
+  {
+  public:
+    /// The terms that the kernel linearises.
+    struct Linearization
+    {
+      /// Projection, normal and tangent move with the bodies.
+      bool moving_geometry;
+
+      /// The bound of the shear traction moves with the pressure.
+      bool moving_bound;
+    };
+
+    explicit ContactKernel(const ContactInterface &interface)
+      : interface(interface)
+    {
+    }
+
+    /// Add minus the residual to @p rhs and, unless @p matrix is null, the
+    /// tangent to it; constraints eliminated.
+    void assemble(const Vector<double> &solution,
+                  const Vector<double> &u_start,
+                  const Linearization  &linearization,
+                  Vector<double>       &rhs,
+                  SparseMatrix<double> *matrix) const;
+
+    /**
+     * The rows of a point over its unknowns: derivatives of the trial values
+     * p and q, and the loads on all equations that a unit of p and q exerts.
+     * The equations of the whole problem are
+     *   elastic(x) + sum over the points of (load_p p + load_q q) = ...,
+     * where p and q depend on x through the trial values alone (and with moving
+     * geometry through the turning of the loads): all that the search of the
+     * active set needs.
+     */
+    struct Rows
+    {
+      std::vector<types::global_dof_index> unknowns;
+      Vector<double>                       p_trial, q_trial; // derivatives
+      Vector<double>                       load_p, load_q;
+    };
+
+    void rows(const ContactPoint   &point,
+              const Vector<double> &solution,
+              const Vector<double> &u_start,
+              const Linearization  &linearization,
+              Rows                 &rows) const;
+
+  private:
+    struct Motion;
+    Motion motion(const ContactPoint   &point,
+                  const Vector<double> &solution,
+                  const Vector<double> &u_start) const;
+    Motion motion_of_projection(const ContactPoint   &point,
+                                const Vector<double> &solution,
+                                const Tensor<1, 2>   &r) const;
+    Motion motion_of_change(const ContactPoint &point) const;
+
+    /// Add the motion of the loads of a point to its tangent.
+    void add_motion(const ContactPoint   &point,
+                    const Motion         &moves,
+                    const Traction       &t,
+                    FullMatrix<double>   &matrix,
+                    const Vector<double> &residual) const;
+
+    void assemble_point(const ContactPoint   &point,
+                        const Vector<double> &solution,
+                        const Vector<double> &u_start,
+                        const Linearization  &linearization,
+                        Rows                 &rows,
+                        FullMatrix<double>   &matrix,
+                        Vector<double>       &residual) const;
+
+    const ContactInterface &interface;
+  };
+} // namespace Contact
+
+#endif

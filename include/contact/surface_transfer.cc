@@ -1,0 +1,217 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/surface_transfer.h"
+
+#include <algorithm>
+
+namespace Contact
+{
+  namespace
+  {
+    /// The place of the nodes, see SurfaceState.
+    std::vector<double> places(const Surface &slave)
+    {
+      std::vector<Point<2>> X;
+      for (const Surface::Node &node : slave.nodes)
+        X.push_back(node.X);
+      auto         places = slave.arc_length(X);
+      const double length = places.back();
+      for (double &place : places)
+        place /= length;
+      return places;
+    }
+
+
+
+    /**
+     * The place between a point @p last in contact and an open one beside it at
+     * which,
+     * @p open, the contact ends. Between smooth bodies p^2 falls to zero there
+     * with a finite slope, as in Hertz' solution: the parabola of p^2 through
+     * three points is extrapolated. They are two apart, so that with elements
+     * of degree 2 they are of one kind, and not the very last ones, which the
+     * end within their support disturbs. Without as many points: the middle.
+     */
+    double end_of_contact(const SurfaceState &state,
+                          const unsigned int  last,
+                          const unsigned int  open)
+    {
+      const int             inward = last < open ? -2 : 2;
+      const int             n      = state.place.size();
+      std::array<double, 3> s{}, f{};
+      double                end = 0.5 * (state.place[last] + state.place[open]);
+      for (int k = 0; k < 3; ++k)
+        {
+          const int i = static_cast<int>(last) + (k + 1) * inward;
+          if (i < 0 || i >= n || !(state.pressure[i] > 0))
+            return end;
+          s[k] = state.place[i];
+          f[k] = std::pow(state.pressure[i], 2);
+        }
+
+      // Newton's form of the parabola, and Newton's method for its root.
+      const double d01  = (f[1] - f[0]) / (s[1] - s[0]);
+      const double d12  = (f[2] - f[1]) / (s[2] - s[1]);
+      const double d012 = (d12 - d01) / (s[2] - s[0]);
+      for (unsigned int iteration = 0; iteration < 10; ++iteration)
+        end -= (f[0] + (end - s[0]) * (d01 + d012 * (end - s[1]))) /
+               (d01 + d012 * (2 * end - s[0] - s[1]));
+
+      const auto [low, high] =
+        std::minmax({state.place[last], state.place[open]});
+      return end >= low && end <= high ? end : (end < low ? low : high);
+    }
+
+
+
+    SurfaceState save_pair(const ContactInterface &interface,
+                           const ContactPair      &contact_pair,
+                           const Vector<double>   &solution)
+    {
+      const auto   all_places = places(contact_pair.slave);
+      SurfaceState state;
+      for (unsigned int i = 0; i < contact_pair.slave.nodes.size(); ++i)
+        {
+          const unsigned int k = contact_pair.multipliers.of_node[i];
+          if (k == numbers::invalid_unsigned_int)
+            continue;
+          state.place.push_back(all_places[i]);
+          state.pressure.push_back(solution[interface.normal_index(k)]);
+          state.shear.push_back(contact_pair.law.is_frictionless()
+                                  ? 0.
+                                  : solution[interface.tangential_index(k)]);
+          state.bound.push_back(interface.points()[k].friction_bound);
+          state.statuses.push_back(interface.points()[k].status);
+        }
+      for (const ContactPoint &point : interface.points_of(contact_pair))
+        if (point.is_master_corner)
+          {
+            const unsigned int k = point.multipliers[0];
+            state.corners.push_back(
+              {point.weight * solution[interface.normal_index(k)],
+               contact_pair.law.is_frictionless()
+                 ? 0.
+                 : point.weight * solution[interface.tangential_index(k)],
+               point.friction_bound,
+               point.status});
+          }
+      return state;
+    }
+
+
+
+    // Values are interpolated; a status is that of the nearer point, but that
+    // the end of the contact is looked for between the points.
+    void restore_pair(const SurfaceState        &state,
+                      const ContactPair         &contact_pair,
+                      const ContactInterface    &interface,
+                      std::vector<ContactPoint> &points,
+                      Vector<double>            &solution)
+    {
+      const auto all_places = places(contact_pair.slave);
+      for (unsigned int i = 0; i < contact_pair.slave.nodes.size(); ++i)
+        {
+          const unsigned int k = contact_pair.multipliers.of_node[i];
+          if (k == numbers::invalid_unsigned_int)
+            continue;
+          const auto above = std::lower_bound(state.place.begin(),
+                                              state.place.end(),
+                                              all_places[i]);
+          const auto n     = state.place.size();
+          const auto b =
+            std::min<std::size_t>(above - state.place.begin(), n - 1);
+          const auto   a = b == 0 ? b : b - 1;
+          const double x =
+            a == b ? 0.
+                   : std::min(1.,
+                              std::max(0.,
+                                       (all_places[i] - state.place[a]) /
+                                         (state.place[b] - state.place[a])));
+          const auto between = [&](const std::vector<double> &values) {
+            return (1 - x) * values[a] + x * values[b];
+          };
+
+          solution[interface.normal_index(k)] = between(state.pressure);
+          if (!contact_pair.law.is_frictionless())
+            solution[interface.tangential_index(k)] = between(state.shear);
+          points[k].friction_bound = between(state.bound);
+          points[k].status         = state.statuses[x < 0.5 ? a : b];
+          const bool a_is_open     = state.statuses[a].kind == Status::open;
+          const bool b_is_open     = state.statuses[b].kind == Status::open;
+          if (a_is_open != b_is_open)
+            {
+              const double end = b_is_open ? end_of_contact(state, a, b)
+                                           : end_of_contact(state, b, a);
+              points[k].status = state.statuses[all_places[i] < end ? a : b];
+            }
+          if (!points[k].facing)
+            points[k].status = PointStatus();
+          else if (points[k].status.kind == Status::stick &&
+                   !interface.can_stick(points[k]))
+            points[k].status = {Status::slip, 0};
+        }
+    }
+
+
+
+    // They come in the order of the chain. Where a finer slave has got a node
+    // close to a corner, that does not face it any more.
+    void restore_corners(const SurfaceState        &state,
+                         const ContactPair         &contact_pair,
+                         const ContactInterface    &interface,
+                         std::vector<ContactPoint> &points,
+                         Vector<double>            &solution)
+    {
+      auto corner = state.corners.begin();
+      for (unsigned int q = contact_pair.first_point;
+           q < contact_pair.first_point + contact_pair.n_points &&
+           corner != state.corners.end();
+           ++q)
+        if (points[q].is_master_corner)
+          {
+            ContactPoint &point = points[q];
+            point.status        = point.facing ? corner->status : PointStatus();
+            point.friction_bound = corner->bound;
+            if (point.status.kind == Status::stick &&
+                !interface.can_stick(point))
+              point.status = {Status::slip, 0};
+            const unsigned int k                = point.multipliers[0];
+            solution[interface.normal_index(k)] = corner->force / point.weight;
+            if (!contact_pair.law.is_frictionless())
+              solution[interface.tangential_index(k)] =
+                corner->shear / point.weight;
+            ++corner;
+          }
+    }
+  } // namespace
+
+
+
+  std::vector<SurfaceState> save_surfaces(const ContactInterface &interface,
+                                          const Vector<double>   &solution)
+  {
+    std::vector<SurfaceState> states;
+    for (const auto &contact_pair : interface.pairs)
+      states.push_back(save_pair(interface, *contact_pair, solution));
+    return states;
+  }
+
+
+
+  void restore_surfaces(const std::vector<SurfaceState> &states,
+                        ContactInterface                &interface,
+                        Vector<double>                  &solution)
+  {
+    std::vector<ContactPoint> points = interface.points();
+    for (unsigned int z = 0; z < states.size(); ++z)
+      {
+        const ContactPair &contact_pair = *interface.pairs[z];
+        restore_pair(states[z], contact_pair, interface, points, solution);
+        restore_corners(states[z], contact_pair, interface, points, solution);
+      }
+    interface.set_points(points);
+  }
+} // namespace Contact
