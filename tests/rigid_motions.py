@@ -8,7 +8,8 @@ Proves that
   hold is named by its place, on one process and on two, also on a finer mesh;
   one that comes to touch later is held until then;
 - a ring that can turn in itself stays as it is under pressure, without friction
-  and in small strain, with every rule, and carries Lame's contact pressure;
+  and in small strain, with every discretization, in the saddle point system and
+  the condensed one, on coarse meshes too, and carries Lame's contact pressure;
 - a body that turns further than small strain can mean ends the run, which says
   so; with large displacements it does not;
 - width is the length of all patches; nodes.csv has forces in balance.
@@ -114,16 +115,19 @@ def rings():
                "Boundary conditions/Pressure": "Skin: 1",
                "Contact/Slave": "Hub", "Contact/Master": "Shaft",
                "Output/Profile": "true", "Output/Nodes": "true"}
-    for n in (16, 20):
+    for inner, n in ((16, 16), (16, 20), (8, 8), (8, 12)):
         mesh = Mesh()
-        mesh.block("A", 16, 3, ring(10, 20),
+        mesh.block("A", inner, 3, ring(10, 20),
                    {"bottom": "Bore", "top": "Shaft"}, closed=True)
         mesh.block("B", n, 3, ring(20, 30),
                    {"bottom": "Hub", "top": "Skin"}, closed=True)
         mesh.write("rings")
-        for rule in ("mortar", "nodal", "Gauss"):
-            name = f"rings_{n}_{rule}"
-            status, said, _ = run(name, {**entries, "Contact/Discretization": rule})
+        for rule, system in (("mortar", "saddle point"), ("mortar", "condensed"),
+                             ("nodal", "saddle point"), ("nodal", "condensed"),
+                             ("Gauss", "saddle point")):
+            name = f"rings_{inner}_{n}_{rule}_{system.split()[0]}"
+            status, said, _ = run(name, {**entries, "Contact/Discretization": rule,
+                                         "Solution/System": system})
             check(f"{name} converges", status == 0, said[:300])
             if status != 0:
                 continue
@@ -135,7 +139,9 @@ def rings():
             slave = [r for r in rows(name) if r["surface"] == "slave"]
             mean = (sum(r["nodal_force_N_per_mm"] for r in slave) /
                     (2 * math.pi * 20))
-            check("  with Lame's pressure", abs(mean / pressure - 1) < 0.02,
+            # Arcs of 45 and of 30 degrees are apart by a part of the overlap.
+            near = 0.12 if (inner, n) == (8, 12) else 0.02
+            check("  with Lame's pressure", abs(mean / pressure - 1) < near,
                   f"{mean} {pressure}")
 
 
