@@ -20,7 +20,7 @@ Proves that
 - a node in the corner of two obstacles with friction is no error;
 - a slave node that is supported on one side only pushes along the normal of the
   surface, not along the direction that the support leaves free, and so does one
-  of a surface that meets a symmetry line at a slant.
+  of a surface that meets a symmetry line or a wall at a slant.
 
 Usage: wrong_results.py CONTACT PARAMETERS MESHES
 """
@@ -367,37 +367,74 @@ def flank():
                           abs(turned) < 1e-3, str(turned))
 
 
+def slanted(slope):
+    """Two blocks whose interface meets the line x = 0 at a slant."""
+    mesh = Mesh()
+    mesh.block("A", 5, 3, lambda s, t: (8 * s, -6 + t * (8 * slope * s + 6)),
+               {"bottom": "Base", "left": "Line", "right": "Side",
+                "top": "Ground"})
+    mesh.block("B", 4, 3,
+               lambda s, t: (8 * s, 8 * slope * s + t * (8 - 8 * slope * s)),
+               {"bottom": "Sole", "left": "Wall", "right": "Side",
+                "top": "Head"})
+    mesh.write("slanted")
+
+
 def groove():
     """A half tongue in a half groove that meets the symmetry line at a slant,
     under the same pressure all around: so is the pressure of contact, at the
     node on the line as well."""
-    mesh = Mesh()
-    mesh.block("A", 5, 3, lambda s, t: (8 * s, -6 + t * (4 * s + 6)),
-               {"bottom": "Base", "left": "Line", "right": "Side",
-                "top": "Ground"})
-    mesh.block("B", 4, 3, lambda s, t: (8 * s, 4 * s + t * (8 - 4 * s)),
-               {"bottom": "Sole", "left": "Line", "right": "Side",
-                "top": "Head"})
-    mesh.write("groove")
-    for slave, master in (("Sole", "Ground"), ("Ground", "Sole")):
-        for degree in ("1", "2"):
-            for mu in ("0", "0.3"):
-                status, said, _ = run("groove", {
-                    "Mesh/File": "groove.msh",
-                    **solids("A: 1e6, B: 1e6"), "Element/Degree": degree,
-                    "Contact/Slave": slave, "Contact/Master": master,
-                    "Contact/Friction coefficient": mu,
-                    "Boundary conditions/Displacement x": "Line: 0",
-                    "Boundary conditions/Displacement y": "Base: 0",
-                    "Boundary conditions/Pressure": "Side: 1; Head: 1",
-                    "Output/Profile": "true"})
-                what = f"slave {slave}, degree {degree}, mu = {mu}"
-                check(what + ": converges", status == 0, said[:300])
-                if status == 0:
-                    off = max(abs(row["pressure_MPa"] - 1) for row in rows(
-                        "groove") if row["surface"] == "slave")
-                    check("  the pressure is the same everywhere", off < 1e-5,
-                          str(off))
+    for slope in (0.5, 0.2, -0.1):
+        slanted(slope)
+        for slave, master in (("Sole", "Ground"), ("Ground", "Sole")):
+            for degree in ("1", "2"):
+                for mu in ("0", "0.3"):
+                    status, said, _ = run("slanted", {
+                        "Mesh/File": "slanted.msh",
+                        **solids("A: 1e6, B: 1e6"), "Element/Degree": degree,
+                        "Contact/Slave": slave, "Contact/Master": master,
+                        "Contact/Friction coefficient": mu,
+                        "Boundary conditions/Displacement x": "Line: 0, Wall: 0",
+                        "Boundary conditions/Displacement y": "Base: 0",
+                        "Boundary conditions/Pressure": "Side: 1; Head: 1",
+                        "Output/Profile": "true"})
+                    what = f"{slope}, slave {slave}, degree {degree}, mu = {mu}"
+                    check(what + ": converges", status == 0, said[:300])
+                    if status == 0:
+                        off = max(abs(row["pressure_MPa"] - 1)
+                                  for row in rows("slanted")
+                                  if row["surface"] == "slave")
+                        check("  the pressure is the same everywhere",
+                              off < 1e-5, str(off))
+
+
+def slide():
+    """A block slides along a slope between walls, which are no symmetry lines:
+    statics gives the force on its wall, V tan(slope - phi)."""
+    for slope in (0.1, -0.2):
+        slanted(slope)
+        for mu in (0, 0.05):
+            for geometry in ("automatic", "undeformed"):
+                for degree in ("1", "2"):
+                    away = -0.02 if slope > 0 else 0.02
+                    status, said, summary = run("slanted", {
+                        "Mesh/File": "slanted.msh",
+                        **solids("A: 1e5, B: 1e5"), "Element/Degree": degree,
+                        **CONTACT, "Contact/Friction coefficient": str(mu),
+                        "Solution/Geometry": geometry,
+                        "Boundary conditions/Displacement x":
+                            f"Line: 0, Wall: {away}",
+                        "Boundary conditions/Displacement y": "Base: 0",
+                        "Boundary conditions/Pressure": "Head: 1"})
+                    what = f"{slope}, mu = {mu}, {geometry}, degree {degree}"
+                    check(what + ": converges", status == 0, said[:300])
+                    if status == 0:
+                        wall = summary["increments"][-1]["reactions"]["Wall"]
+                        force = 8 * math.tan(math.atan(slope) -
+                                             math.copysign(math.atan(mu), slope))
+                        check("  the wall carries what statics says",
+                              abs(wall["x"] - force) < 2e-3 * 8,
+                              f"{wall['x']} {force}")
 
 
 def pinned():
@@ -431,7 +468,7 @@ def pinned():
 
 for scene in (carried, overlap, cantilever, teeth, own_master, round_off,
               held_ends, dragged, driven, cornered, flank,
-              groove, pinned):
+              groove, slide, pinned):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)

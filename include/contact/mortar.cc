@@ -173,9 +173,18 @@ namespace Contact
         s += point.tangent[i] * (point.X[a][i] + u[point.dofs[a][i]]);
       return s;
     };
+    const auto move_alike = [&](const unsigned int a) {
+      for (unsigned int i = 0; i < 2; ++i)
+        if (discretization.is_fixed(point.dofs[0][i]) &&
+            discretization.is_fixed(point.dofs[a][i]) &&
+            !discretization.are_fixed_alike(point.dofs[0][i], point.dofs[a][i]))
+          return false;
+      return true;
+    };
     const double tolerance = 1e-6 * slave.reference_length(point.slave_edge);
     for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
-      if (std::abs(along_tangent(a) - along_tangent(0)) < tolerance)
+      if (std::abs(along_tangent(a) - along_tangent(0)) < tolerance &&
+          move_alike(a))
         {
           ContactPoint pair = point;
           pair.keep_nodes(1);

@@ -87,6 +87,48 @@ namespace Contact
 
 
 
+    /**
+     * Whether the curve that a surface stands for ends in the direction of the
+     * coordinate @p c, at the node @p a of the edge @p e. The direction there
+     * is extrapolated from two pieces, halves of an edge of degree 2 or two
+     * edges, in the middle of which it is that of the piece; on a circle this
+     * is exact.
+     */
+    bool ends_along(const Surface     &surface,
+                    const unsigned int e,
+                    const unsigned int a,
+                    const unsigned int c)
+    {
+      const auto &edge  = surface.edges[e];
+      const auto  place = [&](const unsigned int node) {
+        return Tensor<1, 2>(surface.nodes[node].X);
+      };
+      const unsigned int next = a == 0 ? edge.next : edge.previous;
+      Tensor<1, 2> first      = place(edge.nodes[1 - a]) - place(edge.nodes[a]);
+      Tensor<1, 2> second     = first;
+      if (surface.degree == 2)
+        {
+          first  = place(edge.nodes[2]) - place(edge.nodes[a]);
+          second = place(edge.nodes[1 - a]) - place(edge.nodes[2]);
+        }
+      else if (next != numbers::invalid_unsigned_int && !edge.corner[1 - a])
+        second =
+          place(surface.edges[next].nodes[1 - a]) - place(edge.nodes[1 - a]);
+
+      Tensor<1, 2> along;
+      along[c]         = first[c] > 0 ? 1 : -1;
+      const auto angle = [](const Tensor<1, 2> &u, const Tensor<1, 2> &v) {
+        return std::atan2(cross(u, v), u * v);
+      };
+      const double turn   = angle(first, second);
+      const double length = first.norm() / (first.norm() + second.norm());
+      // The digits of a mesh file, and what the extrapolation is good for.
+      return std::abs(angle(along, first) - turn * length) <=
+             std::max(1e-3, 0.5 * std::abs(turn));
+    }
+
+
+
     template<typename Number>
     void drop_derivatives(Tensor<1, 2, Number> &x)
     {
@@ -120,46 +162,45 @@ namespace Contact
 
 
 
-  // Both surfaces end there, and supports hold both ends in the direction
-  // across the line. An end that supports hold on one side only, as that of a
-  // body which is dragged, is no symmetry line. A surface that meets the line
-  // at a slant has a corner there, with its mirror image.
+  // A face of either surface ends there, and supports hold both nodes across
+  // the line alike. An end that supports hold on one side only, as that of a
+  // body which is dragged, is no symmetry line, nor the wall of a guide that an
+  // interface meets at a slant: with its mirror image it would have a corner.
   template<typename Number>
   void MortarGeometry<Number>::find_symmetry_lines()
   {
+    using End          = std::pair<unsigned int, unsigned int>;
     const auto ends_of = [](const Surface &surface) {
-      std::map<unsigned int, unsigned int> edge_of_end;
+      std::vector<End> ends;
       for (unsigned int e = 0; e < surface.edges.size(); ++e)
         {
-          const Surface::Edge &edge = surface.edges[e];
-          if (edge.begins_surface)
-            edge_of_end[edge.nodes[0]] = e;
-          if (edge.ends_surface)
-            edge_of_end[edge.nodes[1]] = e;
+          if (surface.edges[e].begins_face)
+            ends.emplace_back(e, 0);
+          if (surface.edges[e].ends_face)
+            ends.emplace_back(e, 1);
         }
-      return edge_of_end;
+      return ends;
     };
-    const auto is_held = [&](const Surface::Node &node, const unsigned int c) {
-      return discretization.is_fixed(node.dofs[c]);
-    };
-    const auto is_smooth = [&](const unsigned int e, const unsigned int c) {
-      const auto        &nodes = slave.edges[e].nodes;
-      const Tensor<1, 2> chord =
-        slave.nodes[nodes[1]].X - slave.nodes[nodes[0]].X;
-      return std::abs(chord[1 - c]) <
-             chord.norm() *
-               std::sin(numbers::PI / 180 * Surface::feature_angle / 2);
-    };
-    const auto master_ends = ends_of(master);
-    for (const auto &[node, edge] : ends_of(slave))
+    const std::vector<End> master_ends = ends_of(master);
+    for (const auto &[e, a] : ends_of(slave))
       for (unsigned int c = 0; c < 2; ++c)
-        if (is_held(slave.nodes[node], c) &&
-            !is_held(slave.nodes[node], 1 - c) && is_smooth(edge, c))
-          for (const auto &end : master_ends)
-            if (is_held(master.nodes[end.first], c) &&
-                std::abs(value_of(slave_x[node][c] - master_x[end.first][c])) <
-                  1e-6 * slave.reference_length(edge))
-              symmetry_lines[node] = Point<2>::unit_vector(1 - c);
+        {
+          const unsigned int node = slave.edges[e].nodes[a];
+          const auto        &dofs = slave.nodes[node].dofs;
+          if (!discretization.is_fixed(dofs[c]) ||
+              discretization.is_fixed(dofs[1 - c]) ||
+              !ends_along(slave, e, a, c))
+            continue;
+          for (const auto &[e_m, a_m] : master_ends)
+            {
+              const unsigned int m = master.edges[e_m].nodes[a_m];
+              if (discretization.are_fixed_alike(dofs[c],
+                                                 master.nodes[m].dofs[c]) &&
+                  std::abs(value_of(slave_x[node][c] - master_x[m][c])) <
+                    1e-6 * slave.reference_length(e))
+                symmetry_lines[{e, a}] = Point<2>::unit_vector(1 - c);
+            }
+        }
   }
 
 
@@ -167,9 +208,10 @@ namespace Contact
   template<typename Number>
   Tensor<1, 2, Number>
   MortarGeometry<Number>::symmetric(const Tensor<1, 2, Number> &normal,
-                                    const unsigned int          node) const
+                                    const unsigned int          edge,
+                                    const unsigned int          a) const
   {
-    const auto           line = symmetry_lines.find(node);
+    const auto           line = symmetry_lines.find({edge, a});
     Tensor<1, 2, Number> unit = normal;
     if (line != symmetry_lines.end())
       unit = (normal * line->second) * Tensor<1, 2, Number>(line->second);
@@ -186,7 +228,7 @@ namespace Contact
       {
         const Tensor<1, 2, Number> normal =
           Number(-1) * mean_normal(slave, slave_x, edge, a);
-        slave_normals[edge][a] = symmetric(normal, slave.edges[edge].nodes[a]);
+        slave_normals[edge][a] = symmetric(normal, edge, a);
       }
   }
 

@@ -110,10 +110,11 @@ namespace Contact
       return sum;
     }
 
-    /// A normal of a slave node, normalized, and along the line on a symmetry
-    /// line.
+    /// A normal of the node @p a of a slave edge, normalized, and along the
+    /// line on a symmetry line.
     Tensor<1, 2, Number> symmetric(const Tensor<1, 2, Number> &normal,
-                                   const unsigned int          node) const;
+                                   const unsigned int          edge,
+                                   const unsigned int          a) const;
 
     /// The coordinate at which the line through @p x along @p n meets a master
     /// edge, perhaps beyond its ends.
@@ -146,8 +147,10 @@ namespace Contact
 
     const Discretization &discretization;
 
-    // By the slave nodes on symmetry lines: the direction of the line.
-    std::map<unsigned int, Tensor<1, 2>> symmetry_lines;
+    // By the slave edges that end on symmetry lines, and their node there: the
+    // direction of the line.
+    std::map<std::pair<unsigned int, unsigned int>, Tensor<1, 2>>
+      symmetry_lines;
 
     // The nodes and edges that carry derivatives.
     std::set<unsigned int> followed_slave_nodes, followed_master_nodes;

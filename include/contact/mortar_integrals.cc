@@ -287,7 +287,10 @@ namespace Contact
     const Tensor<1, 2, Number> sum = master_square * n_s + slave_square * n_m;
     if (value_of(sum) * value_of(n_s) <= 0)
       return n_s;
-    return now.symmetric(sum, node);
+    Tensor<1, 2, Number> n = normalized(sum);
+    for (const unsigned int e : slave.edges_of_node[node])
+      n = now.symmetric(n, e, slave.edges[e].nodes[0] == node ? 0 : 1);
+    return n;
   }
 
 

@@ -170,6 +170,10 @@ namespace Contact
     /// Whether a support fixes this unknown.
     bool is_fixed(const types::global_dof_index dof) const;
 
+    /// Whether supports move two unknowns by the same displacement, or none.
+    bool are_fixed_alike(const types::global_dof_index a,
+                         const types::global_dof_index b) const;
+
     /// Whether a support moves this unknown as the load grows.
     bool is_moved(const types::global_dof_index dof) const;
 
