@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/errors.h"
 #include "contact/corner_points.h"
 #include "contact/surface_checks.h"
 
@@ -65,9 +66,16 @@ namespace Contact
         const auto &dofs =
           discretization.vertex_dofs
             [discretization.mesh.point(point, section + "/Excluded points")];
-        for (unsigned int i = 0; i < slave.nodes.size(); ++i)
-          if (slave.nodes[i].dofs == dofs)
-            excluded.insert(i);
+        const auto node =
+          std::find_if(slave.nodes.begin(),
+                       slave.nodes.end(),
+                       [&](const auto &node) { return node.dofs == dofs; });
+        if (node == slave.nodes.end())
+          throw InputError("the point '" + point + "' is not on the slave '" +
+                             parameters.slave + "'",
+                           "entry '" + section + "/Excluded points'",
+                           "name a vertex of the slave, or leave it out");
+        excluded.insert(node - slave.nodes.begin());
       }
     // Over a ring, the shape function of degree 2 of a node on the axis has the
     // integral zero: it has no dual function.

@@ -5,6 +5,7 @@
 
 #include "output/report.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 
@@ -108,6 +109,39 @@ namespace Contact
     if (model.interface)
       for (const auto &contact_pair : parameters.pairs())
         print_note_on_arcs(model, contact_pair);
+    if (model.interface)
+      print_note_on_facing(*model.interface);
+  }
+
+
+
+  // A wrong group, or an obstacle whose normal points the other way, would show
+  // as a scene without contact.
+  void Report::print_note_on_facing(const ContactInterface &interface)
+  {
+    const auto entries = parameters.pairs();
+    for (unsigned int z = 0; z < entries.size(); ++z)
+      {
+        const auto     points = interface.points_of(*interface.pairs[z]);
+        const Surface &slave  = interface.pairs[z]->slave;
+        // The body is to the left of an edge.
+        const auto faces = [&](const ContactPoint &point) {
+          const auto        &nodes = slave.edges[point.slave_edge].nodes;
+          const Tensor<1, 2> along =
+            slave.nodes[nodes[1]].X - slave.nodes[nodes[0]].X;
+          return point.facing &&
+                 (point.is_master_corner || entries[z].obstacle.empty() ||
+                  along[1] * point.normal[0] < along[0] * point.normal[1]);
+        };
+        if (std::none_of(points.begin(), points.end(), faces))
+          print_error(": note: no point of the slave '" + entries[z].slave +
+                      "' faces its " +
+                      (entries[z].master.empty()
+                         ? "obstacle"
+                         : "master '" + entries[z].master + "'") +
+                      " to begin with: check the groups, and on which side of "
+                      "an obstacle its normal is");
+      }
   }
 
 

@@ -95,6 +95,7 @@ namespace Contact
     void finish();
 
   private:
+    void print_note_on_facing(const ContactInterface &interface);
     void print_note_on_arcs(const ContactModel        &model,
                             const Parameters::Contact &contact_pair);
 
