@@ -237,9 +237,9 @@ namespace Contact
     for (const auto &[name, definition] : parameters.probes.definitions())
       {
         ProbeResult result;
-        result.name  = name;
-        result.unit  = is_displacement(definition.quantity) ? "mm" : "MPa";
-        result.value = report.summary.levels.back().probes.at(name);
+        result.name            = name;
+        result.is_displacement = is_displacement(definition.quantity);
+        result.value           = report.summary.levels.back().probes.at(name);
         if (parameters.probes.references.count(name) > 0)
           {
             result.reference = parameters.probes.references.at(name);

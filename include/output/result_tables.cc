@@ -45,7 +45,7 @@ namespace Contact
     /// Eight digits, with the decimal points of one unit below each other.
     std::string format_value(const ProbeResult &probe, const double value)
     {
-      return format(probe.unit == "MPa" ? "%.4f" : "%.7f", value);
+      return format(probe.is_displacement ? "%.7f" : "%.4f", value);
     }
 
 
@@ -64,7 +64,7 @@ namespace Contact
     {
       Line line{summary.case_name,
                 std::filesystem::path(summary.mesh_file).stem().string(),
-                probe.name + " [" + probe.unit + "]",
+                probe.name + " [" + probe.unit() + "]",
                 format_value(probe, probe.value),
                 probe.error ? format("%.1e", *probe.error) : "-",
                 "-",

@@ -20,8 +20,8 @@ namespace Contact
   struct ProbeResult
   {
     std::string name;
-    std::string unit; // "mm" or "MPa"
-    double      value = 0;
+    bool        is_displacement = false; // [mm]; else a stress [MPa]
+    double      value           = 0;
 
     // Both or none; the tolerance is relative to the reference, which is
     // not zero.
@@ -30,6 +30,11 @@ namespace Contact
 
     /// The estimated discretization error, in the unit of the value.
     std::optional<double> error;
+
+    const char *unit() const
+    {
+      return is_displacement ? "mm" : "MPa";
+    }
 
     /// value/reference - 1, if there is a reference.
     std::optional<double> relative_deviation() const;

@@ -230,15 +230,6 @@ namespace Contact
 
 
 
-  bool Discretization::are_fixed_alike(const types::global_dof_index a,
-                                       const types::global_dof_index b) const
-  {
-    return is_fixed(a) && is_fixed(b) &&
-           !(prescribed.at(a) != prescribed.at(b));
-  }
-
-
-
   bool Discretization::is_moved(const types::global_dof_index dof) const
   {
     if (!constraints.is_constrained(dof))

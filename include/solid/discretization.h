@@ -172,7 +172,11 @@ namespace Contact
 
     /// Whether supports move two unknowns by the same displacement, or none.
     bool are_fixed_alike(const types::global_dof_index a,
-                         const types::global_dof_index b) const;
+                         const types::global_dof_index b) const
+    {
+      return is_fixed(a) && is_fixed(b) &&
+             !(prescribed.at(a) != prescribed.at(b));
+    }
 
     /// Whether a support moves this unknown as the load grows.
     bool is_moved(const types::global_dof_index dof) const;
