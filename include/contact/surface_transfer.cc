@@ -27,9 +27,8 @@ namespace Contact
 
 
     /**
-     * The place between a point @p last in contact and an open one beside it at
-     * which,
-     * @p open, the contact ends. Between smooth bodies p^2 falls to zero there
+     * The place between a point @p last in contact and an @p open one beside it
+     * at which the contact ends. Between smooth bodies p^2 falls to zero there
      * with a finite slope, as in Hertz' solution: the parabola of p^2 through
      * three points is extrapolated. They are two apart, so that with elements
      * of degree 2 they are of one kind, and not the very last ones, which the
