@@ -106,6 +106,20 @@ namespace Contact
       check_formulas(traction_y, "Traction y");
       check_formulas(body_force_x, "Body force x");
       check_formulas(body_force_y, "Body force y");
+      check_histories();
+      for (const auto &[follower, leader] : tied_y)
+        if (tied_y.count(leader) > 0)
+          throw EntryError(in_quotes(follower) + " is tied to " +
+                             in_quotes(leader) + ", which is tied itself.",
+                           {section + "Tied y"},
+                           "tie points to one that is not tied");
+    }
+
+
+
+    void Boundary::check_histories() const
+    {
+      const std::string where = "Boundary conditions/Histories";
       // Entries that grow with the load, and how many values they have.
       const std::map<std::string, std::size_t> grow{
         {"Displacement x", displacement_x.size()},
@@ -128,24 +142,18 @@ namespace Contact
               for (const auto &known : grow)
                 names.push_back(known.first);
               throw EntryError(in_quotes(entry) + " has no history.",
-                               {section + "Histories"},
+                               {where},
                                "choose one of: " +
                                  Patterns::Tools::to_string(names));
             }
           if (values->second == 0)
             throw EntryError("There is a history of " + in_quotes(entry) +
                                ", which is not set.",
-                             {section + "Histories"},
+                             {where},
                              "set " + in_quotes(entry) +
                                " or remove its history");
-          check_history(formula, section + "Histories");
+          check_history(formula, where);
         }
-      for (const auto &[follower, leader] : tied_y)
-        if (tied_y.count(leader) > 0)
-          throw EntryError(in_quotes(follower) + " is tied to " +
-                             in_quotes(leader) + ", which is tied itself.",
-                           {section + "Tied y"},
-                           "tie points to one that is not tied");
     }
   } // namespace Parameters
 } // namespace Contact
