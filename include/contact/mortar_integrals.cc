@@ -289,7 +289,9 @@ namespace Contact
       return n_s;
     Tensor<1, 2, Number> n = normalized(sum);
     for (const unsigned int e : slave.edges_of_node[node])
-      n = now.symmetric(n, e, slave.edges[e].nodes[0] == node ? 0 : 1);
+      for (unsigned int a = 0; a < 2; ++a)
+        if (slave.edges[e].nodes[a] == node)
+          n = now.symmetric(n, e, a);
     return n;
   }
 
