@@ -180,7 +180,6 @@ expect "in a loop or in the tangent" "$friction" --set "$saddle" \
 # Loads, geometry and theories
 expect_entry "is no formula in t" "Boundary conditions/Histories=Force y: 2*"
 expect_entry "is not a number at t" "Boundary conditions/Histories=Force y: sqrt(-t)"
-expect_entry "which is not set" "Boundary conditions/Histories=Traction x: t"
 expect_entry "is infinite at t = 1" "Boundary conditions/Histories=Force y: 1/(t-1)"
 expect_entry "is not a number at x,y" "Boundary conditions/Pressure=Top_B: sqrt(-1)"
 expect_entry "t does not grow" "Boundary conditions/Histories=Force y: table(0 0, 0 1)"

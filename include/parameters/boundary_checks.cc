@@ -72,6 +72,21 @@ namespace Contact
                            "such as 'table(0 0, 0.5 1, 1 -1)'");
         }
     }
+
+
+
+    // Entries of the boundary conditions that grow with the load.
+    const std::vector<std::string> entries_with_history = {"Displacement x",
+                                                           "Displacement y",
+                                                           "Force x",
+                                                           "Force y",
+                                                           "Resultant force x",
+                                                           "Resultant force y",
+                                                           "Pressure",
+                                                           "Traction x",
+                                                           "Traction y",
+                                                           "Body force x",
+                                                           "Body force y"};
   } // namespace
 
 
@@ -106,54 +121,23 @@ namespace Contact
       check_formulas(traction_y, "Traction y");
       check_formulas(body_force_x, "Body force x");
       check_formulas(body_force_y, "Body force y");
-      check_histories();
+      for (const auto &[entry, formula] : histories)
+        {
+          if (std::count(entries_with_history.begin(),
+                         entries_with_history.end(),
+                         entry) == 0)
+            throw EntryError(in_quotes(entry) + " has no history.",
+                             {section + "Histories"},
+                             "choose one of: " + Patterns::Tools::to_string(
+                                                   entries_with_history));
+          check_history(formula, section + "Histories");
+        }
       for (const auto &[follower, leader] : tied_y)
         if (tied_y.count(leader) > 0)
           throw EntryError(in_quotes(follower) + " is tied to " +
                              in_quotes(leader) + ", which is tied itself.",
                            {section + "Tied y"},
                            "tie points to one that is not tied");
-    }
-
-
-
-    void Boundary::check_histories() const
-    {
-      const std::string where = "Boundary conditions/Histories";
-      // Entries that grow with the load, and how many values they have.
-      const std::map<std::string, std::size_t> grow{
-        {"Displacement x", displacement_x.size()},
-        {"Displacement y", displacement_y.size()},
-        {"Force x", force_x.size()},
-        {"Force y", force_y.size()},
-        {"Resultant force x", resultant_force_x.size()},
-        {"Resultant force y", resultant_force_y.size()},
-        {"Pressure", pressure.size()},
-        {"Traction x", traction_x.size()},
-        {"Traction y", traction_y.size()},
-        {"Body force x", body_force_x.size()},
-        {"Body force y", body_force_y.size()}};
-      for (const auto &[entry, formula] : histories)
-        {
-          const auto values = grow.find(entry);
-          if (values == grow.end())
-            {
-              std::vector<std::string> names;
-              for (const auto &known : grow)
-                names.push_back(known.first);
-              throw EntryError(in_quotes(entry) + " has no history.",
-                               {where},
-                               "choose one of: " +
-                                 Patterns::Tools::to_string(names));
-            }
-          if (values->second == 0)
-            throw EntryError("There is a history of " + in_quotes(entry) +
-                               ", which is not set.",
-                             {where},
-                             "set " + in_quotes(entry) +
-                               " or remove its history");
-          check_history(formula, where);
-        }
     }
   } // namespace Parameters
 } // namespace Contact

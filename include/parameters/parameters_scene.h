@@ -152,7 +152,6 @@ namespace Contact
     private:
       void add_values(ParameterHandler &prm);
       void add_formulas(ParameterHandler &prm);
-      void check_histories() const;
     };
 
 
