@@ -384,7 +384,7 @@ def groove():
     """A half tongue in a half groove that meets the symmetry line at a slant,
     under the same pressure all around: so is the pressure of contact, at the
     node on the line as well."""
-    for slope in (0.5, 0.2, -0.1):
+    for slope in (0.5, -0.4):
         slanted(slope)
         for slave, master in (("Sole", "Ground"), ("Ground", "Sole")):
             for degree in ("1", "2"):

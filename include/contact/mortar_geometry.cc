@@ -122,9 +122,9 @@ namespace Contact
       };
       const double turn   = angle(first, second);
       const double length = first.norm() / (first.norm() + second.norm());
-      // The digits of a mesh file, and what the extrapolation is good for.
+      // With its mirror image the curve has no corner there.
       return std::abs(angle(along, first) - turn * length) <=
-             std::max(1e-3, 0.5 * std::abs(turn));
+             numbers::PI / 180 * Surface::feature_angle / 2;
     }
 
 
