@@ -434,6 +434,7 @@ namespace Contact
   void ContactProblem::solve_increment(const LoadSteps::Step &step)
   {
     state.begin(model, step.to);
+    pairing.begin_increment();
     postprocessor.forget_stresses();
     report.begin_increment(level, step.increment, step.to);
     if (level > 0 && step.is_whole)
@@ -725,7 +726,8 @@ namespace Contact
                           << pairing.misplacement(state) << " mm of "
                           << pairing.way(state) << " mm since they were paired"
                           << std::endl;
-            newton.pair_anew();
+            if (newton.pair_anew())
+              max_steps = step + limit;
             continue;
           }
 

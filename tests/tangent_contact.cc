@@ -141,7 +141,7 @@ namespace
   {
     ContactInterface &interface       = model.interface;
     const bool        moving_geometry = linearization.moving_geometry;
-    interface.pair(model.solution, moving_geometry);
+    interface.pair(model.solution, {moving_geometry});
 
     System here(model), beside(model);
     here.assemble(interface, model.solution, model.start, linearization);
@@ -157,7 +157,7 @@ namespace
           {
             Vector<double> moved(model.solution);
             moved[j] += side * h;
-            if (moving_geometry && interface.pair(moved, moving_geometry))
+            if (moving_geometry && interface.pair(moved, {moving_geometry}))
               result.edges_kept = false;
             beside.assemble(interface, moved, model.start, linearization);
             column.add(-side / (2 * h), beside.rhs);

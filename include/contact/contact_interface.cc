@@ -151,8 +151,7 @@ namespace Contact
 
 
 
-  bool ContactInterface::pair(const Vector<double> &u,
-                              const bool            with_derivatives)
+  bool ContactInterface::pair(const Vector<double> &u, const PairingMode &mode)
   {
     bool changed = false;
     for (const auto &contact_pair : pairs)
@@ -160,7 +159,7 @@ namespace Contact
         contact_pair->pair({all_points.data() + contact_pair->first_point,
                             contact_pair->n_points},
                            u,
-                           with_derivatives) ||
+                           mode) ||
         changed;
     return changed;
   }

@@ -132,10 +132,9 @@ namespace Contact
     /**
      * Pair all points with the master in the configuration @p u. Returns
      * whether a point changed its master edge: then the matrix couples other
-     * unknowns than before. A tangent with moving geometry asks for the
-     * derivatives of the pairing.
+     * unknowns than before.
      */
-    bool pair(const Vector<double> &u, const bool with_derivatives = false);
+    bool pair(const Vector<double> &u, const PairingMode &mode = {});
 
     /// The largest |gap| of points in contact, and of a penetration of those
     /// that are open [mm].

@@ -197,26 +197,29 @@ namespace Contact
   // Glued surfaces keep the pairs of the undeformed state.
   bool ContactPair::pair(const ArrayView<ContactPoint> &points,
                          const Vector<double>          &u,
-                         const bool                     with_derivatives) const
+                         const PairingMode             &mode) const
   {
-    return tied ? pair_all(points, Vector<double>(u.size()), false)
-                : pair_all(points, u, with_derivatives);
+    return tied ? pair_all(points, Vector<double>(u.size()), {})
+                : pair_all(points, u, mode);
   }
 
 
 
   bool ContactPair::pair_all(const ArrayView<ContactPoint> &points,
                              const Vector<double>          &u,
-                             const bool with_derivatives) const
+                             const PairingMode             &mode) const
   {
     const auto part = [&](const unsigned int first, const unsigned int end) {
       return ArrayView<ContactPoint>(points.data() + first, end - first);
     };
     const auto of_discretization = part(0, n_of_discretization);
-    bool changed = mortar ? mortar->pair(of_discretization, u, with_derivatives)
-                          : project(of_discretization, u);
+    bool       changed           = mortar
+                                     ? mortar->pair(of_discretization, u, mode.with_derivatives)
+                                     : project(of_discretization, u, mode.keeps_edges);
     if (n_of_discretization < n_of_slave)
-      changed = project(part(n_of_discretization, n_of_slave), u) || changed;
+      changed =
+        project(part(n_of_discretization, n_of_slave), u, mode.keeps_edges) ||
+        changed;
     if (has_corner_points())
       changed = pair_corners(points, u) || changed;
 
@@ -271,7 +274,8 @@ namespace Contact
 
 
   bool ContactPair::project(const ArrayView<ContactPoint> &points,
-                            const Vector<double>          &u) const
+                            const Vector<double>          &u,
+                            const bool                     keeps_edges) const
   {
     bool changed = false;
     if (obstacle)
@@ -292,7 +296,8 @@ namespace Contact
                          *master,
                          search,
                          discretization,
-                         u);
+                         u,
+                         keeps_edges);
         changed = changed || point.dofs != old_dofs;
 
         // If several points share multipliers, one that faces nothing pulls

@@ -66,17 +66,17 @@ namespace Contact
     std::vector<ContactPoint> make_points(const unsigned int first_multiplier,
                                           const unsigned int first_point);
 
-    /// Pair the points of this contact pair in the configuration @p u, with
-    /// what the tangent needs to know how the pairing moves or without. Returns
+    /// Pair the points of this contact pair in the configuration @p u. Returns
     /// whether one has other unknowns than before.
     bool pair(const ArrayView<ContactPoint> &points,
               const Vector<double>          &u,
-              const bool                     with_derivatives) const;
+              const PairingMode             &mode) const;
 
     /// The same by the closest points of the master, wherever on the slave the
     /// points lie.
     bool project(const ArrayView<ContactPoint> &points,
-                 const Vector<double>          &u) const;
+                 const Vector<double>          &u,
+                 const bool                     keeps_edges = false) const;
 
     /// The surface that a point belongs to: but for corners of the master, the
     /// slave.
@@ -121,7 +121,7 @@ namespace Contact
     void make_axis_points(std::vector<ContactPoint> &points);
     bool pair_all(const ArrayView<ContactPoint> &points,
                   const Vector<double>          &u,
-                  const bool                     with_derivatives) const;
+                  const PairingMode             &mode) const;
     bool pair_corners(const ArrayView<ContactPoint> &points,
                       const Vector<double>          &u) const;
 

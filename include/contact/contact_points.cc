@@ -379,10 +379,16 @@ namespace Contact
                         const Surface        &master,
                         const SurfaceSearch  &search,
                         const Discretization &discretization,
-                        const Vector<double> &u)
+                        const Vector<double> &u,
+                        const bool            keeps_edge)
   {
-    const Projection projection =
-      search.closest_facing(slave_position(point, u), directions);
+    const Point<2> x = slave_position(point, u);
+    Projection     projection;
+    if (keeps_edge && point.facing)
+      projection =
+        search.project(x, point.master_edge, SurfaceSearch::overhang);
+    if (!keeps_edge || !point.facing || projection.clipped)
+      projection = search.closest_facing(x, directions);
     const double beyond = (std::abs(projection.xi) - 1) / 2 *
                           master.reference_length(projection.edge);
     point.facing      = !projection.off_the_end && beyond <= directions.reach;

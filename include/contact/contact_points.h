@@ -256,6 +256,19 @@ namespace Contact
                 const Surface                                         &slave,
                 const std::vector<Surface::PerEdgeNode<Tensor<1, 2>>> &normals);
 
+  /// How points are paired.
+  struct PairingMode
+  {
+    /// With what the tangent needs to know how the pairing moves.
+    bool with_derivatives = false;
+
+    /// A point that faces an edge keeps it as long as its projection is no
+    /// further beyond an end than SurfaceSearch::overhang.
+    bool keeps_edges = false;
+  };
+
+
+
   /**
    * Pair a point that looks in these directions with the closest point of the
    * master in the configuration @p u, and keep coordinate, normal and tangent
@@ -267,7 +280,8 @@ namespace Contact
                         const Surface        &master,
                         const SurfaceSearch  &search,
                         const Discretization &discretization,
-                        const Vector<double> &u);
+                        const Vector<double> &u,
+                        const bool            keeps_edge = false);
 
   /// The same on a rigid obstacle.
   void pair_with_obstacle(ContactPoint         &point,

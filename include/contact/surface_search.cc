@@ -152,7 +152,7 @@ namespace Contact
     namespace bgi = boost::geometry::index;
 
     ++surface.counters().projections;
-    Projection best{numbers::invalid_unsigned_int, 0, false, false};
+    Projection best;
     double     best_distance = std::numeric_limits<double>::max();
     for (auto entry = tree.qbegin(bgi::nearest(x, surface.edges.size()));
          entry != tree.qend();
@@ -272,7 +272,8 @@ namespace Contact
   // the chord; on a straight edge the first step is exact. Where the curvature
   // of the distance is not positive, Gauss-Newton takes over.
   Projection SurfaceSearch::project(const Point<2>    &x,
-                                    const unsigned int edge) const
+                                    const unsigned int edge,
+                                    const double       extension) const
   {
     const auto         nodes = edge_positions(edge);
     const Tensor<1, 2> chord = nodes[1] - nodes[0];
@@ -300,9 +301,11 @@ namespace Contact
           }
       }
 
-    const auto &flags      = surface.edges[edge];
-    const auto [low, high] = coordinate_range(edge);
-    const bool off =
+    const auto  &flags = surface.edges[edge];
+    const auto   range = coordinate_range(edge);
+    const double low   = std::min(range.first, -1 - extension);
+    const double high  = std::max(range.second, 1 + extension);
+    const bool   off =
       (flags.begins_face && xi < low) || (flags.ends_face && xi > high);
     return {edge,
             std::max(low, std::min(high, xi)),

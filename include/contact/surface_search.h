@@ -56,15 +56,15 @@ namespace Contact
   /// The point of a surface that is closest to a point in space.
   struct Projection
   {
-    unsigned int edge;
-    double       xi;
+    unsigned int edge = numbers::invalid_unsigned_int;
+    double       xi   = 0;
 
     /// The point lies beyond the end of a face.
-    bool off_the_end;
+    bool off_the_end = false;
 
     /// The projection of the normal lies outside the edge; xi is its nearer
     /// end.
-    bool clipped;
+    bool clipped = false;
 
     /// Another edge that is as close and meets this one, or invalid.
     unsigned int twin = numbers::invalid_unsigned_int;
@@ -98,8 +98,11 @@ namespace Contact
     /// The outward unit normal of an edge.
     Tensor<1, 2> normal(const unsigned int edge, const double xi) const;
 
-    /// The closest point of one edge.
-    Projection project(const Point<2> &x, const unsigned int edge) const;
+    /// The closest point of one edge, which at vertices goes on by @p extension
+    /// in its coordinate, at ends of faces by the overhang.
+    Projection project(const Point<2>    &x,
+                       const unsigned int edge,
+                       const double       extension = 0) const;
 
     /// Squared distance of a point to its projection [mm^2].
     double distance_square(const Point<2>   &x,

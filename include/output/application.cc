@@ -34,6 +34,31 @@ namespace Contact
 
 
 
+    // A case that does not converge by the loops that it asks for is solved
+    // once more, from the start, by those that converge most often.
+    RunSummary solve_robustly(const Parameters::All  &parameters,
+                              const ParameterHandler &prm,
+                              const bool              verbose,
+                              const SolveCase        &solve)
+    {
+      const RunSummary summary = solve(parameters, prm, verbose);
+      if (summary.converged || summary.interrupted)
+        return summary;
+      const auto robust = parameters.with_robust_loops(summary.n_displacements);
+      if (!robust)
+        return summary;
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        std::cerr << parameters.name << ": " << summary.message
+                  << "\nOnce more from the start, with Friction = "
+                  << robust->solution.friction.name()
+                  << ", Geometry = " << robust->solution.geometry.name()
+                  << ", System = " << robust->solution.system.name()
+                  << std::endl;
+      return solve(*robust, prm, verbose);
+    }
+
+
+
     // The discretization error of a run on one mesh is asked for by another one
     // on the mesh refined once, which leaves no files but its summary: the
     // parameters are those of the first.
@@ -42,13 +67,13 @@ namespace Contact
                         const bool              verbose,
                         const SolveCase        &solve)
     {
-      RunSummary summary = solve(parameters, prm, verbose);
+      RunSummary summary = solve_robustly(parameters, prm, verbose, solve);
       if (!parameters.probes.estimate_errors || !summary.converged ||
           parameters.refinement.n_levels > 0)
         return summary;
 
-      const Parameters::All finer   = refined_case(parameters);
-      const RunSummary      refined = solve(finer, prm, verbose);
+      const Parameters::All finer = refined_case(parameters);
+      const RunSummary refined    = solve_robustly(finer, prm, verbose, solve);
       if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
         {
           std::error_code error;

@@ -127,6 +127,40 @@ namespace Contact
       return is_condensed(n_displacements) ? GeometryLoop::each_step
                                            : GeometryLoop::newton;
     }
+
+
+
+    std::optional<All>
+    All::with_robust_loops(const std::size_t n_displacements) const
+    {
+      const auto pairs   = this->pairs();
+      const auto any_has = [&](const auto &property) {
+        return std::any_of(pairs.begin(), pairs.end(), property);
+      };
+      if (!any_has([](const Contact &pair) { return !pair.tied; }))
+        return {};
+
+      All  robust  = *this;
+      bool changes = false;
+      if (solution.friction != FrictionLoop::newton &&
+          any_has([](const Contact &pair) { return pair.frictional(); }))
+        {
+          robust.solution.friction = FrictionLoop::newton;
+          changes                  = true;
+        }
+      if (n_ranks == 1 && refinement.n_levels == 0 &&
+          is_condensed(n_displacements))
+        {
+          robust.solution.system        = SystemKind::saddle_point;
+          robust.solution.linear_solver = SolverKind::automatic;
+          changes                       = true;
+        }
+      if (solution.geometry != GeometryLoop::undeformed)
+        robust.solution.geometry = GeometryLoop::automatic;
+      changes = changes ||
+                robust.geometry(n_displacements) != geometry(n_displacements);
+      return changes ? std::make_optional(robust) : std::nullopt;
+    }
   } // namespace Parameters
 
 

@@ -64,6 +64,13 @@ namespace Contact
       /// moves, unless the file asks for another one.
       GeometryLoop geometry(const std::size_t n_displacements) const;
 
+      /// The same problem by the loops that converge most often: projections
+      /// and friction in the tangent of Newton's method, and with multipliers
+      /// as unknowns where one process and one mesh allow that. Nothing if
+      /// these solve it already.
+      std::optional<All>
+      with_robust_loops(const std::size_t n_displacements) const;
+
       void add_parameters(ParameterHandler &prm);
 
       /**

@@ -211,12 +211,13 @@ namespace Contact
 
 
 
-  void NewtonState::pair_anew()
+  bool NewtonState::pair_anew()
   {
-    pairing.renew(state.solution);
+    const bool has_own_steps = pairing.renew(state.solution);
     guard.forget();
     remember_status();
     ++n_steps;
+    return has_own_steps;
   }
 
 

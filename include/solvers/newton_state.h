@@ -58,8 +58,9 @@ namespace Contact
      */
     bool has_converged() const;
 
-    /// The points are paired anew: another problem.
-    void pair_anew();
+    /// The points are paired anew: another problem. Returns whether that has
+    /// steps of its own, see Pairing::renew().
+    bool pair_anew();
 
     /// Choose whether one point at a time is to change its status. Returns
     /// whether it is from now on.

@@ -72,7 +72,7 @@ namespace Contact
       model.interface &&
       model.interface->pair(is_undeformed ? Vector<double>(configuration.size())
                                           : configuration,
-                            present.moving_geometry);
+                            {present.moving_geometry, edges_stay});
     timer.leave_subsection();
     system->update_pattern(changed);
   }
@@ -97,6 +97,13 @@ namespace Contact
     relaxation = Relaxation();
     is_jumping = false;
     freeze(false);
+  }
+
+
+
+  void Pairing::begin_increment()
+  {
+    edges_stay = false;
   }
 
 
@@ -155,7 +162,7 @@ namespace Contact
     if (!follows_each_step() || guard.accepts(misplacement(state), way(state)))
       return true;
     is_jumping =
-      guard.goes_in_circles() &&
+      guard.goes_in_circles() && !edges_stay &&
       guard.accepts(misfit_of_new_pairing(state.solution), way(state));
     return is_jumping;
   }
@@ -175,16 +182,31 @@ namespace Contact
 
 
 
-  void Pairing::renew(const Vector<double> &solution)
+  bool Pairing::renew(const Vector<double> &solution)
   {
+    const bool edges_were_free = !edges_stay;
+    if (edges_were_free && guard.goes_in_circles())
+      {
+        // Along one edge projections move smoothly again.
+        begin_newton();
+        edges_stay = true;
+      }
     renew(solution, relaxation);
     guard.count_renewal();
+    return edges_were_free;
   }
 
 
 
   std::string Pairing::note() const
   {
+    if (edges_stay)
+      return "pairing: closest points jump over vertices of the master for "
+             "good; they keep the edges that they face, as long as they are no "
+             "further beyond the end than " +
+             brief(SurfaceSearch::overhang / 2) +
+             " of an edge. A finer master or the mortar discretization may "
+             "come to rest.";
     if (!is_jumping)
       return {};
     return "pairing: closest points jump between two places for good; the gaps "

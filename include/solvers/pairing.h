@@ -66,7 +66,8 @@ namespace Contact
     /// it jumps to and fro, on the way.
     void renew(const Vector<double> &solution, Relaxation &relaxation);
 
-    /// Newton's method begins.
+    /// An increment begins, and Newton's method.
+    void begin_increment();
     void begin_newton();
 
     /// Before a Newton step: pair the bodies where they are. If the tangent
@@ -83,11 +84,12 @@ namespace Contact
     /// Whether the solution under this pairing is one.
     bool accepts(const IncrementState &state);
 
-    /// If it is not, pair anew.
-    void renew(const Vector<double> &solution);
+    /// If it is not, pair anew. Returns whether points have been free to face
+    /// other edges until now: four times at most.
+    bool renew(const Vector<double> &solution);
 
-    /// The remark that the solution was accepted although closest points jump
-    /// between two places for good; empty if they do not.
+    /// The remark on closest points that jump between two places for good;
+    /// empty if they do not.
     std::string note() const;
 
   private:
@@ -108,6 +110,9 @@ namespace Contact
     Relaxation   relaxation;
     bool         is_frozen  = false;
     bool         is_jumping = false;
+
+    // In the present increment.
+    bool edges_stay = false;
   };
 } // namespace Contact
 

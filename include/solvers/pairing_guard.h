@@ -22,6 +22,8 @@ namespace Contact
    * tolerance from where they were paired. If that goes on for three turns, the
    * pairing jumps between two states for good, neither of which is wrong if
    * under the one the gaps of the other vanish, within the same tolerance.
+   * Otherwise points from then on keep the edge that they face, which goes on a
+   * little beyond its ends.
    */
   class PairingGuard
   {

@@ -33,6 +33,9 @@ KINEMATICS = ("large displacement", "small strain")
 # The program's default first.
 FRICTION = ("Newton", "fixed point", "lagged bound")
 
+# What is said of rows that converged by other loops than they asked for.
+HANDED_OVER = "solved once more by Newton's method"
+
 # The system that a loop of friction can have: see Parameters::All::check().
 SYSTEM = {"Newton": "automatic", "fixed point": "automatic",
           "lagged bound": "condensed"}
@@ -184,12 +187,15 @@ def run(options, case, rule, kinematics, friction, required):
                      3: "NOT converged", None: "TIMEOUT"}.get(
                          status, "FAILED (status %s)" % status)
     row["message"] = errors.split("\n")[0].replace("error:", "").strip()
+    handed_over = "\nOnce more from the start" in errors
     row["summary"] = None
     if status in (0, 1, 3) and path.exists():
         summary = json.loads(path.read_text())
         increments = summary.get("increments", [])
         row["summary"] = summary
         row["message"] = summary.get("message", "").split("\n")[0]
+        if status in (0, 1) and handed_over:
+            row["message"] = HANDED_OVER
         row["increments"] = sum(bool(i["converged"]) for i in increments)
         row["Newton"] = sum(i["newton_iterations"] for i in increments)
         row["cut-backs"] = sum(not i["converged"] for i in increments)
@@ -318,7 +324,7 @@ def print_tables(rows, cases):
     """The tables of the pages: the required rows of each case, how many of all
     combinations converge, and those that do not."""
     print("Nodal / mortar rule at default settings (large displacement, friction "
-          "by fixed point).\n")
+          "by Newton's method).\n")
     columns = ("increments", "cut-backs", "cycles", "Newton", "energy imbalance",
                "penetration", "seconds")
     print("| case | converged | " + " | ".join(
@@ -334,21 +340,24 @@ def print_tables(rows, cases):
             ["; ".join(dict.fromkeys(r["holds"] for r in pair if r["holds"]))]) +
             " |")
 
-    print("\nAll combinations: converged / not converged / refused.\n")
+    print("\nAll combinations: converged / of these by Newton's method, once more "
+          "from the start / not converged / refused.\n")
     print("| rule | kinematics | " + " | ".join(FRICTION) + " |")
     print("|---|---|" + "---|" * len(FRICTION))
     for rule in RULES:
         for kinematics in KINEMATICS:
             cells = []
             for friction in FRICTION:
-                states = [row["status"] for row in rows
-                          if row["rule"] == rule and
-                          row["kinematics"] == kinematics and
-                          row["friction"] in (friction, "none"
-                                              if friction == FRICTION[0] else "")]
+                some = [row for row in rows
+                        if row["rule"] == rule and
+                        row["kinematics"] == kinematics and
+                        row["friction"] in (friction, "none"
+                                            if friction == FRICTION[0] else "")]
+                states = [row["status"] for row in some]
                 n, refused = states.count("converged"), states.count("refused")
-                cells.append("%d / %d / %d" % (n, len(states) - n - refused,
-                                               refused))
+                cells.append("%d / %d / %d / %d" % (
+                    n, sum(row["message"] == HANDED_OVER for row in some),
+                    len(states) - n - refused, refused))
             print("| " + " | ".join([rule, kinematics] + cells) + " |")
     print("\nWithout friction: under \"%s\". What does not converge, or is refused "
           "(once for each reason):\n" % FRICTION[0])
