@@ -565,9 +565,9 @@ namespace Contact
                       << model.discretization->per_thickness()
                       << ", strain energy " << energy << " N mm"
                       << model.discretization->per_thickness() << std::endl;
-        if (hold.work <= 1e-8 * energy ||
-            hold.force <=
-              newton.convergence.tolerance() * newton.convergence.force_scale())
+        const double scale = newton.convergence.force_scale();
+        if ((hold.work <= 1e-8 * energy && hold.force <= 1e-5 * scale) ||
+            hold.force <= newton.convergence.tolerance() * scale)
           return;
         if (turn == max_turns)
           stabilization.give_up(hold, turn);

@@ -214,6 +214,80 @@ expect "multipliers that no point" "$parameters/ssnp154_b.prm" \
   --set "Contact/Gauss points=2"
 
 
+# Two laws on one line, or a tie and contact on one node
+expect "same lines as slave and master: how" "$good" \
+  --set "Contact second/Slave=Bottom_C" --set "Contact second/Master=Top_B" \
+  --set "Boundary conditions/Tied y="
+expect "same lines as slave and master, swapped" "$good" \
+  --set "Contact second/Slave=Top_B" --set "Contact second/Master=Bottom_C" \
+  --set "Boundary conditions/Tied y="
+expect "is tied to the master" "$good" --set "Contact/Excluded points="
+
+# A group of an outer line and of one between two cells
+cat >inner.msh <<END
+\$MeshFormat
+2.2 0 8
+\$EndMeshFormat
+\$PhysicalNames
+2
+1 1 "Ground"
+2 2 "Block"
+\$EndPhysicalNames
+\$Nodes
+6
+1 0 0 0
+2 1 0 0
+3 2 0 0
+4 0 1 0
+5 1 1 0
+6 2 1 0
+\$EndNodes
+\$Elements
+4
+1 3 2 2 1 1 2 5 4
+2 3 2 2 1 2 3 6 5
+3 1 2 1 2 1 2
+4 1 2 1 3 2 5
+\$EndElements
+END
+cat >inner.prm <<END
+subsection Mesh
+  set File = inner.msh
+end
+subsection Solids
+  set Young's modulus = Block: 1
+  set Poisson's ratio = Block: 0.3
+end
+subsection Boundary conditions
+  set Displacement x = Ground: 0
+  set Displacement y = Ground: 0
+end
+END
+expect "'Ground' has also lines inside bodies" inner.prm
+
+# Entries without effect are noted where the file itself sets them.
+cat >idle.prm <<END
+include $good
+subsection Contact
+  set Gauss points = 4
+end
+subsection Refinement
+  set Fraction = 0.3
+end
+subsection Boundary conditions
+  set Histories = Traction x: 2*t
+end
+END
+"$contact" idle.prm --quiet --set Output/Directory=idle >/dev/null 2>idle.err ||
+  echo "status $?"
+if [ "$(grep -c "idle.prm.* has no effect" idle.err)" -eq 3 ]; then
+  echo "ok: entries without effect"
+else
+  echo "FAILED: entries without effect"
+  cat idle.err
+  failures=$((failures + 1))
+fi
+
 # Several processes, one message
 launcher="mpirun -np 2"
 expect "discretization Gauss" "$gauss"

@@ -10,6 +10,9 @@ Proves that
 - a ring that can turn in itself stays as it is under pressure, without friction
   and in small strain, with every discretization, in the saddle point system and
   the condensed one, on coarse meshes too, and carries Lame's contact pressure;
+- a round body without friction under its own weight rolls nowhere and rests in
+  a rigid hole, in that of a plate, and between two half planes, whose normal
+  forces are W/(2 cos 45 degrees), wherever the way there is long;
 - a body that turns further than small strain can mean ends the run, which says
   so; with large displacements it does not;
 - width is the length of all patches; nodes.csv has forces in balance.
@@ -145,6 +148,75 @@ def rings():
                   f"{mean} {pressure}")
 
 
+def pins():
+    """A pin with play in its hole, which can turn without resistance; gravity
+    drives it down."""
+    def disk(s, t):
+        # Of a square onto a circle: Shirley and Chiu's map.
+        a, b = 2 * s - 1, 2 * t - 1
+        if a == b == 0:
+            return 0., 0.
+        r, phi = ((a, math.pi / 4 * b / a) if abs(a) >= abs(b) else
+                  (b, math.pi / 2 - math.pi / 4 * a / b))
+        return 5 * r * math.cos(phi), 5 * r * math.sin(phi)
+
+    pin = Mesh()
+    pin.block("A", 10, 10, disk, dict.fromkeys(
+        ("bottom", "right", "top", "left"), "Pin"))
+    pin.write("pin")
+    plate = Mesh()
+    plate.block("A", 10, 10, disk, dict.fromkeys(
+        ("bottom", "right", "top", "left"), "Pin"))
+    plate.block("B", 44, 3, ring(5.02, 9), {"bottom": "Hole", "top": "Rim"},
+                closed=True)
+    plate.write("pin_in_plate")
+    weight = 300
+    area = 10 * 10 / 4 * 2 * 25 * math.sin(2 * math.pi / 40) * 0.4
+    entries = {"Mesh/File": "pin.msh", "Solids/Young's modulus": "A: 210000",
+               "Solids/Poisson's ratio": "A: 0.3",
+               "Boundary conditions/Body force y": f"A: {-weight / area!r}",
+               "Contact/Slave": "Pin"}
+    in_plate = {**entries, "Mesh/File": "pin_in_plate.msh",
+                "Mesh/Arcs": "Pin: 0, 0, 5; Hole: 0, 0, 5.02",
+                "Solids/Young's modulus": "A: 210000, B: 70000",
+                "Solids/Poisson's ratio": "A: 0.3, B: 0.3",
+                "Boundary conditions/Displacement x": "Rim: 0",
+                "Boundary conditions/Displacement y": "Rim: 0",
+                "Contact/Master": "Hole"}
+    for what, more in (
+            ("tight hole", {"Contact/Obstacle": "circle: 0, 0, -5.02"}),
+            ("wide hole", {"Contact/Obstacle": "circle: 0, 0, -5.5"}),
+            ("wide hole, small strain",
+             {"Contact/Obstacle": "circle: 0, 0, -5.5",
+              "Solids/Kinematics": "small strain"}),
+            ("plate", in_plate),
+            ("plate, condensed", {**in_plate, "Solution/System": "condensed"}),
+            ("plate, nodal", {**in_plate, "Contact/Discretization": "nodal"}),
+            ("V", {"Contact/Obstacle": "half plane: -5, -5, 0.7071067811865475, "
+                                       "0.7071067811865475",
+                   "Contact right/Slave": "Pin",
+                   "Contact right/Obstacle":
+                       "half plane: 5, -5, -0.7071067811865475, "
+                       "0.7071067811865475"})):
+        status, said, summary = run("pin", {**entries, **more})
+        check(f"pin, {what}: rests", status == 0, said[:400])
+        if status != 0:
+            continue
+        # The pressure of a nodal point is a mean over meshes that do not match:
+        # the force is that of the support.
+        last = summary["increments"][-1]["reactions"]
+        normal = ([last["Rim"]["y"]] if "Rim" in last else
+                  [summary[c]["normal_force"]
+                   for c in ("contact", "contact right") if c in summary])
+        work = max(i["works"].get("external", 0)
+                   for i in summary["increments"])
+        check("  gravity has done work", work > 0, str(work))
+        expected = (weight / math.sqrt(2) if what == "V" else weight)
+        check("  it carries the weight", all(
+            abs(f / expected - 1) < 0.03 for f in normal),
+              f"{normal} {expected}")
+
+
 def lever():
     """A bar on a hinge that falls on a plane, 0.3 rad below it."""
     mesh = Mesh()
@@ -193,7 +265,7 @@ def patches():
         check("contact is four wide", abs(width - 4) < 1e-9, str(width))
 
 
-for scene in (pieces, joints, rings, lever, patches):
+for scene in (pieces, joints, rings, pins, lever, patches):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)

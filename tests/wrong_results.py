@@ -334,6 +334,79 @@ def cornered():
                       mu * of["normal_force"] * (1 + 1e-9))
 
 
+def in_a_corner():
+    """The same in the corner of a deformable frame: the node in the corner is
+    a slave of both pairs. The pressures are carried, by either system."""
+    mesh = Mesh()
+    mesh.block("B", 6, 5, box(0, 0, 10, 8),
+               {"bottom": "Sole", "top": "Head", "left": "Side",
+                "right": "Front"})
+    for part, sides in ((box(0, -4, 15, 0), {"top": "Floor", "bottom": "Base"}),
+                        (box(-4, 0, 0, 12), {"right": "Wall"}),
+                        (box(-4, -4, 0, 0), {"bottom": "Base"})):
+        wide = part(1, 1)[0] - part(0, 0)[0]
+        high = part(1, 1)[1] - part(0, 0)[1]
+        mesh.block("F", max(2, round(wide / 2)), max(2, round(high / 2)), part,
+                   sides)
+    first = len(mesh.nodes)
+    block = mesh.nodes[:42]
+    # The frame is one part; the block has nodes of its own.
+    mesh.nodes[:42] = [(x, y + 1000) for x, y in block]
+    mesh.merge()
+    mesh.nodes[:42] = block
+    check("the frame is one part", first == len(mesh.nodes))
+    mesh.write("in_a_corner")
+    for rule in ("mortar", "nodal"):
+        for system in ("automatic", "condensed"):
+            status, said, summary = run("in_a_corner", {
+                "Mesh/File": "in_a_corner.msh",
+                **solids("B: 3000, F: 1000", "B: 0.3, F: 0.3"),
+                "Boundary conditions/Displacement x": "Base: 0",
+                "Boundary conditions/Displacement y": "Base: 0",
+                "Boundary conditions/Pressure": "Head: 4; Front: 2",
+                "Contact/Slave": "Sole", "Contact/Master": "Floor",
+                "Contact/Friction coefficient": "0.2",
+                "Contact/Discretization": rule,
+                "Contact wall/Slave": "Side", "Contact wall/Master": "Wall",
+                "Contact wall/Friction coefficient": "0.2",
+                "Contact wall/Discretization": rule,
+                "Solution/System": system})
+            check(f"{rule}, {system}: converges", status == 0, said[:400])
+            if status != 0:
+                continue
+            force = summary["increments"][-1]["reactions"]["Base"]
+            check("  the base carries the pressures",
+                  abs(force["x"] - 16) + abs(force["y"] - 40) < 1e-6, str(force))
+
+
+def tied():
+    """A point that follows a support in y: its force is one of the support, on
+    one process and on two."""
+    mesh = Mesh()
+    mesh.block("A", 8, 4, box(0, 0, 8, 4),
+               {"bottom": "Base", "corner": "Foot"})
+    mesh.nodes.append((0, 5))
+    for x, name in ((0, "Left"), (8, "Right")):
+        mesh.add(0, name, (mesh.nodes.index((x, 4)) + 1,))
+    mesh.nodes.pop()
+    mesh.write("tied")
+    for ranks in (1, 2):
+        for degree in ("1", "2"):
+            status, said, summary = run("tied", {
+                "Mesh/File": "tied.msh", **solids("A: 1000", "A: 0.3"),
+                "Element/Degree": degree,
+                "Boundary conditions/Displacement x": "Base: 0",
+                "Boundary conditions/Displacement y": "Base: 0, Left: -0.1",
+                "Boundary conditions/Tied y": "Right: Left"}, ranks)
+            check(f"degree {degree}, {ranks} processes: converges", status == 0,
+                  said[:400])
+            if status == 0:
+                force = summary["increments"][-1]["reactions"]
+                check("  the reactions are in balance", force["Left"]["y"] < -1 and
+                      abs(force["Left"]["y"] + force["Base"]["y"]) < 1e-9 *
+                      force["Base"]["y"], str(force))
+
+
 def flank():
     """A half wedge without friction, pushed by supports of its head, whose last
     node is on the flank too: that node pushes along the flank's normal as the
@@ -467,7 +540,7 @@ def pinned():
 
 
 for scene in (carried, overlap, cantilever, teeth, own_master, round_off,
-              held_ends, dragged, driven, cornered, flank,
+              held_ends, dragged, driven, cornered, in_a_corner, tied, flank,
               groove, slide, pinned):
     print(scene.__name__)
     scene()

@@ -9,6 +9,9 @@
 
 #include <algorithm>
 
+#include "base/errors.h"
+#include "contact/surface_checks.h"
+
 namespace Contact
 {
   ContactInterface::ContactInterface(
@@ -35,7 +38,42 @@ namespace Contact
                                         : n_tangential++);
         pairs.push_back(std::move(contact_pair));
       }
+    check_pairs(parameters);
     find_corners();
+  }
+
+
+
+  // Two pairs of the same surfaces would share their force as they like, also
+  // with slave and master swapped.
+  void ContactInterface::check_pairs(
+    const std::vector<Parameters::Contact> &parameters) const
+  {
+    const auto same_master = [&](const unsigned int i, const unsigned int j) {
+      if (!pairs[i]->master || !pairs[j]->master)
+        return !pairs[i]->master && !pairs[j]->master &&
+               parameters[i].obstacle == parameters[j].obstacle;
+      return overlap(*pairs[i]->master, *pairs[j]->master);
+    };
+    for (unsigned int j = 0; j < pairs.size(); ++j)
+      for (unsigned int i = 0; i < j; ++i)
+        {
+          const bool both_have_masters = pairs[i]->master && pairs[j]->master;
+          const bool is_same =
+            overlap(pairs[i]->slave, pairs[j]->slave) && same_master(i, j);
+          const bool is_swapped = both_have_masters &&
+                                  overlap(pairs[i]->slave, *pairs[j]->master) &&
+                                  overlap(*pairs[i]->master, pairs[j]->slave);
+          if (is_same || is_swapped)
+            throw InputError("two contact pairs have the same lines as slave "
+                             "and master" +
+                               std::string(is_swapped ? ", swapped" : "") +
+                               ": how they share the force is not determined",
+                             "'" + parameters[i].section() + "' and '" +
+                               parameters[j].section() + "'",
+                             "remove one of them, or take the common lines out "
+                             "of one");
+        }
   }
 
 

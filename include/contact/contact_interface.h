@@ -277,6 +277,9 @@ namespace Contact
     /// The points of other obstacles with the same node, by point.
     void find_corners();
 
+    /// Check that no two pairs are about the same lines. Throws InputError.
+    void check_pairs(const std::vector<Parameters::Contact> &parameters) const;
+
     std::vector<ContactPoint>                         all_points;
     std::map<unsigned int, std::vector<unsigned int>> in_corner;
     Vector<double> support_motion; // of this increment

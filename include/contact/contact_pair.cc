@@ -77,6 +77,8 @@ namespace Contact
                            "name a vertex of the slave, or leave it out");
         excluded.insert(node - slave.nodes.begin());
       }
+    if (master)
+      check_ties(slave, *master, excluded, discretization, parameters);
     // Over a ring, the shape function of degree 2 of a node on the axis has the
     // integral zero: it has no dual function.
     if (slave.degree == 2 && master &&

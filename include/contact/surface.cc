@@ -423,6 +423,10 @@ namespace Contact
 
   double Surface::largest_bend() const
   {
+    const auto is_straight = [this](const Edge &edge) {
+      const Point<2> &a = nodes[edge.nodes[0]].X, &b = nodes[edge.nodes[1]].X;
+      return edge.middle.distance(a + 0.5 * (b - a)) <= 1e-6 * a.distance(b);
+    };
     const auto chord = [this](const Edge &edge) {
       return nodes[edge.nodes[1]].X - nodes[edge.nodes[0]].X;
     };
@@ -433,7 +437,7 @@ namespace Contact
           const double bend =
             180 / numbers::PI *
             std::abs(angle(chord(edges[edge.previous]), chord(edge)));
-          if (!edge.corner[0])
+          if (!edge.corner[0] && is_straight(edge))
             largest = std::max(largest, bend);
         }
     return largest;

@@ -112,4 +112,54 @@ namespace Contact
     check_nodes(slave, master, parameters);
     check_bodies(slave, master, discretization, parameters);
   }
+
+
+
+  void check_ties(const Surface                &slave,
+                  const Surface                &master,
+                  const std::set<unsigned int> &excluded,
+                  const Discretization         &discretization,
+                  const Parameters::Contact    &parameters)
+  {
+    const auto is_on_master = [&](const types::global_dof_index dof) {
+      return std::any_of(master.nodes.begin(),
+                         master.nodes.end(),
+                         [&](const Surface::Node &node) {
+                           return node.dofs[1] == dof;
+                         });
+    };
+    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+      for (const auto &[dof, leader] : discretization.tied())
+        {
+          const auto own = slave.nodes[i].dofs[1];
+          if (excluded.count(i) == 0 && ((dof == own && is_on_master(leader)) ||
+                                         (leader == own && is_on_master(dof))))
+            throw InputError("the node of the slave '" + parameters.slave +
+                               "' at (" + brief(slave.nodes[i].X[0]) + ", " +
+                               brief(slave.nodes[i].X[1]) +
+                               ") mm is tied to the master: it would be held "
+                               "twice, and how tie and contact share the force "
+                               "is not determined",
+                             "Boundary conditions/Tied y, " +
+                               parameters.section() + "/Slave",
+                             "name the point in '" + parameters.section() +
+                               "/Excluded points', or remove the tie");
+        }
+  }
+
+
+
+  bool overlap(const Surface &a, const Surface &b)
+  {
+    const auto ends = [](const Surface &surface, const Surface::Edge &edge) {
+      return std::minmax(surface.nodes[edge.nodes[0]].dofs[0],
+                         surface.nodes[edge.nodes[1]].dofs[0]);
+    };
+    std::set<std::pair<types::global_dof_index, types::global_dof_index>> of_a;
+    for (const Surface::Edge &edge : a.edges)
+      of_a.insert(ends(a, edge));
+    return std::any_of(b.edges.begin(), b.edges.end(), [&](const auto &edge) {
+      return of_a.count(ends(b, edge)) > 0;
+    });
+  }
 } // namespace Contact

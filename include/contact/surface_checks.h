@@ -6,6 +6,8 @@
 #ifndef contact_surface_checks_h
 #define contact_surface_checks_h
 
+#include <set>
+
 #include "contact/surface.h"
 
 namespace Contact
@@ -22,6 +24,18 @@ namespace Contact
                       const Surface             &master,
                       const Discretization      &discretization,
                       const Parameters::Contact &parameters);
+
+  /// Check that no node of the slave but those @p excluded is tied to one of
+  /// the master: tie and contact would share one force as they like. Throws
+  /// InputError.
+  void check_ties(const Surface                &slave,
+                  const Surface                &master,
+                  const std::set<unsigned int> &excluded,
+                  const Discretization         &discretization,
+                  const Parameters::Contact    &parameters);
+
+  /// Whether two surfaces have an edge in common.
+  bool overlap(const Surface &a, const Surface &b);
 } // namespace Contact
 
 #endif

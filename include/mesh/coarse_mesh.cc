@@ -188,7 +188,8 @@ namespace Contact
       const MshFile                                       &msh,
       const Vertices                                      &vertices,
       const Edges                                         &edges,
-      std::map<std::string, std::set<types::boundary_id>> &boundaries)
+      std::map<std::string, std::set<types::boundary_id>> &boundaries,
+      std::set<std::string>                               &with_inner_lines)
     {
       SubCellData                                         subcelldata;
       std::map<std::set<std::string>, types::boundary_id> ids;
@@ -197,10 +198,15 @@ namespace Contact
           {
             // A group of lines inside of a body is known, but empty: deal.II
             // wants no ids there.
-            const auto edge = find_edge(line, msh, vertices, edges);
+            const auto edge     = find_edge(line, msh, vertices, edges);
+            const bool is_inner = edge->second == 2;
             for (const std::string &group : line.groups)
-              boundaries[group];
-            if (edge->second == 2)
+              {
+                boundaries[group];
+                if (is_inner)
+                  with_inner_lines.insert(group);
+              }
+            if (is_inner)
               continue;
 
             CellData<1> data;
@@ -241,8 +247,12 @@ namespace Contact
     coarse.vertices     = vertex_points(msh, vertices);
     coarse.cells        = make_cells(msh, vertices, coarse.vertices, bodies);
     const auto edges    = count_edges(coarse.cells, coarse.vertices, msh);
-    coarse.lines  = number_boundaries(msh, vertices, edges, coarse.boundaries);
-    coarse.points = find_points(msh, vertices);
+    coarse.lines        = number_boundaries(msh,
+                                     vertices,
+                                     edges,
+                                     coarse.boundaries,
+                                     coarse.with_inner_lines);
+    coarse.points       = find_points(msh, vertices);
     return coarse;
   }
 

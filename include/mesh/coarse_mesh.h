@@ -32,6 +32,9 @@ namespace Contact
 
     std::map<std::string, std::set<types::boundary_id>> boundaries;
     std::map<std::string, unsigned int>                 points;
+
+    /// The groups that have lines inside of bodies.
+    std::set<std::string> with_inner_lines;
   };
 
   /// Throws InputError, where cells are tangled, overlap or have no body, or

@@ -259,6 +259,7 @@ namespace Contact
     CoarseMesh coarse = make_coarse_mesh(msh, bodies);
     boundaries        = coarse.boundaries;
     points            = coarse.points;
+    with_inner_lines  = coarse.with_inner_lines;
     place_vertices(coarse.cells, placement, msh, coarse.vertices);
     order_cells(coarse.cells);
     triangulation.create_triangulation(coarse.vertices,
@@ -297,9 +298,10 @@ namespace Contact
   Mesh::boundary(const std::string &name, const std::string &entry) const
   {
     const auto &ids = find(boundaries, "boundary", name, entry);
-    if (ids.empty())
-      throw InputError("the boundary '" + name +
-                         "' has only lines inside bodies",
+    if (with_inner_lines.count(name) > 0)
+      throw InputError("the boundary '" + name + "' has " +
+                         (ids.empty() ? "only" : "also") +
+                         " lines inside bodies",
                        "entry '" + entry + "'",
                        "name a group of lines that bound a body");
     return ids;

@@ -66,6 +66,9 @@ namespace Contact
     std::map<std::string, types::material_id>           bodies;
     std::map<std::string, std::set<types::boundary_id>> boundaries;
 
+    /// The groups of lines that bound bodies in part only.
+    std::set<std::string> with_inner_lines;
+
     /// A group of several points is numbers::invalid_unsigned_int; points
     /// which are no corners of cells are left out.
     std::map<std::string, unsigned int> points;

@@ -35,26 +35,29 @@ namespace Contact
 
 
     // A case that does not converge by the loops that it asks for is solved
-    // once more, from the start, by those that converge most often.
+    // once more, from the start, by others. If none converges, the result is
+    // that of the last one, and the first line what was asked for.
     RunSummary solve_robustly(const Parameters::All  &parameters,
                               const ParameterHandler &prm,
                               const bool              verbose,
                               const SolveCase        &solve)
     {
-      const RunSummary summary = solve(parameters, prm, verbose);
-      if (summary.converged || summary.interrupted)
-        return summary;
-      const auto robust = parameters.with_robust_loops(summary.n_displacements);
-      if (!robust)
-        return summary;
-      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-        std::cerr << parameters.name << ": " << summary.message
-                  << "\nOnce more from the start, with Friction = "
-                  << robust->solution.friction.name()
-                  << ", Geometry = " << robust->solution.geometry.name()
-                  << ", System = " << robust->solution.system.name()
-                  << std::endl;
-      return solve(*robust, prm, verbose);
+      RunSummary summary = solve(parameters, prm, verbose);
+      for (const Parameters::All &other :
+           parameters.with_other_loops(summary.n_displacements))
+        {
+          if (summary.converged || summary.interrupted)
+            break;
+          if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+            std::cerr << parameters.name << ": " << summary.message
+                      << "\nOnce more from the start, with Friction = "
+                      << other.solution.friction.name()
+                      << ", Geometry = " << other.solution.geometry.name()
+                      << ", System = " << other.solution.system.name()
+                      << std::endl;
+          summary = solve(other, prm, verbose);
+        }
+      return summary;
     }
 
 

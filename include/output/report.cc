@@ -110,7 +110,48 @@ namespace Contact
       for (const auto &contact_pair : parameters.pairs())
         print_note_on_arcs(model, contact_pair);
     if (model.interface)
-      print_note_on_facing(*model.interface);
+      {
+        print_note_on_facing(*model.interface);
+        print_note_on_roles(model);
+      }
+  }
+
+
+
+  // A slave that hardly deforms leaves the conditions of its many nodes to the
+  // few of the master: too many for its displacements (inf-sup condition).
+  void Report::print_note_on_roles(const ContactModel &model)
+  {
+    struct Side
+    {
+      double length = 0, stiffness = 0;
+    };
+    const auto mean = [&](const Surface &surface) {
+      Side side;
+      for (unsigned int e = 0; e < surface.edges.size(); ++e)
+        {
+          side.length += surface.reference_length(e) / surface.edges.size();
+          side.stiffness +=
+            model.elasticity->youngs_modulus(surface.edges[e].body) /
+            surface.edges.size();
+        }
+      return side;
+    };
+    const auto entries = parameters.pairs();
+    for (unsigned int z = 0; z < entries.size(); ++z)
+      {
+        const ContactPair &contact_pair = *model.interface->pairs[z];
+        if (!contact_pair.master || contact_pair.tied)
+          continue;
+        const Side slave  = mean(contact_pair.slave);
+        const Side master = mean(*contact_pair.master);
+        if (slave.stiffness > 5 * master.stiffness &&
+            slave.length < 0.9 * master.length)
+          print_error(": note: the slave '" + entries[z].slave +
+                      "' is stiffer than its master and has shorter edges: "
+                      "pressures oscillate, and their peaks may be twice too "
+                      "high. Take the softer surface as slave");
+      }
   }
 
 

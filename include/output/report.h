@@ -96,6 +96,7 @@ namespace Contact
 
   private:
     void print_note_on_facing(const ContactInterface &interface);
+    void print_note_on_roles(const ContactModel &model);
     void print_note_on_arcs(const ContactModel        &model,
                             const Parameters::Contact &contact_pair);
 

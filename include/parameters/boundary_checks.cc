@@ -139,5 +139,24 @@ namespace Contact
                            {section + "Tied y"},
                            "tie points to one that is not tied");
     }
+
+
+
+    bool Boundary::is_set(const std::string &entry) const
+    {
+      const std::map<std::string, bool> set{
+        {"Displacement x", !displacement_x.empty()},
+        {"Displacement y", !displacement_y.empty()},
+        {"Force x", !force_x.empty()},
+        {"Force y", !force_y.empty()},
+        {"Resultant force x", !resultant_force_x.empty()},
+        {"Resultant force y", !resultant_force_y.empty()},
+        {"Pressure", !pressure.empty()},
+        {"Traction x", !traction_x.empty()},
+        {"Traction y", !traction_y.empty()},
+        {"Body force x", !body_force_x.empty()},
+        {"Body force y", !body_force_y.empty()}};
+      return set.at(entry);
+    }
   } // namespace Parameters
 } // namespace Contact

@@ -189,5 +189,28 @@ namespace Contact
                          {"Solution/Geometry", system_entry},
                          "set 'Geometry = each step'");
     }
+
+
+    std::map<std::string, std::string> All::idle_entries() const
+    {
+      std::map<std::string, std::string> idle;
+      for (const Contact &contact_pair : pairs())
+        {
+          if (contact_pair.tied)
+            idle[contact_pair.section() + "/Friction coefficient"] =
+              "the surfaces are glued";
+          if (contact_pair.discretization != ContactDiscretization::gauss)
+            idle[contact_pair.section() + "/Gauss points"] =
+              "the discretization is " + contact_pair.discretization.name();
+        }
+      if (refinement.n_levels == 0)
+        for (const std::string entry : {"Strategy", "Fraction", "Tolerance"})
+          idle["Refinement/" + entry] = "there are no levels";
+      for (const auto &[entry, formula] : boundary.histories)
+        if (!boundary.is_set(entry))
+          idle["Boundary conditions/Histories"] =
+            in_quotes(entry) + " is not set";
+      return idle;
+    }
   } // namespace Parameters
 } // namespace Contact

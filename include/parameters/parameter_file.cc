@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
-#include <map>
 
 #include "base/errors.h"
 #include "base/files.h"
@@ -144,7 +143,7 @@ namespace Contact
                 ")";
         is_set = is_set || setting != settings.end();
       }
-    // Somebody has to be told which file lacks them.
+    // The file that lacks them.
     return is_set ? text : main_file + ", " + text;
   }
 
@@ -280,14 +279,22 @@ namespace Contact
 
 
 
-  void ParameterReader::note_former(const std::string &what,
-                                    const std::string &present_name,
-                                    const Place       &place)
+  void ParameterReader::note(const Place &place, const std::string &text)
   {
-    if (!Utilities::MPI::job_supports_mpi() ||
-        Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::cerr << place.name << ": note: " << what << " is now called '"
-                << present_name << "'." << std::endl;
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::cerr << place.name << ": note: " << text << std::endl;
+  }
+
+
+
+  void ParameterReader::note_idle(
+    const std::map<std::string, std::string> &reasons) const
+  {
+    for (const auto &[path, reason] : reasons)
+      if (const auto setting = settings.find(path);
+          setting != settings.end() &&
+          setting->second.name.rfind(main_file, 0) == 0)
+        note(setting->second, path + " has no effect: " + reason + ".");
   }
 
 
@@ -307,9 +314,9 @@ namespace Contact
     const auto found = former.find(entry.path());
     if (found == former.end() || found->second.first != value)
       return value;
-    note_former("'" + value + "' of " + entry.path(),
-                found->second.second,
-                place);
+    note(place,
+         "'" + value + "' of " + entry.path() + " is now called '" +
+           found->second.second + "'.");
     return found->second.second;
   }
 
@@ -379,7 +386,9 @@ namespace Contact
         {
           if (entry.alias_of.empty())
             return entry;
-          note_former("The entry " + entry.path(), entry.alias_of, place);
+          note(place,
+               "The entry " + entry.path() + " is now called '" +
+                 entry.alias_of + "'.");
           return find_entry(in_section, entry.alias_of, place);
         }
 

@@ -58,6 +58,10 @@ namespace Contact
     /// Entries "Section/Entry" with where they were set, for messages.
     std::string where(const std::vector<std::string> &paths) const;
 
+    /// Note which of these entries the main file itself sets although they
+    /// have no effect: by "Section/Entry" why.
+    void note_idle(const std::map<std::string, std::string> &reasons) const;
+
   private:
     /// The place of a statement, and the directory that paths in it are
     /// relative to.
@@ -109,10 +113,8 @@ namespace Contact
     /// Declare a section if it is one of those there may be several of.
     void declare_section(const std::string &name);
 
-    /// Note that a former name goes on working, on the first rank.
-    static void note_former(const std::string &what,
-                            const std::string &present_name,
-                            const Place       &place);
+    /// Print a note on a statement, on the first rank.
+    static void note(const Place &place, const std::string &text);
 
     /// The name that a value has now.
     static std::string present_value(const DeclaredEntry &entry,

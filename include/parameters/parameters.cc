@@ -130,36 +130,38 @@ namespace Contact
 
 
 
-    std::optional<All>
-    All::with_robust_loops(const std::size_t n_displacements) const
+    std::vector<All>
+    All::with_other_loops(const std::size_t n_displacements) const
     {
       const auto pairs   = this->pairs();
-      const auto any_has = [&](const auto &property) {
-        return std::any_of(pairs.begin(), pairs.end(), property);
+      const auto all_are = [&](const auto &property) {
+        return std::all_of(pairs.begin(), pairs.end(), property);
       };
-      if (!any_has([](const Contact &pair) { return !pair.tied; }))
+      if (all_are([](const Contact &pair) { return pair.tied; }))
         return {};
 
-      All  robust  = *this;
-      bool changes = false;
-      if (solution.friction != FrictionLoop::newton &&
-          any_has([](const Contact &pair) { return pair.frictional(); }))
-        {
-          robust.solution.friction = FrictionLoop::newton;
-          changes                  = true;
-        }
-      if (n_ranks == 1 && refinement.n_levels == 0 &&
-          is_condensed(n_displacements))
-        {
-          robust.solution.system        = SystemKind::saddle_point;
-          robust.solution.linear_solver = SolverKind::automatic;
-          changes                       = true;
-        }
+      All newton = *this;
+      if (!all_are([](const Contact &pair) { return !pair.frictional(); }))
+        newton.solution.friction = FrictionLoop::newton;
       if (solution.geometry != GeometryLoop::undeformed)
-        robust.solution.geometry = GeometryLoop::automatic;
-      changes = changes ||
-                robust.geometry(n_displacements) != geometry(n_displacements);
-      return changes ? std::make_optional(robust) : std::nullopt;
+        newton.solution.geometry = GeometryLoop::automatic;
+
+      std::vector<All> others;
+      const auto       add = [&](const SystemKind system) {
+        All other             = newton;
+        other.solution.system = system;
+        if (other.is_condensed() != is_condensed(n_displacements))
+          other.solution.linear_solver = SolverKind::automatic;
+        if (other.is_condensed() != is_condensed(n_displacements) ||
+            other.solution.friction != solution.friction ||
+            other.geometry(n_displacements) != geometry(n_displacements))
+          others.push_back(other);
+      };
+      if (n_ranks == 1 && refinement.n_levels == 0)
+        add(SystemKind::saddle_point);
+      if (pairs.size() > 1 && !shared_pair())
+        add(SystemKind::condensed);
+      return others;
     }
   } // namespace Parameters
 
@@ -194,6 +196,7 @@ namespace Contact
                          reader.where(error.entries),
                          error.remedy);
       }
+    reader.note_idle(parameters.idle_entries());
   }
 
 

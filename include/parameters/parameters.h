@@ -64,14 +64,18 @@ namespace Contact
       /// moves, unless the file asks for another one.
       GeometryLoop geometry(const std::size_t n_displacements) const;
 
-      /// The same problem by the loops that converge most often: projections
-      /// and friction in the tangent of Newton's method, and with multipliers
-      /// as unknowns where one process and one mesh allow that. Nothing if
-      /// these solve it already.
-      std::optional<All>
-      with_robust_loops(const std::size_t n_displacements) const;
+      /// The same problem by other loops, those that converge most often
+      /// first: projections and friction in the tangent of Newton's method
+      /// with multipliers as unknowns, where one process and one mesh allow
+      /// that; and of several pairs, which may share nodes, the condensed
+      /// system.
+      std::vector<All>
+      with_other_loops(const std::size_t n_displacements) const;
 
       void add_parameters(ParameterHandler &prm);
+
+      /// The entries without effect, by "Section/Entry": why.
+      std::map<std::string, std::string> idle_entries() const;
 
       /**
        * The checks of several entries together: every entry of one concern

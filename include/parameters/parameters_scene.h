@@ -149,6 +149,9 @@ namespace Contact
       void add_parameters(ParameterHandler &prm);
       void check() const;
 
+      /// Whether the entry of a support or a load is set.
+      bool is_set(const std::string &entry) const;
+
     private:
       void add_values(ParameterHandler &prm);
       void add_formulas(ParameterHandler &prm);

@@ -184,6 +184,13 @@ namespace Contact
     /// Whether this unknown is tied to another one, or another one to it.
     bool is_tied(const types::global_dof_index dof) const;
 
+    /// The unknowns that are tied, each with the one that it follows.
+    const std::map<types::global_dof_index, types::global_dof_index> &
+    tied() const
+    {
+      return ties;
+    }
+
   private:
     /// A displacement at its full value [mm], of one component.
     struct Prescribed

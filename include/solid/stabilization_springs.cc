@@ -8,6 +8,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
+#include <numeric>
 
 namespace Contact
 {
@@ -32,22 +33,23 @@ namespace Contact
 
 
 
-  void
-  StabilizationSprings::hold(const std::map<unsigned int, double> &stiffness,
-                             const Vector<double>                 &rest)
+  void StabilizationSprings::hold(
+    const std::map<unsigned int, SpringStiffness> &stiffness,
+    const Vector<double>                          &rest)
   {
     Assert(rest.size() >= discretization.dof_handler.n_dofs(),
            ExcDimensionMismatch(rest.size(),
                                 discretization.dof_handler.n_dofs()));
-    std::map<unsigned int, double> positive;
+    std::map<unsigned int, SpringStiffness> positive;
     for (const auto &[piece, k] : stiffness)
       {
         AssertIndexRange(piece, volumes.size());
-        Assert(k >= 0, ExcMessage("a negative stiffness"));
-        if (k > 0)
+        Assert(k.translation >= 0 && k.rotation >= 0,
+               ExcMessage("a negative stiffness"));
+        if (k.translation > 0 || k.rotation > 0)
           positive[piece] = k;
       }
-    if (positive != this->stiffness)
+    if (!(positive == this->stiffness))
       ++n_changes;
     this->stiffness = positive;
     this->rest      = rest;
@@ -65,15 +67,42 @@ namespace Contact
 
 
 
-  double StabilizationSprings::spring(const CellTable &cell) const
+  StabilizationSprings::CellSprings
+  StabilizationSprings::springs_of(const CellTable &cell) const
   {
-    const auto held = stiffness.find(cell.piece);
+    CellSprings springs;
+    const auto  held = stiffness.find(cell.piece);
     if (held == stiffness.end())
-      return 0;
-    double volume = 0;
-    for (const double JxW : cell.JxW)
-      volume += JxW;
-    return held->second * volume / volumes[cell.piece] / cell.n_corners();
+      return springs;
+    const double volume = std::accumulate(cell.JxW.begin(), cell.JxW.end(), 0.);
+    const double share  = volume / volumes[cell.piece];
+    springs.corner      = held->second.translation * share / cell.n_corners();
+    springs.rotation    = held->second.rotation * share;
+    if (springs.rotation == 0)
+      return springs;
+
+    springs.row.reinit(cell.dofs.size());
+    for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+      for (unsigned int a = 0; a < cell.n_nodes(); ++a)
+        {
+          const Tensor<1, 2> mean =
+            cell.JxW[q] / (2 * volume) * cell.gradients[q * cell.n_nodes() + a];
+          springs.row[2 * a] -= mean[1];
+          springs.row[2 * a + 1] += mean[0];
+        }
+    return springs;
+  }
+
+
+
+  double StabilizationSprings::rotation(const CellTable      &cell,
+                                        const CellSprings    &springs,
+                                        const Vector<double> &u) const
+  {
+    double angle = 0;
+    for (unsigned int i = 0; i < springs.row.size(); ++i)
+      angle += springs.row[i] * (u[cell.dofs[i]] - rest[cell.dofs[i]]);
+    return angle;
   }
 
 
@@ -85,13 +114,21 @@ namespace Contact
   {
     if (stiffness.empty())
       return;
-    const double k = spring(cell);
+    const CellSprings springs = springs_of(cell);
     for (unsigned int i = 0; i < 2 * cell.n_corners(); ++i)
       {
-        forces[i] += k * (u[cell.dofs[i]] - rest[cell.dofs[i]]);
+        forces[i] += springs.corner * (u[cell.dofs[i]] - rest[cell.dofs[i]]);
         if (tangent != nullptr)
-          (*tangent)(i, i) += k;
+          (*tangent)(i, i) += springs.corner;
       }
+    if (springs.rotation == 0)
+      return;
+    forces.add(springs.rotation * rotation(cell, springs, u), springs.row);
+    if (tangent != nullptr)
+      for (unsigned int i = 0; i < springs.row.size(); ++i)
+        for (unsigned int j = 0; j < springs.row.size(); ++j)
+          (*tangent)(i, j) +=
+            springs.rotation * springs.row[i] * springs.row[j];
   }
 
 
@@ -100,13 +137,19 @@ namespace Contact
   StabilizationSprings::energy(const Vector<double> &u) const
   {
     std::map<unsigned int, double> energies;
-    for (const auto &[piece, k] : stiffness)
-      energies[piece] = 0;
+    for (const auto &of_piece : stiffness)
+      energies[of_piece.first] = 0;
     for (const CellTable &cell : cells)
-      if (const double k = spring(cell); k > 0)
-        for (unsigned int i = 0; i < 2 * cell.n_corners(); ++i)
-          energies[cell.piece] +=
-            0.5 * k * std::pow(u[cell.dofs[i]] - rest[cell.dofs[i]], 2);
+      if (stiffness.count(cell.piece) > 0)
+        {
+          const CellSprings springs = springs_of(cell);
+          double           &energy  = energies[cell.piece];
+          for (unsigned int i = 0; i < 2 * cell.n_corners(); ++i)
+            energy += 0.5 * springs.corner *
+                      std::pow(u[cell.dofs[i]] - rest[cell.dofs[i]], 2);
+          energy +=
+            0.5 * springs.rotation * std::pow(rotation(cell, springs, u), 2);
+        }
     for (auto &[piece, energy] : energies)
       energy = Utilities::MPI::sum(energy, discretization.communicator);
     return energies;

@@ -19,9 +19,33 @@ namespace Contact
   using namespace dealii;
 
   /**
+   * The stiffness of the springs of a piece: k under a translation [N/mm per mm
+   * of thickness; rings: N/mm], and kappa in addition under a rotation
+   * [N mm per rad and mm of thickness].
+   */
+  struct SpringStiffness
+  {
+    SpringStiffness(const double translation = 0, const double rotation = 0)
+      : translation(translation)
+      , rotation(rotation)
+    {
+    }
+
+    bool operator==(const SpringStiffness &other) const
+    {
+      return translation == other.translation && rotation == other.rotation;
+    }
+
+    double translation, rotation;
+  };
+
+
+
+  /**
    * Springs that hold a piece of a body (MeshPieces) for a while, before it
-   * touches another one, at the corners of its cells, to x and to y, from where
-   * these were under the displacement "rest".
+   * touches another one, from where it was under the displacement "rest": at
+   * the corners of its cells, to x and to y, and in each cell against its mean
+   * rotation.
    */
   class StabilizationSprings
   {
@@ -32,21 +56,22 @@ namespace Contact
                          const std::vector<CellTable> &cells);
 
     /**
-     * Hold pieces, by piece with a stiffness k [N/mm per mm of thickness;
-     * rings: N/mm]: under a rigid translation d away from @p rest the springs
-     * of the piece exert k d together. Each cell gives its corners equal shares
-     * of its part of the volume of the piece. A piece that is not named, or
-     * with k = 0, is not held. Replaces what held before. Not collective, but
-     * has to be the same on all ranks.
+     * Hold pieces, by piece with a stiffness: under a rigid translation d away
+     * from @p rest the springs of the piece exert k d together. Each cell gives
+     * its corners equal shares of its part of the volume of the piece. With
+     * theta the mean over a cell of (du_y/dx - du_x/dy)/2, less that at rest,
+     * its part of the moment is kappa theta. A piece that is not named, or
+     * without stiffness, is not held. Replaces what held before. Not
+     * collective, but has to be the same on all ranks.
      */
-    void hold(const std::map<unsigned int, double> &stiffness,
-              const Vector<double>                 &rest);
+    void hold(const std::map<unsigned int, SpringStiffness> &stiffness,
+              const Vector<double>                          &rest);
 
     /// Hold nothing any longer.
     void release();
 
-    /// The pieces that are held, and their stiffness k.
-    const std::map<unsigned int, double> &held() const
+    /// The pieces that are held.
+    const std::map<unsigned int, SpringStiffness> &held() const
     {
       return stiffness;
     }
@@ -67,7 +92,8 @@ namespace Contact
 
     /**
      * The energy of the springs of each held piece, 1/2 k |u - rest|^2 in total
-     * if it is translated [N mm per mm of thickness]. Collective.
+     * if it is translated, and 1/2 kappa theta^2 in addition if it turns [N mm
+     * per mm of thickness]. Collective.
      */
     std::map<unsigned int, double> energy(const Vector<double> &u) const;
 
@@ -75,15 +101,28 @@ namespace Contact
     double mean_circumference(const unsigned int piece) const;
 
   private:
-    /// The stiffness of each corner of a cell, as k.
-    double spring(const CellTable &cell) const;
+    /// The springs of a cell: of each corner, and of its rotation, whose
+    /// derivative by the displacements of the cell is a row.
+    struct CellSprings
+    {
+      double         corner = 0, rotation = 0;
+      Vector<double> row;
+    };
 
-    const Discretization          &discretization;
-    const std::vector<CellTable>  &cells;
-    std::vector<double>            areas, volumes; // by piece, of all ranks
-    std::map<unsigned int, double> stiffness;
-    Vector<double>                 rest;
-    unsigned int                   n_changes = 0;
+    CellSprings springs_of(const CellTable &cell) const;
+
+    /// The rotation of a cell since it was at rest.
+    double rotation(const CellTable      &cell,
+                    const CellSprings    &springs,
+                    const Vector<double> &u) const;
+
+    const Discretization         &discretization;
+    const std::vector<CellTable> &cells;
+    std::vector<double>           areas, volumes; // by piece, of all ranks
+    Vector<double>                rest;
+    unsigned int                  n_changes = 0;
+
+    std::map<unsigned int, SpringStiffness> stiffness;
   };
 } // namespace Contact
 

@@ -135,6 +135,8 @@ namespace Contact
       {
         rows = DoFTools::extract_locally_relevant_dofs(dof_handler);
         rows.add_indices(touched.begin(), touched.end());
+        for (const auto &[dof, leader] : discretization.tied())
+          rows.add_index(leader);
         rows.compress();
       }
 

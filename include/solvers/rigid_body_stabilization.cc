@@ -116,12 +116,17 @@ namespace Contact
       softest =
         std::min(softest, model.elasticity->youngs_modulus(body.second));
     stiffness.clear();
+    stiffest.clear();
     for (const RigidBodyMode &motion : held)
-      stiffness[motion.piece] =
+      stiffest[motion.piece] = stiffness[motion.piece].translation =
         1e-6 * softest * springs.mean_circumference(motion.piece);
     for (const TurningPiece &piece : turning)
-      stiffness[piece.piece] =
-        softest * springs.mean_circumference(piece.piece);
+      {
+        stiffest[piece.piece] =
+          softest * springs.mean_circumference(piece.piece);
+        stiffness[piece.piece].rotation =
+          stiffest[piece.piece] * piece.radius * piece.radius;
+      }
   }
 
 
@@ -148,7 +153,7 @@ namespace Contact
                                          return a.second < b.second;
                                        });
     const double work  = most->second;
-    return {most->first, work, std::sqrt(2 * stiffness.at(most->first) * work)};
+    return {most->first, work, std::sqrt(2 * stiffest.at(most->first) * work)};
   }
 
 

@@ -54,8 +54,7 @@ namespace Contact
 
     /**
      * Choose the stiffness of the springs, in proportion to that of the softest
-     * body. What turns in itself may not be carried away by what pushes it.
-     * Collective.
+     * body. What turns in itself is held against that as by a body. Collective.
      */
     void choose_stiffness();
 
@@ -80,10 +79,13 @@ namespace Contact
     const ContactModel &model;
     ConditionalOStream &screen;
 
-    std::vector<RigidBodyMode>     held;
-    std::size_t                    n_at_start = 0;
-    std::vector<TurningPiece>      turning;   // in itself, on this mesh
-    std::map<unsigned int, double> stiffness; // by piece
+    std::vector<RigidBodyMode> held;
+    std::size_t                n_at_start = 0;
+    std::vector<TurningPiece>  turning; // in itself, on this mesh
+
+    // By piece, and the larger one of k and kappa/R^2.
+    std::map<unsigned int, SpringStiffness> stiffness;
+    std::map<unsigned int, double>          stiffest;
   };
 } // namespace Contact
 

@@ -287,7 +287,8 @@ namespace Contact
         TurningPiece piece{motion.piece,
                            rotation_about(discretization,
                                           motion.piece,
-                                          *centre)};
+                                          *centre),
+                           of_piece->second.front().distance(*centre)};
         if (does_no_work(elasticity.dead_loads.at(1), piece.rotation))
           turning.push_back(piece);
       }

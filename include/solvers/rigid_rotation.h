@@ -45,6 +45,7 @@ namespace Contact
   {
     unsigned int   piece;
     Vector<double> rotation; // e_z x (X - C) at its nodes, zero elsewhere [mm]
+    double         radius;   // of a circle that it touches on [mm]
   };
 
   /// All such pieces. Collective.

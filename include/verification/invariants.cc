@@ -156,8 +156,7 @@ namespace Contact
     Vector<double> left = elasticity.forces(end.displacement, load_factor);
     for (const auto *forces : {&end.pressures, &end.shears, &end.holds})
       left -= *forces;
-    if (discretization.mesh.triangulation.has_hanging_nodes())
-      hand_over_from_hanging_nodes(left);
+    hand_over_from_followers(left);
 
     const auto    &constraints  = discretization.constraints;
     const MPI_Comm communicator = discretization.communicator;
@@ -182,16 +181,27 @@ namespace Contact
 
 
 
-  // Hanging nodes hand over to their neighbors. Of those that a support fixes
-  // the constraints of an update know nothing any longer.
-  void InvariantCheck::hand_over_from_hanging_nodes(Vector<double> &left) const
+  // Hanging nodes hand over to their neighbors, and what is tied to what it
+  // follows. Of those that a support fixes the constraints of an update know
+  // nothing any longer.
+  void InvariantCheck::hand_over_from_followers(Vector<double> &left) const
   {
-    const auto               &dof_handler = discretization.dof_handler;
-    AffineConstraints<double> hanging;
-    DoFTools::make_hanging_node_constraints(dof_handler, hanging);
-    hanging.close();
+    const auto &dof_handler = discretization.dof_handler;
+    const bool  has_hanging =
+      discretization.mesh.triangulation.has_hanging_nodes();
+    if (!has_hanging && discretization.tied().empty())
+      return;
+    AffineConstraints<double> followers;
+    if (has_hanging)
+      DoFTools::make_hanging_node_constraints(dof_handler, followers);
+    for (const auto &[dof, leader] : discretization.tied())
+      {
+        followers.add_line(dof);
+        followers.add_entry(dof, leader, 1.);
+      }
+    followers.close();
     Vector<double> handed_over(left.size());
-    for (const auto &line : hanging.get_lines())
+    for (const auto &line : followers.get_lines())
       if (dof_handler.locally_owned_dofs().is_element(line.index))
         {
           handed_over[line.index] -= left[line.index];

@@ -163,7 +163,7 @@ namespace Contact
                         const Slack          &slack,
                         const Vector<double> *hold_forces,
                         Invariants           &found);
-    void hand_over_from_hanging_nodes(Vector<double> &left) const;
+    void hand_over_from_followers(Vector<double> &left) const;
     void judge_balance(const double residual,
                        const Slack &slack,
                        const bool   is_held,
