@@ -17,7 +17,11 @@ Proves that
   where slave and master end at the same place;
 - slave nodes that supports hold or move along the surface carry shear, mu times
   the pressure where they slip, and are glued;
-- a node in the corner of two obstacles with friction is no error;
+- a node in the corner of two obstacles with friction is no error, nor is one in
+  the corner of a body that two pairs share; a slave much stiffer and finer than
+  its master is noted;
+- the force of a point that is tied to a support is one of the support, on two
+  processes as well;
 - a slave node that is supported on one side only pushes along the normal of the
   surface, not along the direction that the support leaves free, and so does one
   of a surface that meets a symmetry line or a wall at a slant.
@@ -379,6 +383,26 @@ def in_a_corner():
                   abs(force["x"] - 16) + abs(force["y"] - 40) < 1e-6, str(force))
 
 
+def roles():
+    """A slave much stiffer and finer than its master is noted."""
+    mesh = Mesh()
+    mesh.block("A", 4, 2, box(0, 0, 8, 4), {"bottom": "Base", "top": "Ground"})
+    mesh.block("B", 9, 2, box(1, 4, 7, 6), {"bottom": "Sole", "top": "Head"})
+    mesh.write("roles")
+    for slave, master, young, noted in (
+            ("Sole", "Ground", "A: 1000, B: 9000", True),
+            ("Sole", "Ground", "A: 1000, B: 1000", False),
+            ("Ground", "Sole", "A: 1000, B: 9000", False)):
+        status, said, _ = run("roles", {
+            "Mesh/File": "roles.msh", **solids(young, "A: 0.3, B: 0.3"),
+            "Boundary conditions/Displacement x": "Base: 0, Head: 0",
+            "Boundary conditions/Displacement y": "Base: 0, Head: -0.01",
+            "Contact/Slave": slave, "Contact/Master": master})
+        check(f"slave {slave}, {young}: {'a' if noted else 'no'} note",
+              status == 0 and ("stiffer than its master" in said) == noted,
+              said[:300])
+
+
 def tied():
     """A point that follows a support in y: its force is one of the support, on
     one process and on two."""
@@ -540,8 +564,8 @@ def pinned():
 
 
 for scene in (carried, overlap, cantilever, teeth, own_master, round_off,
-              held_ends, dragged, driven, cornered, in_a_corner, tied, flank,
-              groove, slide, pinned):
+              held_ends, dragged, driven, cornered, in_a_corner, roles,
+              tied, flank, groove, slide, pinned):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)

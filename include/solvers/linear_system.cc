@@ -70,13 +70,16 @@ namespace Contact
                              Vector<double> &rhs,
                              IncrementState &state) override
       {
-        const bool settled = system.solve(state.solution,
-                                          state.start,
-                                          state.load_factor,
-                                          step.residual,
-                                          step.last_residual,
-                                          searches,
-                                          rhs);
+        const bool settled =
+          system.solve(state.solution,
+                       state.start,
+                       state.load_factor,
+                       step.residual,
+                       step.last_residual,
+                       !searches          ? StatusSearch::none
+                       : step.number == 0 ? StatusSearch::first
+                                          : StatusSearch::later,
+                       rhs);
         state.solution += rhs;
         model.discretization->constrain_update(state.solution,
                                                state.load_factor);

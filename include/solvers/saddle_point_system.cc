@@ -67,7 +67,7 @@ namespace Contact
                                 const double          load_factor,
                                 const double          residual,
                                 const double          last_residual,
-                                const bool            search,
+                                const StatusSearch    search,
                                 Vector<double>       &rhs_and_update)
   {
     if (!factorization_serves(residual, last_residual))
@@ -78,7 +78,7 @@ namespace Contact
                              StressStiffness::with,
                              rhs_and_update);
     solve_factorized(rhs_and_update);
-    if (!interface || !search)
+    if (!interface || search == StatusSearch::none)
       return true;
 
     // A body that springs hold is far from where contact will hold it.
@@ -91,22 +91,50 @@ namespace Contact
               .correct(solution, u_start, rhs_and_update))
           return true;
       }
-    return !stands_anyway &&
-           search_standing(solution, u_start, load_factor, rhs_and_update);
+    return !stands_anyway && search_standing(solution,
+                                             u_start,
+                                             load_factor,
+                                             search == StatusSearch::first,
+                                             rhs_and_update);
+  }
+
+
+
+  // Where Coulomb's problem yields nothing at first, Tresca's under the present
+  // bounds, which is convex, is a step towards its solution.
+  bool SaddlePointSystem::search_standing(const Vector<double> &solution,
+                                          const Vector<double> &u_start,
+                                          const double          load_factor,
+                                          const bool            is_first,
+                                          Vector<double>       &rhs_and_update)
+  {
+    ContactKernel::Linearization standing = linearization;
+    standing.moving_geometry              = false;
+    if (search_under(standing, solution, u_start, load_factor, rhs_and_update))
+      return true;
+    if (!is_first || !linearization.moving_bound || !interface->has_friction())
+      return false;
+    standing.moving_bound = false;
+    interface->update_bounds(solution, u_start);
+    return search_under(standing,
+                        solution,
+                        u_start,
+                        load_factor,
+                        rhs_and_update);
   }
 
 
 
   // If the search ends at the present statuses, take the Newton step with the
   // linearised geometry under these statuses.
-  bool SaddlePointSystem::search_standing(const Vector<double> &solution,
-                                          const Vector<double> &u_start,
-                                          const double          load_factor,
-                                          Vector<double>       &rhs_and_update)
+  bool
+  SaddlePointSystem::search_under(const ContactKernel::Linearization &standing,
+                                  const Vector<double>               &solution,
+                                  const Vector<double>               &u_start,
+                                  const double    load_factor,
+                                  Vector<double> &rhs_and_update)
   {
-    const Vector<double>         newton_step = rhs_and_update;
-    ContactKernel::Linearization standing    = linearization;
-    standing.moving_geometry                 = false;
+    const Vector<double> newton_step = rhs_and_update;
     assemble_and_factorize(solution,
                            u_start,
                            load_factor,

@@ -17,6 +17,17 @@ namespace Contact
 {
   using namespace dealii;
 
+  /// Whether the statuses of the linearised problem are searched for in a
+  /// Newton step, and whether it is the first one.
+  enum class StatusSearch
+  {
+    none,
+    first,
+    later
+  };
+
+
+
   /**
    * The linear system of a Newton step in displacements and multipliers, a
    * saddle point: every contact discretization can have it, on one process. It
@@ -66,7 +77,7 @@ namespace Contact
                const double          load_factor,
                const double          residual,
                const double          last_residual,
-               const bool            search,
+               const StatusSearch    search,
                Vector<double>       &rhs_and_update);
 
   private:
@@ -83,7 +94,13 @@ namespace Contact
     bool search_standing(const Vector<double> &solution,
                          const Vector<double> &u_start,
                          const double          load_factor,
+                         const bool            is_first,
                          Vector<double>       &rhs_and_update);
+    bool search_under(const ContactKernel::Linearization &standing,
+                      const Vector<double>               &solution,
+                      const Vector<double>               &u_start,
+                      const double                        load_factor,
+                      Vector<double>                     &rhs_and_update);
     void add_tangent_of_linear_bodies(const Vector<double> &solution);
 
     const Discretization               &discretization;
