@@ -265,7 +265,10 @@ namespace Contact
     }
     setup_level();
     if (model.interface)
-      model.interface->initialize_status(state.solution);
+      {
+        model.interface->check_pairs(parameters.pairs());
+        model.interface->initialize_status(state.solution);
+      }
     check_supports(*model.discretization, model.interface.get());
     postprocessor.check_probes();
     report.open_files(*model.discretization);
@@ -434,7 +437,8 @@ namespace Contact
   void ContactProblem::solve_increment(const LoadSteps::Step &step)
   {
     state.begin(model, step.to);
-    pairing.begin_increment();
+    pairing.begin_increment((step.to - step.from) *
+                            parameters.solution.n_increments);
     postprocessor.forget_stresses();
     report.begin_increment(level, step.increment, step.to);
     if (level > 0 && step.is_whole)

@@ -38,7 +38,6 @@ namespace Contact
                                         : n_tangential++);
         pairs.push_back(std::move(contact_pair));
       }
-    check_pairs(parameters);
     find_corners();
   }
 
@@ -204,16 +203,24 @@ namespace Contact
 
 
 
-  double ContactInterface::largest_misfit(const Vector<double> &u) const
+  double ContactInterface::misfit(const Vector<double> &u) const
   {
+    std::vector<ContactPoint> closest = all_points;
+    for (const auto &contact_pair : pairs)
+      contact_pair->pair({closest.data() + contact_pair->first_point,
+                          contact_pair->n_points},
+                         u,
+                         {});
     double largest = 0;
-    for (const ContactPoint &point : all_points)
-      if (point.facing && !contact_pair(point).tied)
+    for (unsigned int q = 0; q < closest.size(); ++q)
+      if (closest[q].facing && !contact_pair(closest[q]).tied)
         {
-          const double gap = state(point, u, u).gap;
-          largest =
-            std::max(largest,
-                     point.status.kind == Status::open ? -gap : std::abs(gap));
+          const double gap    = state(closest[q], u, u).gap;
+          const double change = gap - state(all_points[q], u, u).gap;
+          largest             = std::max(largest,
+                             closest[q].status.kind == Status::open
+                                           ? std::min(-gap, -change)
+                                           : std::abs(change));
         }
     return largest;
   }

@@ -101,6 +101,9 @@ namespace Contact
     /// Whether there is nothing but glue: all contact pairs are tied.
     bool is_tied() const;
 
+    /// Check that no two pairs are about the same lines. Throws InputError.
+    void check_pairs(const std::vector<Parameters::Contact> &parameters) const;
+
     /// Whether a contact pair that is not tied has friction, and Coulomb's.
     bool has_friction() const;
     bool has_coulomb_friction() const;
@@ -136,9 +139,9 @@ namespace Contact
      */
     bool pair(const Vector<double> &u, const PairingMode &mode = {});
 
-    /// The largest |gap| of points in contact, and of a penetration of those
-    /// that are open [mm].
-    double largest_misfit(const Vector<double> &u) const;
+    /// By how much the gaps of points in contact, and the penetrations of
+    /// others, change under the closest points in the configuration @p u [mm].
+    double misfit(const Vector<double> &u) const;
 
     /// The largest change of a displacement of the surfaces [mm].
     double largest_change(const Vector<double> &u,
@@ -277,8 +280,6 @@ namespace Contact
     /// The points of other obstacles with the same node, by point.
     void find_corners();
 
-    /// Check that no two pairs are about the same lines. Throws InputError.
-    void check_pairs(const std::vector<Parameters::Contact> &parameters) const;
 
     std::vector<ContactPoint>                         all_points;
     std::map<unsigned int, std::vector<unsigned int>> in_corner;

@@ -281,7 +281,8 @@ namespace Contact
 
   void ParameterReader::note(const Place &place, const std::string &text)
   {
-    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    if (!Utilities::MPI::job_supports_mpi() ||
+        Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       std::cerr << place.name << ": note: " << text << std::endl;
   }
 

@@ -260,12 +260,7 @@ namespace Contact
     const std::string balanced = ", which is small enough; not settled is ";
     if (!has_converged())
       return balanced + "the status of the points of contact";
-    return balanced + "the pairing: the surfaces are " +
-           brief(pairing.misplacement(state)) +
-           " mm from where they were paired, of " + brief(pairing.way(state)) +
-           " mm of the increment. Where a node of the slave slides over a "
-           "corner of the master it may face the edges on either side in turn: "
-           "a finer master, Mesh/Arcs, or the mortar discretization";
+    return balanced + "the pairing: " + pairing.unsettled(state);
   }
 
 

@@ -101,8 +101,9 @@ namespace Contact
 
 
 
-  void Pairing::begin_increment()
+  void Pairing::begin_increment(const double part)
   {
+    this->part = part;
     edges_stay = false;
   }
 
@@ -157,27 +158,19 @@ namespace Contact
 
 
 
+  // Where the pairing does not come to rest, or keeps edges, the closest points
+  // must make no difference to the gaps.
   bool Pairing::accepts(const IncrementState &state)
   {
-    if (!follows_each_step() || guard.accepts(misplacement(state), way(state)))
+    if (!follows_each_step())
+      return true;
+    const bool rests = guard.accepts(misplacement(state), way(state));
+    if (rests && !edges_stay)
       return true;
     is_jumping =
-      guard.goes_in_circles() && !edges_stay &&
-      guard.accepts(misfit_of_new_pairing(state.solution), way(state));
+      (edges_stay ? rests : guard.goes_in_circles()) &&
+      guard.accepts(model.interface->misfit(state.solution), way(state) / part);
     return is_jumping;
-  }
-
-
-
-  // The gaps that the surfaces, paired where they are now, would have where
-  // they are in contact, and the penetrations elsewhere.
-  double Pairing::misfit_of_new_pairing(const Vector<double> &solution)
-  {
-    const Vector<double> last = paired_at;
-    pair(solution);
-    const double misfit = model.interface->largest_misfit(solution);
-    pair(last);
-    return misfit;
   }
 
 
@@ -198,15 +191,27 @@ namespace Contact
 
 
 
+  std::string Pairing::unsettled(const IncrementState &state) const
+  {
+    const std::string what =
+      edges_stay
+        ? "points face two edges of the master in turn, under each of which the "
+          "closest point is on the other; if they stay on one, the gaps of the "
+          "closest points differ by " +
+            brief(model.interface->misfit(state.solution)) +
+            " mm, where the surfaces move by "
+        : "the surfaces are " + brief(misplacement(state)) +
+            " mm from where they were paired, of ";
+    return what + brief(way(state)) +
+           " mm in this step. Where a node of the slave slides over a corner of "
+           "the master it may face the edges on either side in turn: a finer "
+           "master, Mesh/Arcs, or the mortar discretization";
+  }
+
+
+
   std::string Pairing::note() const
   {
-    if (edges_stay)
-      return "pairing: closest points jump over vertices of the master for "
-             "good; they keep the edges that they face, as long as they are no "
-             "further beyond the end than " +
-             brief(SurfaceSearch::overhang / 2) +
-             " of an edge. A finer master or the mortar discretization may "
-             "come to rest.";
     if (!is_jumping)
       return {};
     return "pairing: closest points jump between two places for good; the gaps "

@@ -66,8 +66,9 @@ namespace Contact
     /// it jumps to and fro, on the way.
     void renew(const Vector<double> &solution, Relaxation &relaxation);
 
-    /// An increment begins, and Newton's method.
-    void begin_increment();
+    /// An increment begins, or the @p part of one that was cut, and Newton's
+    /// method.
+    void begin_increment(const double part);
     void begin_newton();
 
     /// Before a Newton step: pair the bodies where they are. If the tangent
@@ -88,13 +89,15 @@ namespace Contact
     /// other edges until now: four times at most.
     bool renew(const Vector<double> &solution);
 
+    /// What is wrong with a pairing that is not accepted.
+    std::string unsettled(const IncrementState &state) const;
+
     /// The remark on closest points that jump between two places for good;
     /// empty if they do not.
     std::string note() const;
 
   private:
-    void   freeze(const bool frozen);
-    double misfit_of_new_pairing(const Vector<double> &solution);
+    void freeze(const bool frozen);
 
     const ContactModel    &model;
     const Parameters::All &parameters;
@@ -111,8 +114,9 @@ namespace Contact
     bool         is_frozen  = false;
     bool         is_jumping = false;
 
-    // In the present increment.
-    bool edges_stay = false;
+    // Of the present increment.
+    double part       = 1;
+    bool   edges_stay = false;
   };
 } // namespace Contact
 
