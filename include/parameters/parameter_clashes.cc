@@ -194,22 +194,40 @@ namespace Contact
     std::map<std::string, std::string> All::idle_entries() const
     {
       std::map<std::string, std::string> idle;
+      const auto                         note = [&](const bool         is_idle,
+                            const std::string &path,
+                            const std::string &reason) {
+        if (is_idle)
+          idle[path] = reason;
+      };
       for (const Contact &contact_pair : pairs())
         {
-          if (contact_pair.tied)
-            idle[contact_pair.section() + "/Friction coefficient"] =
-              "the surfaces are glued";
-          if (contact_pair.discretization != ContactDiscretization::gauss)
-            idle[contact_pair.section() + "/Gauss points"] =
-              "the discretization is " + contact_pair.discretization.name();
+          note(contact_pair.tied && contact_pair.friction_coefficient != 0,
+               contact_pair.section() + "/Friction coefficient",
+               "the surfaces are glued");
+          note(contact_pair.discretization != ContactDiscretization::gauss &&
+                 contact_pair.n_gauss_points != Contact().n_gauss_points,
+               contact_pair.section() + "/Gauss points",
+               "the discretization is " + contact_pair.discretization.name());
         }
       if (refinement.n_levels == 0)
-        for (const std::string entry : {"Strategy", "Fraction", "Tolerance"})
-          idle["Refinement/" + entry] = "there are no levels";
+        {
+          const Refinement  standard;
+          const std::string reason = "there are no levels";
+          note(refinement.strategy != standard.strategy,
+               "Refinement/Strategy",
+               reason);
+          note(refinement.fraction != standard.fraction,
+               "Refinement/Fraction",
+               reason);
+          note(refinement.tolerance != standard.tolerance,
+               "Refinement/Tolerance",
+               reason);
+        }
       for (const auto &[entry, formula] : boundary.histories)
-        if (!boundary.is_set(entry))
-          idle["Boundary conditions/Histories"] =
-            in_quotes(entry) + " is not set";
+        note(!boundary.is_set(entry),
+             "Boundary conditions/Histories",
+             in_quotes(entry) + " is not set");
       return idle;
     }
   } // namespace Parameters

@@ -74,7 +74,8 @@ namespace Contact
 
       void add_parameters(ParameterHandler &prm);
 
-      /// The entries without effect, by "Section/Entry": why.
+      /// The entries that are not at their defaults and have no effect, by
+      /// "Section/Entry": why.
       std::map<std::string, std::string> idle_entries() const;
 
       /**
