@@ -2,8 +2,8 @@
 # A run that does not converge ends with exit status 3, says which loop has not
 # and by how much, in the table and in the summary, and prints no value: Newton's
 # method with a single step and no shorter increments to go on with; and a body
-# that turns inside out. The fixed points of geometry and friction with a single
-# turn say so and hand over to Newton's method, which ends in the same solution;
+# that turns inside out. With friction by a fixed point, those of geometry and friction
+# with a single turn say so and hand over to Newton's method, which ends in the same solution;
 # as do a pin that rolls in its hole, where no fixed point exists, and the
 # condensed system. A Gauss point that jumps over a vertex of the master for good
 # stays on its edge, and a note says so.
@@ -93,7 +93,7 @@ hands_over "no solution" "$2/hard/pin_play.prm" mortar \
 
 if "$contact" "$2/hard/penetration_edge.prm" --quiet --set Output/VTU=false \
   --set "Contact/Discretization=Gauss" >out 2>err &&
-  grep -q "closest points jump over vertices of the master for good" err; then
+  grep -q "closest points jump between two places for good" err; then
   echo "penetration_edge: a Gauss point stays on its edge"
 else
   echo "FAILED: penetration_edge with Gauss points"

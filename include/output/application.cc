@@ -36,7 +36,7 @@ namespace Contact
 
     // A case that does not converge by the loops that it asks for is solved
     // once more, from the start, by others. If none converges, the result is
-    // that of the last one, and the first line what was asked for.
+    // that of the last ones.
     RunSummary solve_robustly(const Parameters::All  &parameters,
                               const ParameterHandler &prm,
                               const bool              verbose,

@@ -153,13 +153,14 @@ namespace Contact
         if (other.is_condensed() != is_condensed(n_displacements))
           other.solution.linear_solver = SolverKind::automatic;
         if (other.is_condensed() != is_condensed(n_displacements) ||
-            other.solution.friction != solution.friction ||
-            other.geometry(n_displacements) != geometry(n_displacements))
+            other.solution.friction != solution.friction)
           others.push_back(other);
       };
-      if (n_ranks == 1 && refinement.n_levels == 0)
+      const bool can_have_multipliers =
+        n_ranks == 1 && refinement.n_levels == 0;
+      if (can_have_multipliers)
         add(SystemKind::saddle_point);
-      if (pairs.size() > 1 && !shared_pair())
+      if ((!can_have_multipliers || pairs.size() > 1) && !shared_pair())
         add(SystemKind::condensed);
       return others;
     }

@@ -64,11 +64,11 @@ namespace Contact
       /// moves, unless the file asks for another one.
       GeometryLoop geometry(const std::size_t n_displacements) const;
 
-      /// The same problem by other loops, those that converge most often
-      /// first: projections and friction in the tangent of Newton's method
-      /// with multipliers as unknowns, where one process and one mesh allow
-      /// that; and of several pairs, which may share nodes, the condensed
-      /// system.
+      /// The same problem by another loop of friction or in the other system,
+      /// what converges most often first: Newton's method with projections and
+      /// friction in its tangent, and with multipliers where one process and
+      /// one mesh allow that; elsewhere, and of several pairs, which may share
+      /// nodes, in the condensed system.
       std::vector<All>
       with_other_loops(const std::size_t n_displacements) const;
 

@@ -23,8 +23,9 @@ namespace Contact
    * pairing jumps between two states for good, neither of which is wrong if
    * under the one the gaps of the other vanish, within the same tolerance.
    * Otherwise points from then on keep the edge that they face, which goes on a
-   * little beyond its ends, and the gaps are compared again in the end: with the
-   * way of a whole increment, for a jump does not get smaller with its steps.
+   * little beyond its ends, and the gaps are compared again in the end: with
+   * the way of a whole increment, for a jump does not get smaller with its
+   * steps.
    */
   class PairingGuard
   {
