@@ -171,7 +171,7 @@ def pins():
                 closed=True)
     plate.write("pin_in_plate")
     weight = 300
-    area = 10 * 10 / 4 * 2 * 25 * math.sin(2 * math.pi / 40) * 0.4
+    area = 40 / 2 * 5**2 * math.sin(2 * math.pi / 40)  # of the polygon
     entries = {"Mesh/File": "pin.msh", "Solids/Young's modulus": "A: 210000",
                "Solids/Poisson's ratio": "A: 0.3",
                "Boundary conditions/Body force y": f"A: {-weight / area!r}",
@@ -202,8 +202,8 @@ def pins():
         check(f"pin, {what}: rests", status == 0, said[:400])
         if status != 0:
             continue
-        # The pressure of a nodal point is a mean over meshes that do not match:
-        # the force is that of the support.
+        # On a round surface the integral of the pressure is more than the load:
+        # there the force is that of the support, if there is one.
         last = summary["increments"][-1]["reactions"]
         normal = ([last["Rim"]["y"]] if "Rim" in last else
                   [summary[c]["normal_force"]
@@ -213,7 +213,8 @@ def pins():
         check("  gravity has done work", work > 0, str(work))
         expected = (weight / math.sqrt(2) if what == "V" else weight)
         check("  it carries the weight", all(
-            abs(f / expected - 1) < 0.03 for f in normal),
+            abs(f / expected - 1) < (0.03 if what == "tight hole" else 1e-6)
+            for f in normal),
               f"{normal} {expected}")
 
 

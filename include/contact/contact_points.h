@@ -256,7 +256,7 @@ namespace Contact
                 const Surface                                         &slave,
                 const std::vector<Surface::PerEdgeNode<Tensor<1, 2>>> &normals);
 
-  /// How points are paired.
+  /// The manner in which points are paired.
   struct PairingMode
   {
     /// With what the tangent needs to know how the pairing moves.

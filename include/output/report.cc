@@ -119,7 +119,9 @@ namespace Contact
 
 
   // A slave that hardly deforms leaves the conditions of its many nodes to the
-  // few of the master: too many for its displacements (inf-sup condition).
+  // few of the master: too many for its displacements (inf-sup condition). With
+  // moduli of 3, 5 and 10 to 1, quadratic elements and edges of 0.6 to 1, the
+  // peak was 1.2, 1.6 and 1.8 times that of the exchanged roles.
   void Report::print_note_on_roles(const ContactModel &model)
   {
     struct Side

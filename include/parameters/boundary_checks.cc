@@ -73,20 +73,6 @@ namespace Contact
         }
     }
 
-
-
-    // Entries of the boundary conditions that grow with the load.
-    const std::vector<std::string> entries_with_history = {"Displacement x",
-                                                           "Displacement y",
-                                                           "Force x",
-                                                           "Force y",
-                                                           "Resultant force x",
-                                                           "Resultant force y",
-                                                           "Pressure",
-                                                           "Traction x",
-                                                           "Traction y",
-                                                           "Body force x",
-                                                           "Body force y"};
   } // namespace
 
 
@@ -121,15 +107,16 @@ namespace Contact
       check_formulas(traction_y, "Traction y");
       check_formulas(body_force_x, "Body force x");
       check_formulas(body_force_y, "Body force y");
+      std::vector<std::string> with_history;
+      for (const auto &entry : entries_with_history())
+        with_history.push_back(entry.first);
       for (const auto &[entry, formula] : histories)
         {
-          if (std::count(entries_with_history.begin(),
-                         entries_with_history.end(),
-                         entry) == 0)
+          if (std::count(with_history.begin(), with_history.end(), entry) == 0)
             throw EntryError(in_quotes(entry) + " has no history.",
                              {section + "Histories"},
-                             "choose one of: " + Patterns::Tools::to_string(
-                                                   entries_with_history));
+                             "choose one of: " +
+                               Patterns::Tools::to_string(with_history));
           check_history(formula, section + "Histories");
         }
       for (const auto &[follower, leader] : tied_y)
@@ -142,21 +129,20 @@ namespace Contact
 
 
 
-    bool Boundary::is_set(const std::string &entry) const
+    std::vector<std::pair<std::string, bool>>
+    Boundary::entries_with_history() const
     {
-      const std::map<std::string, bool> set{
-        {"Displacement x", !displacement_x.empty()},
-        {"Displacement y", !displacement_y.empty()},
-        {"Force x", !force_x.empty()},
-        {"Force y", !force_y.empty()},
-        {"Resultant force x", !resultant_force_x.empty()},
-        {"Resultant force y", !resultant_force_y.empty()},
-        {"Pressure", !pressure.empty()},
-        {"Traction x", !traction_x.empty()},
-        {"Traction y", !traction_y.empty()},
-        {"Body force x", !body_force_x.empty()},
-        {"Body force y", !body_force_y.empty()}};
-      return set.at(entry);
+      return {{"Displacement x", !displacement_x.empty()},
+              {"Displacement y", !displacement_y.empty()},
+              {"Force x", !force_x.empty()},
+              {"Force y", !force_y.empty()},
+              {"Resultant force x", !resultant_force_x.empty()},
+              {"Resultant force y", !resultant_force_y.empty()},
+              {"Pressure", !pressure.empty()},
+              {"Traction x", !traction_x.empty()},
+              {"Traction y", !traction_y.empty()},
+              {"Body force x", !body_force_x.empty()},
+              {"Body force y", !body_force_y.empty()}};
     }
   } // namespace Parameters
 } // namespace Contact

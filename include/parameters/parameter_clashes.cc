@@ -224,8 +224,8 @@ namespace Contact
                "Refinement/Tolerance",
                reason);
         }
-      for (const auto &[entry, formula] : boundary.histories)
-        note(!boundary.is_set(entry),
+      for (const auto &[entry, is_set] : boundary.entries_with_history())
+        note(!is_set && boundary.histories.count(entry) > 0,
              "Boundary conditions/Histories",
              in_quotes(entry) + " is not set");
       return idle;

@@ -292,10 +292,9 @@ namespace Contact
     const std::map<std::string, std::string> &reasons) const
   {
     for (const auto &[path, reason] : reasons)
-      if (const auto setting = settings.find(path);
-          setting != settings.end() &&
-          setting->second.name.rfind(main_file, 0) == 0)
-        note(setting->second, path + " has no effect: " + reason + ".");
+      if (settings.count(path) > 0 &&
+          settings.at(path).name.rfind(main_file, 0) == 0)
+        note(settings.at(path), path + " has no effect: " + reason + ".");
   }
 
 

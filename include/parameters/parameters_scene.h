@@ -149,8 +149,9 @@ namespace Contact
       void add_parameters(ParameterHandler &prm);
       void check() const;
 
-      /// Whether the entry of a support or a load is set.
-      bool is_set(const std::string &entry) const;
+      /// The entries of supports and loads, which may have histories, and
+      /// whether each is set.
+      std::vector<std::pair<std::string, bool>> entries_with_history() const;
 
     private:
       void add_values(ParameterHandler &prm);

@@ -158,8 +158,9 @@ namespace Contact
 
 
 
-  // Where the pairing does not come to rest, or keeps edges, the closest points
-  // must make no difference to the gaps.
+  // The closest points must make no difference to the gaps if the pairing does
+  // not come to rest, or keeps edges. A jump does not get smaller with the
+  // steps: its measure is the way of a whole increment.
   bool Pairing::accepts(const IncrementState &state)
   {
     if (!follows_each_step())
@@ -217,7 +218,7 @@ namespace Contact
     return "pairing: closest points jump between two places for good; the gaps "
            "of the one under the other are within the geometry tolerance, " +
            brief(parameters.solution.geometry_tolerance) +
-           " of the way of the surfaces. A finer master, another contact "
+           " of the way of the surfaces in an increment. A finer master, another contact "
            "discretization, or 'Geometry = fixed point' may come to rest.";
   }
 } // namespace Contact

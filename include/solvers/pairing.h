@@ -89,7 +89,7 @@ namespace Contact
     /// other edges until now: four times at most.
     bool renew(const Vector<double> &solution);
 
-    /// What is wrong with a pairing that is not accepted.
+    /// The reason why a pairing is not accepted.
     std::string unsettled(const IncrementState &state) const;
 
     /// The remark on closest points that jump between two places for good;

@@ -100,8 +100,9 @@ namespace Contact
 
 
 
-  // Where Coulomb's problem yields nothing at first, Tresca's under the present
-  // bounds, which is convex, is a step towards its solution.
+  // Tresca's problem under the present bounds, which is convex, is a step
+  // towards the solution of Coulomb's if the search for that ends without one
+  // at first.
   bool SaddlePointSystem::search_standing(const Vector<double> &solution,
                                           const Vector<double> &u_start,
                                           const double          load_factor,

@@ -33,7 +33,7 @@ KINEMATICS = ("large displacement", "small strain")
 # The program's default first.
 FRICTION = ("Newton", "fixed point", "lagged bound")
 
-# What is said of rows that converged by other loops than they asked for.
+# The message of rows that converged by other loops than they asked for.
 HANDED_OVER = "solved once more by Newton's method"
 
 # The system that a loop of friction can have: see Parameters::All::check().
