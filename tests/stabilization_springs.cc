@@ -132,10 +132,9 @@ namespace
     check_small("a translation costs nothing against rotation",
                 elasticity.springs.energy(translated).at(lower),
                 1e-12);
-    const Vector<double> turned =
-      bodies.displacement([&](const Point<2> &X) {
-        return Point<2>(X[0] - omega * X[1], X[1] + omega * X[0]);
-      });
+    const Vector<double> turned = bodies.displacement([&](const Point<2> &X) {
+      return Point<2>(X[0] - omega * X[1], X[1] + omega * X[0]);
+    });
     check_small("energy of a rotation",
                 std::abs(elasticity.springs.energy(turned).at(lower) -
                          0.5 * kappa * omega * omega),
