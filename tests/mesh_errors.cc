@@ -64,6 +64,7 @@ void test_file_errors()
   read("solid by another program\n");
   read(replaced(msh_22, "2.2 0 8", "2.2 1 8"));
   read(replaced(msh_22, "2.2 0 8", "4.0 0 8"));
+  read(replaced(msh_41, "$Entities\n", "$PartitionedEntities\n"));
 
   // Truncated, and counts which are wrong.
   read(msh_22.substr(0, msh_22.find("6 2 1 0")));

@@ -24,7 +24,10 @@ Proves that
   processes as well;
 - a slave node that is supported on one side only pushes along the normal of the
   surface, not along the direction that the support leaves free, and so does one
-  of a surface that meets a symmetry line or a wall at a slant.
+  of a surface that meets a symmetry line or a wall at a slant;
+- two layers clamped in one wall share a load as beam theory has it, without a
+  pressure in the wall;
+- a circle that passes between two nodes unseen is a violation.
 
 Usage: wrong_results.py CONTACT PARAMETERS MESHES
 """
@@ -559,9 +562,66 @@ def pinned():
                       force["Base"]["y"], str(force))
 
 
+def clamped():
+    """Two equal cantilevers, one on the other, meshes that do not match, clamped
+    in the same wall: beams touch at the tip, and each carries half of the load
+    there."""
+    load, length, height, E = 20., 100., 4., 200000.
+    deflection = load / 2 * length**3 / (3 * E * height**3 / 12)
+    for degree in (1, 2):
+        mesh = Mesh()
+        mesh.block("A", 40, 3, box(0, -height, length, 0),
+                   {"top": "Ground", "left": "WallA"})
+        mesh.block("B", 50, 3, box(0, 0, length, height),
+                   {"bottom": "Sole", "left": "WallB", "right": "End"})
+        mesh.write("clamped")
+        for rule in ("mortar", "nodal"):
+            status, said, summary = run("clamped", {
+                "Mesh/File": "clamped.msh", **CONTACT,
+                **solids("A: 200000, B: 200000", "A: 0, B: 0"),
+                "Element/Degree": str(degree),
+                "Boundary conditions/Displacement x": "WallA: 0, WallB: 0",
+                "Boundary conditions/Displacement y": "WallA: 0, WallB: 0",
+                "Boundary conditions/Resultant force y": f"End: {-load}",
+                "Contact/Discretization": rule, "Output/Profile": "true",
+                "Output/Nodes": "true"})
+            check(f"{rule}, degree {degree}: converges", status == 0, said[:300])
+            if status != 0:
+                continue
+            tip = min(n["displacement_y_mm"] for n in rows("clamped", "nodes.csv"))
+            # Elements of degree 1 are too stiff in bending.
+            check("  bends", abs(tip / -deflection - 1) < (0.2, 0.02)[degree - 1],
+                  f"{tip} {-deflection}")
+            # Where beams touch all along, rounding decides on the force.
+            wall = summary["increments"][-1]["reactions"]["WallA"]["y"]
+            check("  shares the load", abs(wall - load / 2) < 0.75 * load,
+                  str(wall))
+            peak = max(r["pressure_MPa"] for r in rows("clamped"))
+            check("  no pressure in the wall", peak < 2 * load, str(peak))
+
+
+def between_nodes():
+    """A circle under the middle of an edge as long as its diameter."""
+    for edges, status_wanted in ((5, 1), (50, 0)):
+        mesh = Mesh()
+        mesh.block("B", edges, 5, box(-5, 0, 5, 10),
+                   {"bottom": "Sole", "top": "Head"})
+        mesh.write("between")
+        status, said, _ = run("between", {
+            "Mesh/File": "between.msh",
+            **solids("B: 1000", "B: 0.3"),
+            "Contact/Slave": "Sole", "Contact/Obstacle": "circle: 0, -1.01, 1",
+            "Boundary conditions/Displacement x": "Head: 0",
+            "Boundary conditions/Displacement y": "Head: -0.5"})
+        check(f"{edges} edges: exit status {status_wanted}",
+              status == status_wanted, said[:300])
+        check("  the depth is named", ("inside of the obstacle" in said) ==
+              (status_wanted == 1), said[:300])
+
+
 for scene in (carried, overlap, cantilever, teeth, own_master, round_off,
               held_ends, dragged, driven, cornered, in_a_corner, roles,
-              tied, flank, groove, slide, pinned):
+              tied, flank, groove, slide, pinned, clamped, between_nodes):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)

@@ -70,6 +70,32 @@ namespace Contact
                          is_master ? projection.edge : e};
           }
     }
+    /// The deepest place of the slave inside of an obstacle.
+    void look(const Surface        &slave,
+              const Obstacle       &obstacle,
+              const Vector<double> &u,
+              ContactDepth         &deepest)
+    {
+      for (unsigned int e = 0; e < slave.edges.size(); ++e)
+        for (const double xi : {-0.5, 0., 0.5})
+          {
+            const EdgeShape shape(slave.degree, xi);
+            Point<2>        x, X;
+            for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+              {
+                const unsigned int i = slave.edges[e].nodes[a];
+                x += shape.value[a] * slave.position(i, u);
+                X += shape.value[a] * slave.nodes[i].X;
+              }
+            const auto   closest = obstacle.closest_point(x);
+            const double h       = slave.reference_length(e);
+            const double chord =
+              h <= closest.radius ? h * h / (8 * closest.radius) : 0.;
+            const double depth = (closest.x - x) * closest.normal - chord;
+            if (depth > deepest.depth)
+              deepest = {depth, false, X, e};
+          }
+    }
   } // namespace
 
 
@@ -83,6 +109,8 @@ namespace Contact
         look(contact_pair.slave, *contact_pair.master, false, u, deepest);
         look(*contact_pair.master, contact_pair.slave, true, u, deepest);
       }
+    else
+      look(contact_pair.slave, *contact_pair.obstacle, u, deepest);
     return deepest;
   }
 } // namespace Contact

@@ -12,21 +12,25 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// The depth of a node of one surface inside of the other one, less the
-  /// overlap that polygons of round surfaces may have.
+  /// The depth of a node of one surface inside of the other one, or of a place
+  /// of the slave inside of an obstacle, less the overlap that polygons of
+  /// round surfaces may have.
   struct ContactDepth
   {
     double       depth     = 0; // [mm]
     bool         of_master = false;
-    Point<2>     X;              // the undeformed place of the node [mm]
+    Point<2>     X;              // the undeformed place [mm]
     unsigned int slave_edge = 0; // that it is in, or belongs to
   };
 
   /**
-   * The deepest node of both surfaces of a contact pair with a meshed master,
-   * under the displacement @p u: the distance from the closest point of the
+   * The deepest node of both surfaces of a contact pair under the displacement
+   * @p u: the distance from the closest point of the
    * other surface, of nodes on its inner side that face it, less what the edges
-   * of both surfaces, by the angles between them, may be beside a curve.
+   * of both surfaces, by the angles between them, may be beside a curve. On an
+   * obstacle the deepest of some places between the nodes of the slave; an edge
+   * of the length h, if that is no more than the radius R of a circle, may be
+   * inside of the circle by h^2/(8 R), of which its two nodes know nothing.
    *
    * All contact discretizations let surfaces pass through each other between
    * the places where they look, which vanishes with the mesh size. On a mesh

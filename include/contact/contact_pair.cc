@@ -34,6 +34,59 @@ namespace Contact
                           parameters.master,
                           parameters.section() + "/Master");
     }
+
+
+
+    std::unique_ptr<const Obstacle>
+    make_obstacle(const Parameters::Contact &parameters)
+    {
+      if (parameters.obstacle.empty())
+        return nullptr;
+      return Obstacle::create(parameters.obstacle.begin()->first,
+                              parameters.obstacle.begin()->second);
+    }
+
+
+
+    // The slave nodes that supports hold along the normal, and alike the node
+    // of the master opposite, in the wall that both bodies are clamped in.
+    // There the surfaces keep their distance. The weighted gap of the node has
+    // the nodes around it as well, and they would have to bend for the polygons
+    // to agree: a pressure that grows without bound as the edges get shorter.
+    std::set<unsigned int>
+    nodes_held_with_master(const Surface        &slave,
+                           const Surface        &master,
+                           const Discretization &discretization)
+    {
+      std::set<unsigned int> held;
+      const auto             normals =
+        slave.edge_normals(Vector<double>(discretization.dof_handler.n_dofs()));
+      for (unsigned int e = 0; e < slave.edges.size(); ++e)
+        for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+          {
+            const unsigned int   i      = slave.edges[e].nodes[a];
+            const Surface::Node &node   = slave.nodes[i];
+            const Tensor<1, 2>  &normal = normals[e][a];
+            const double         h      = slave.reference_length(e);
+            const auto keeps_distance   = [&](const Surface::Node &other) {
+              for (unsigned int c = 0; c < 2; ++c)
+                if (std::abs(normal[c]) > 1e-8 &&
+                    !discretization.are_fixed_alike(node.dofs[c],
+                                                    other.dofs[c]))
+                  return false;
+              const Tensor<1, 2> r = other.X - node.X;
+              return r.norm() < h && r * normal > -1e-8 * h &&
+                     std::abs(r * cross_product_2d(normal)) < 1e-3 * h;
+            };
+            if ((discretization.is_fixed(node.dofs[0]) ||
+                 discretization.is_fixed(node.dofs[1])) &&
+                std::any_of(master.nodes.begin(),
+                            master.nodes.end(),
+                            keeps_distance))
+              held.insert(i);
+          }
+      return held;
+    }
   } // namespace
 
 
@@ -49,16 +102,14 @@ namespace Contact
                          parameters.slave,
                          parameters.section() + "/Slave"))
     , master(make_master(discretization, parameters))
+    , obstacle(make_obstacle(parameters))
     , augmentation_parameter(parameters.augmentation_parameter)
     , discretization(discretization)
     , elasticity(elasticity)
     , parameters(parameters)
   {
     const std::string section = parameters.section();
-    if (!master)
-      obstacle = Obstacle::create(parameters.obstacle.begin()->first,
-                                  parameters.obstacle.begin()->second);
-    else
+    if (master)
       check_surfaces(slave, *master, discretization, parameters);
 
     for (const std::string &point : parameters.excluded_points)
@@ -79,10 +130,14 @@ namespace Contact
       }
     if (master)
       check_ties(slave, *master, excluded, discretization, parameters);
+    const bool is_mortar =
+      master &&
+      parameters.discretization == Parameters::ContactDiscretization::mortar;
+    if (is_mortar && !tied)
+      excluded.merge(nodes_held_with_master(slave, *master, discretization));
     // Over a ring, the shape function of degree 2 of a node on the axis has the
     // integral zero: it has no dual function.
-    if (slave.degree == 2 && master &&
-        parameters.discretization == Parameters::ContactDiscretization::mortar)
+    if (slave.degree == 2 && is_mortar)
       for (unsigned int i = 0; i < slave.nodes.size(); ++i)
         if (discretization.is_on_axis(slave.nodes[i].X) &&
             excluded.count(i) == 0)

@@ -49,8 +49,9 @@ namespace Contact
     const bool        tied;
     const FrictionLaw law;
 
-    const Surface                slave;
-    const std::optional<Surface> master; // none: an obstacle
+    const Surface                         slave;
+    const std::optional<Surface>          master;   // none: an obstacle
+    const std::unique_ptr<const Obstacle> obstacle; // none: a surface
 
     /// The c of all points, by the stiffness E/h of their slave edges [-].
     const double augmentation_parameter;
@@ -128,7 +129,6 @@ namespace Contact
     const Discretization                 &discretization;
     const Elasticity                     &elasticity;
     const Parameters::Contact             parameters;
-    std::unique_ptr<const Obstacle>       obstacle;
     std::set<unsigned int>                excluded; // nodes of the slave
     std::set<unsigned int>                on_axis;  // without a dual function
     std::unique_ptr<MortarDiscretization> mortar;

@@ -259,7 +259,7 @@ namespace Contact
   /// The manner in which points are paired.
   struct PairingMode
   {
-    /// With what the tangent needs to know how the pairing moves.
+    /// Compute the derivatives of the pairing, which the tangent needs.
     bool with_derivatives = false;
 
     /// A point that faces an edge keeps it as long as its projection is no

@@ -28,7 +28,7 @@ namespace Contact
     Tensor<1, 2> first, last; // of the edge before and the edge behind
 
     /// At an end of the surface, where the body has a side that is in no group:
-    /// what is beside it counts if nothing is opposite.
+    /// a face beside it counts if none is opposite.
     bool at_end = false;
 
     /// The distance beyond the end of a face up to which it looks [mm].

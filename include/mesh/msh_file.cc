@@ -368,6 +368,9 @@ namespace Contact
             read_names();
           else if (section == "$Entities" && version == "4.1")
             read_entities();
+          else if (section == "$PartitionedEntities")
+            lines.fail("the mesh is partitioned",
+                       "mesh it without gmsh's option -part");
           else if (section == "$Nodes")
             version == "2.2" ? read_nodes_22() : read_nodes_41();
           else if (section == "$Elements")

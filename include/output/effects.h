@@ -21,9 +21,9 @@ namespace Contact
   struct Effect
   {
     std::string name;
-    std::string choice;  // what the scene has of it
-    std::string entails; // what is done for it
-    std::string entry;   // who asks for it
+    std::string choice;  // that the scene makes
+    std::string entails; // operations for it
+    std::string entry;   // that asks for it
   };
 
   /**
@@ -38,7 +38,8 @@ namespace Contact
 
   void print_effects(std::ostream &out, const std::vector<Effect> &effects);
 
-  /// At its end: what was done, how often, and what was not done at all.
+  /// At the end of a run: the operations, how often each was done, and those
+  /// that were not needed.
   void print_counters(std::ostream &out, const RunSummary &summary);
 } // namespace Contact
 

@@ -148,7 +148,7 @@ namespace Contact
       }
     catch (const ExceptionBase &failure)
       {
-        // That is about the theory: the solution is what it is.
+        // The theory does not apply; the solution is as good as without it.
         std::ostringstream reason;
         failure.print_info(reason);
         report.print_error(": not compared with theory: " +

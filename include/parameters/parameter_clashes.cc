@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "base/string_utilities.h"
 #include "parameters/parameters.h"
 
 namespace Contact

@@ -209,6 +209,16 @@ namespace Contact
     void Contact::add_parameters(ParameterHandler &prm)
     {
       prm.enter_subsection(section());
+      add_surfaces(prm);
+      add_law(prm);
+      prm.leave_subsection();
+    }
+
+
+
+    // The two sides, and the points between them.
+    void Contact::add_surfaces(ParameterHandler &prm)
+    {
       prm.add_parameter(
         "Slave",
         slave,
@@ -243,6 +253,13 @@ namespace Contact
         "Point groups of the slave surface that carry no "
         "contact point [-], separated by ','; for the discretizations "
         "nodal and mortar.");
+    }
+
+
+
+    // The law in these points.
+    void Contact::add_law(ParameterHandler &prm)
+    {
       prm.add_parameter("Tied",
                         tied,
                         "Glue the slave to the master wherever it faces it, "
@@ -268,7 +285,6 @@ namespace Contact
            {std::make_pair("Discretization", "Rule"),
             std::make_pair("Augmentation parameter", "Complementarity")})
         prm.declare_alias(now, former, /*alias_is_deprecated=*/true);
-      prm.leave_subsection();
     }
   } // namespace Parameters
 } // namespace Contact

@@ -224,6 +224,8 @@ namespace Contact
       void check() const;
 
     private:
+      void add_surfaces(ParameterHandler &prm);
+      void add_law(ParameterHandler &prm);
       void check_obstacle(const std::string &entry) const;
       void check_surfaces() const;
       void check_friction() const;

@@ -16,6 +16,7 @@ namespace Contact
     void Solution::add_parameters(ParameterHandler &prm)
     {
       prm.enter_subsection("Solution");
+      add_increments(prm);
       add_loops(prm);
       add_linear_system(prm);
       prm.leave_subsection();
@@ -23,19 +24,25 @@ namespace Contact
 
 
 
-    void Solution::add_loops(ParameterHandler &prm)
+    void Solution::add_increments(ParameterHandler &prm)
     {
-      const Patterns::Integer at_least_one(1);
       prm.add_parameter("Increments",
                         n_increments,
                         "Equal steps to the full load [-].",
-                        at_least_one);
+                        Patterns::Integer(1));
       prm.add_parameter("Max cut-backs",
                         max_cuts,
                         "How often an increment that does not converge is cut "
                         "in half before giving up [-]; 0: never. Behind it "
                         "the steps grow again.",
                         Patterns::Integer(0, 20));
+    }
+
+
+
+    void Solution::add_loops(ParameterHandler &prm)
+    {
+      const Patterns::Integer at_least_one(1);
       prm.add_parameter("Geometry",
                         geometry,
                         "How projections and normals follow the displacements "

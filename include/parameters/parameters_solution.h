@@ -72,6 +72,7 @@ namespace Contact
       void check() const;
 
     private:
+      void add_increments(ParameterHandler &prm);
       void add_loops(ParameterHandler &prm);
       void add_linear_system(ParameterHandler &prm);
     };

@@ -134,7 +134,7 @@ namespace Contact
     /**
      * Bring all supported unknowns of @p u, and those that follow them, to what
      * is prescribed under @p load_factor at once: the next update moves none.
-     * For bodies whose tangent does not mind the strains this makes.
+     * For bodies whose tangent does not depend on the strains this makes.
      */
     void prescribe(Vector<double> &u, const double load_factor);
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/interruption.h"
 #include "solvers/contact_complementarity.h"
 
 namespace Contact
@@ -45,16 +46,20 @@ namespace Contact
   // come back that were there before, the search cycles: then one point is
   // updated at a time, the first whose status changes. This ends for every
   // uniquely solvable frictionless contact problem (Murty's least-index rule
-  // for linear complementarity problems).
+  // for linear complementarity problems), but a round costs the more the more
+  // points there are, and pivoting comes to the same end: beyond 50 points the
+  // rounds get fewer.
   bool ActiveSetSearch::search(const Vector<double> &update,
                                Vector<double>       &corrected)
   {
     std::set<std::vector<signed char>> seen{problem.signature()};
     bool                               one_by_one = false;
-    unsigned int                       n_rounds   = 0;
-    const unsigned int max_rounds = 20 + 20 * problem.points.size();
+    std::size_t                        n_rounds   = 0;
+    const std::size_t                  n          = problem.points.size();
+    const std::size_t max_rounds = 20 + 20 * std::min(n, 2500 / (n + 1));
     while (updated_status(corrected, one_by_one))
       {
+        stop_if_interrupted(MPI_COMM_SELF); // of the system of one process
         if (++n_rounds > max_rounds)
           return false;
         one_by_one = one_by_one || !seen.insert(problem.signature()).second;

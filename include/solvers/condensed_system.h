@@ -117,7 +117,7 @@ namespace Contact
     };
     const Parameters::SolverKind solver_kind;
     std::array<Solver, 2>        solvers;
-    DefiniteSolver              *current = nullptr; // who has the matrix
+    DefiniteSolver              *current = nullptr; // the owner of the matrix
   };
 } // namespace Contact
 

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/interruption.h"
+
 namespace Contact
 {
   namespace
@@ -17,7 +19,7 @@ namespace Contact
     // a zero: half of all digits, for the steps are many and a body on soft
     // springs costs digits. Too small a share is the danger: what should be
     // zero decides which way the path goes.
-    const double round_off = 1e-8;
+    const double relative_round_off = 1e-8;
   } // namespace
 
 
@@ -28,7 +30,7 @@ namespace Contact
     : n(r.size())
     , table(n, n + 1)
     , constant(r)
-    , zero(round_off * r.linfty_norm())
+    , zero(relative_round_off * r.linfty_norm())
     , basic(n)
     , others(n + 1)
   {
@@ -66,6 +68,7 @@ namespace Contact
         // small multiple of the size.
         for (unsigned int step = 0; step < 50 * n; ++step)
           {
+            stop_if_interrupted(MPI_COMM_SELF);
             const unsigned int left = basic[row];
             exchange(row, column);
             if (left == artificial)
@@ -95,7 +98,7 @@ namespace Contact
     unsigned int row = n;
     for (unsigned int i = 0; i < n; ++i)
       {
-        if (table(i, column) >= -round_off * largest)
+        if (table(i, column) >= -relative_round_off * largest)
           continue;
         if (row == n)
           {
@@ -104,7 +107,7 @@ namespace Contact
           }
         const double here  = -positive_part(i) / table(i, column);
         const double there = -positive_part(row) / table(row, column);
-        const double equal = round_off * std::max(here, there);
+        const double equal = relative_round_off * std::max(here, there);
         if (here < there - equal ||
             (here <= there + equal &&
              (basic[i] == 2 * n ||
@@ -132,7 +135,8 @@ namespace Contact
     for (unsigned int k = 0; k < n; ++k)
       {
         const double a = entry(i, k), b = entry(j, k);
-        if (std::abs(a - b) > round_off * std::max(std::abs(a), std::abs(b)))
+        if (std::abs(a - b) >
+            relative_round_off * std::max(std::abs(a), std::abs(b)))
           return a < b;
       }
     return false;

@@ -264,9 +264,13 @@ namespace Contact
   {
     const unsigned int n = responses.size();
 
-    FullMatrix<double> G, D(n, n), system(n, n);
-    Vector<double>     z, eta(n), G_eta(n);
+    FullMatrix<double>       G;
+    LAPACKFullMatrix<double> lu(n, n);
+    Vector<double>           z, eta(n), G_eta(n);
     find_responses(update, z, G);
+    // D couples the two tractions of a point.
+    std::vector<std::array<unsigned int, 2>> couplings;
+    std::vector<double>                      D;
     for (unsigned int i = 0; i < n; ++i)
       {
         const unsigned int   q        = responses[i].point;
@@ -274,17 +278,21 @@ namespace Contact
         eta[i]                        = traction.constant;
         for (unsigned int j = 0; j < n; ++j)
           if (responses[j].point == q)
-            D(i, j) = responses[j].tangential ? traction.by_q : traction.by_p;
+            {
+              couplings.push_back({{i, j}});
+              D.push_back(responses[j].tangential ? traction.by_q
+                                                  : traction.by_p);
+            }
       }
 
-    G.mmult(system, D);
     for (unsigned int i = 0; i < n; ++i)
-      system(i, i) += 1;
+      lu(i, i) = 1;
+    for (unsigned int k = 0; k < D.size(); ++k)
+      if (D[k] != 0)
+        for (unsigned int row = 0; row < n; ++row)
+          lu(row, couplings[k][1]) += G(row, couplings[k][0]) * D[k];
     G.vmult(G_eta, eta);
     z -= G_eta;
-
-    LAPACKFullMatrix<double> lu(n, n);
-    lu = system;
     try
       {
         lu.compute_lu_factorization();
@@ -295,7 +303,8 @@ namespace Contact
         throw NotConverged("the search of the active set meets statuses "
                            "under which nothing holds a body");
       }
-    D.vmult_add(eta, z);
+    for (unsigned int k = 0; k < D.size(); ++k)
+      eta[couplings[k][0]] += D[k] * z[couplings[k][1]];
 
     Vector<double> corrected = update;
     for (unsigned int i = 0; i < n; ++i)

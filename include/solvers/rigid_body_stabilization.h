@@ -71,7 +71,7 @@ namespace Contact
 
     Work work(const Vector<double> &solution) const;
 
-    /// That nothing stops the piece.
+    /// Throws NotConverged: nothing stops the piece.
     [[noreturn]] void give_up(const Work        &work,
                               const unsigned int n_turns) const;
 

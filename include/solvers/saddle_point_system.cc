@@ -82,20 +82,25 @@ namespace Contact
       return true;
 
     // A body that springs hold is far from where contact will hold it.
-    const bool stands_anyway =
-      elasticity.is_linear() && !linearization.moving_geometry;
-    if (stands_anyway || elasticity.springs.held().empty())
+    if (stands_anyway() || elasticity.springs.held().empty())
       {
         TimerOutput::Scope scope(timer, "active set");
         if (ActiveSetSearch(discretization, *interface, solver, linearization)
               .correct(solution, u_start, rhs_and_update))
           return true;
       }
-    return !stands_anyway && search_standing(solution,
-                                             u_start,
-                                             load_factor,
-                                             search == StatusSearch::first,
-                                             rhs_and_update);
+    return search_standing(solution,
+                           u_start,
+                           load_factor,
+                           search == StatusSearch::first,
+                           rhs_and_update);
+  }
+
+
+
+  bool SaddlePointSystem::stands_anyway() const
+  {
+    return elasticity.is_linear() && !linearization.moving_geometry;
   }
 
 
@@ -111,7 +116,8 @@ namespace Contact
   {
     ContactKernel::Linearization standing = linearization;
     standing.moving_geometry              = false;
-    if (search_under(standing, solution, u_start, load_factor, rhs_and_update))
+    if (!stands_anyway() &&
+        search_under(standing, solution, u_start, load_factor, rhs_and_update))
       return true;
     if (!is_first || !linearization.moving_bound || !interface->has_friction())
       return false;

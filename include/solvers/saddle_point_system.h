@@ -91,6 +91,7 @@ namespace Contact
                                 const StressStiffness               stress_stiffness,
                                 Vector<double>                     &rhs);
     void solve_factorized(Vector<double> &rhs_and_update);
+    bool stands_anyway() const;
     bool search_standing(const Vector<double> &solution,
                          const Vector<double> &u_start,
                          const double          load_factor,

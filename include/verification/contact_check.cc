@@ -95,12 +95,12 @@ namespace Contact
   void ContactCheck::check(const Slack &slack, ContactInvariants &found) const
   {
     for (const auto &contact_pair : interface.pairs)
-      if (contact_pair->master)
-        {
+      {
+        if (contact_pair->master)
           check_balance(*contact_pair, slack, found);
-          if (!contact_pair->tied)
-            check_depth(*contact_pair, found);
-        }
+        if (!contact_pair->tied)
+          check_depth(*contact_pair, found);
+      }
     check_normal(slack, found);
     check_tangential(slack, found);
   }
@@ -114,11 +114,15 @@ namespace Contact
     const ContactDepth   now = largest_depth(contact_pair, solution);
     if (now.depth == 0)
       return;
-    double way = 0;
-    for (const Surface *surface : {&contact_pair.slave, &*contact_pair.master})
-      for (const Surface::Node &node : surface->nodes)
+    double     way     = 0;
+    const auto look_at = [&](const Surface &surface) {
+      for (const Surface::Node &node : surface.nodes)
         for (const auto dof : node.dofs)
           way = std::max(way, std::abs(solution[dof]));
+    };
+    look_at(contact_pair.slave);
+    if (contact_pair.master)
+      look_at(*contact_pair.master);
     const double overlap = largest_depth(contact_pair, none).depth;
     // No less than the digits of a mesh file resolve.
     const double allowed =
@@ -127,12 +131,12 @@ namespace Contact
     if (now.depth - overlap <= allowed)
       return;
     const std::string what =
-      "the node of the " + std::string(now.of_master ? "master" : "slave") +
+      std::string(contact_pair.obstacle ? "the place" : "the node") +
+      " of the " + std::string(now.of_master ? "master" : "slave") +
       " at X = (" + brief(now.X[0]) + ", " + brief(now.X[1]) + ") mm is " +
-      brief(now.depth) +
-      " mm inside of the other body, of surfaces that move "
-      "by " +
-      brief(way) + " mm";
+      brief(now.depth) + " mm inside of the " +
+      (contact_pair.obstacle ? "obstacle" : "other body") +
+      ", of surfaces that move by " + brief(way) + " mm";
     const std::string advice =
       now.of_master ? "The slave's edges are too long to see a corner of the "
                       "master: exchange slave and master, or refine the slave."

@@ -113,9 +113,9 @@ namespace Contact
    *
    * @par Depth
    * On a mesh that is too coarse the discrete conditions may hold while a node
-   * is deep inside of the other body. There is a note if it is deeper, by more
-   * than half of the largest displacement of the two surfaces, than it was
-   * undeformed.
+   * is deep inside of the other body, or an obstacle between two nodes. There
+   * is a note if it is deeper, by more than half of the largest displacement of
+   * the two surfaces, than it was undeformed.
    */
   class ContactCheck
   {
