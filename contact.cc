@@ -87,6 +87,7 @@
 #include <sstream>
 
 #include "adaptivity/error_estimator.h"
+#include "adaptivity/goal_errors.h"
 #include "adaptivity/refinement.h"
 #include "base/errors.h"
 #include "base/interruption.h"
@@ -132,6 +133,7 @@ namespace Contact
     // The loops.
     void solve_first_level();
     void solve_level();
+    std::map<std::string, double> estimate_errors();
     void solve_increment(const LoadSteps::Step &step);
     void start_from_coarser_level(const unsigned int increment);
     bool try_again(LoadSteps             &steps,
@@ -428,7 +430,20 @@ namespace Contact
           }
       }
     coarser = std::move(here);
-    postprocessor.record_level(level, is_last_level());
+    postprocessor.record_level(level, is_last_level(), estimate_errors());
+  }
+
+
+
+  // @sect4{ContactProblem::estimate_errors}
+  //
+  // The dual problems, one for each probe, are linear: they are solved under
+  // the statuses that the last increment has ended with.
+  std::map<std::string, double> ContactProblem::estimate_errors()
+  {
+    if (!parameters.probes.dual_weighted_residuals)
+      return {};
+    return GoalErrors(parameters, model, state, report.timer).estimate();
   }
 
 

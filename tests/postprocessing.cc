@@ -19,7 +19,7 @@
 
 #include "base/errors.h"
 #include "base/files.h"
-#include "output/probes.h"
+#include "contact/probes.h"
 #include "output/result_files.h"
 #include "output/result_tables.h"
 

@@ -183,6 +183,9 @@ namespace Contact
     // Bound of the shear traction while a Tresca problem is solved [MPa].
     double friction_bound = 0;
 
+    /// The number of the node that has the multipliers, where it is one.
+    unsigned int own_node() const;
+
     /// Whether the node @p a of the list is one of the slave.
     bool is_on_slave(const unsigned int a) const
     {

@@ -272,6 +272,22 @@ namespace Contact
 
 
 
+  Mesh::Mesh(const Mesh &other)
+    : communicator(other.communicator)
+    , owned_triangulation(std::make_unique<Triangulation<2>>())
+    , triangulation(*owned_triangulation)
+    , bodies(other.bodies)
+    , boundaries(other.boundaries)
+    , with_inner_lines(other.with_inner_lines)
+    , points(other.points)
+    , pieces(other.pieces)
+  {
+    AssertDimension(Utilities::MPI::n_mpi_processes(communicator), 1);
+    triangulation.copy_triangulation(other.triangulation);
+  }
+
+
+
   void Mesh::refine(const unsigned int n)
   {
     const double n_cells =

@@ -48,6 +48,9 @@ namespace Contact
     explicit Mesh(const Parameters::Mesh &parameters,
                   const MPI_Comm          communicator = MPI_COMM_SELF);
 
+    /// A copy to be refined by itself, of a mesh on one rank.
+    Mesh(const Mesh &other);
+
     /// Of all ranks that have a part of the mesh.
     const MPI_Comm communicator;
 

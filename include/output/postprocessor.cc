@@ -5,7 +5,7 @@
 
 #include "output/postprocessor.h"
 
-#include "output/probes.h"
+#include "contact/probes.h"
 
 namespace Contact
 {
@@ -167,7 +167,10 @@ namespace Contact
 
 
 
-  void Postprocessor::record_level(const unsigned int level, const bool is_last)
+  void
+  Postprocessor::record_level(const unsigned int                   level,
+                              const bool                           is_last,
+                              const std::map<std::string, double> &errors)
   {
     const RunSummary &summary = report.summary;
     LevelRecord       record;
@@ -176,6 +179,7 @@ namespace Contact
       for (const auto &[name, definition] : parameters.probes.definitions())
         record.probes[name] = probe(definition);
     }
+    record.errors          = errors;
     record.n_cells         = model.mesh->triangulation.n_global_active_cells();
     record.n_displacements = model.n_displacements();
     record.n_multipliers   = model.n_multipliers();
@@ -247,6 +251,9 @@ namespace Contact
           }
         report.summary.probes.push_back(result);
       }
-    estimate_errors(report.summary);
+    if (report.summary.levels.back().errors.empty())
+      estimate_errors(report.summary);
+    else
+      take_errors_of_level(report.summary);
   }
 } // namespace Contact

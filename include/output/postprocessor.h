@@ -49,9 +49,12 @@ namespace Contact
     /// of the last state.
     void write_increment(const unsigned int k, const bool is_complete);
 
-    /// The cost of this level, since the level before, and its probes; at the
-    /// last one these are those of the run.
-    void record_level(const unsigned int level, const bool is_last);
+    /// The cost of this level, since the level before, its probes and the
+    /// estimated @p errors of these, if any; at the last one these are those of
+    /// the run.
+    void record_level(const unsigned int                   level,
+                      const bool                           is_last,
+                      const std::map<std::string, double> &errors);
 
   private:
     ContactResults results(const ContactPair &contact_pair) const;

@@ -90,6 +90,7 @@ namespace Contact
       return {{"name", probe.name},
               {"value", probe.value},
               {"estimated_error", to_json(probe.error)},
+              {"estimator", probe.error ? Json(probe.estimator) : Json()},
               {"reference", to_json(probe.reference)},
               {"relative_deviation", to_json(probe.relative_deviation())},
               {"tolerance", to_json(probe.tolerance)}};
@@ -157,6 +158,7 @@ namespace Contact
               {"newton_iterations", level.newton_iterations},
               {"linear_iterations", level.linear_iterations},
               {"probes", level.probes},
+              {"estimated_errors", level.errors},
               {"time", to_json(level.time)},
               {"peak_memory_mb", level.peak_memory_mb}};
     }
@@ -196,6 +198,17 @@ namespace Contact
 
 
 
+  void take_errors_of_level(RunSummary &summary)
+  {
+    for (ProbeResult &probe : summary.probes)
+      {
+        probe.error     = std::abs(summary.levels.back().errors.at(probe.name));
+        probe.estimator = "dual weighted residuals";
+      }
+  }
+
+
+
   void estimate_errors(RunSummary &summary)
   {
     const auto coarser =
@@ -207,7 +220,10 @@ namespace Contact
                    });
     if (coarser != summary.levels.rend())
       for (ProbeResult &probe : summary.probes)
-        probe.error = std::abs(probe.value - coarser->probes.at(probe.name));
+        {
+          probe.error = std::abs(probe.value - coarser->probes.at(probe.name));
+          probe.estimator = "difference from a coarser level";
+        }
   }
 
 
@@ -216,8 +232,11 @@ namespace Contact
                        const std::vector<ProbeResult> &finer)
   {
     for (unsigned int i = 0; i < summary.probes.size(); ++i)
-      summary.probes[i].error =
-        2 * std::abs(summary.probes[i].value - finer[i].value);
+      {
+        summary.probes[i].error =
+          2 * std::abs(summary.probes[i].value - finer[i].value);
+        summary.probes[i].estimator = "difference from the mesh refined once";
+      }
   }
 
 

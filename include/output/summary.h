@@ -28,8 +28,10 @@ namespace Contact
     std::optional<double> reference;
     std::optional<double> tolerance;
 
-    /// The estimated discretization error, in the unit of the value.
+    /// The estimated discretization error, in the unit of the value, and what
+    /// estimates it.
     std::optional<double> error;
+    std::string           estimator;
 
     const char *unit() const
     {
@@ -113,6 +115,7 @@ namespace Contact
     unsigned int linear_iterations = 0; // 1 for each direct solve
 
     std::map<std::string, double>    probes;             // value by name
+    std::map<std::string, double>    errors; // of them, see GoalErrors
     std::map<std::string, PhaseTime> time;               // by phase
     double                           peak_memory_mb = 0; // of all so far
   };
@@ -160,6 +163,9 @@ namespace Contact
   };
 
 
+
+  /// The estimates of the last level by dual weighted residuals.
+  void take_errors_of_level(RunSummary &summary);
 
   /**
    * Estimate the discretization errors of the probes by their differences from

@@ -44,6 +44,7 @@ namespace Contact
                          "set 'Kinematics = small strain', or another "
                          "geometry");
       check_points();
+      check_dual_problems();
       if (n_ranks > 1)
         check_ranks();
       if (is_condensed())
@@ -103,6 +104,28 @@ namespace Contact
         if (!contact_pair.has_point_per_multiplier())
           return contact_pair;
       return {};
+    }
+
+
+
+    // Multipliers of the dual problems are transferred by nodes.
+    void All::check_dual_problems() const
+    {
+      const std::string entry = "Probes/Dual weighted residuals";
+      if (!probes.dual_weighted_residuals)
+        return;
+      if (n_ranks > 1)
+        throw EntryError("Dual problems are solved by one process, here are " +
+                           std::to_string(n_ranks) + ".",
+                         {entry},
+                         "run it without mpirun, or set 'Dual weighted "
+                         "residuals = false'");
+      if (const auto shared = shared_pair())
+        throw EntryError("There are no dual problems for the discretization " +
+                           shared->discretization.name() + ".",
+                         {entry, shared->section() + "/Discretization"},
+                         "set 'Discretization = mortar' or 'Discretization = "
+                         "nodal', or 'Estimate errors = true' instead");
     }
 
 

@@ -87,6 +87,7 @@ namespace Contact
     private:
       void check_theory() const;
       void check_points() const;
+      void check_dual_problems() const;
       void check_ranks() const;
       void check_saddle_point() const;
       void check_condensed() const;

@@ -199,6 +199,11 @@ namespace Contact
                         "With several levels that costs nothing and is always "
                         "done; without, the case is solved once more on the "
                         "mesh refined once.");
+      prm.add_parameter("Dual weighted residuals",
+                        dual_weighted_residuals,
+                        "Estimate the discretization error of the probes on "
+                        "each level by a dual problem for each of them [-]: "
+                        "one factorization and one linear solve a probe.");
       prm.leave_subsection();
     }
 

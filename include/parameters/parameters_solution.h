@@ -133,6 +133,9 @@ namespace Contact
       /// Estimate the discretization error of the probes on a refined mesh.
       bool estimate_errors = false;
 
+      /// Estimate it by dual weighted residuals, see GoalErrors.
+      bool dual_weighted_residuals = false;
+
       void add_parameters(ParameterHandler &prm);
       void check() const;
 

@@ -198,6 +198,42 @@ namespace Contact
 
 
 
+  std::vector<std::vector<SymmetricTensor<2, 3>>>
+  Elasticity::stresses(const Vector<double> &u) const
+  {
+    std::vector<std::vector<SymmetricTensor<2, 3>>> stresses(
+      discretization.mesh.triangulation.n_active_cells());
+    for (const auto *part : {&tables.own, &tables.neighbors})
+      for (const CellTable &cell : *part)
+        stresses[cell.active_index] = cell_stresses(cell, u);
+    return stresses;
+  }
+
+
+
+  // The tables are in the order of the active cells.
+  std::vector<SymmetricTensor<2, 3>>
+  Elasticity::stresses(const unsigned int    active_index,
+                       const Vector<double> &u) const
+  {
+    for (const auto *part : {&tables.own, &tables.neighbors})
+      {
+        const auto cell = std::lower_bound(part->begin(),
+                                           part->end(),
+                                           active_index,
+                                           [](const CellTable   &table,
+                                              const unsigned int index) {
+                                             return table.active_index < index;
+                                           });
+        if (cell != part->end() && cell->active_index == active_index)
+          return cell_stresses(*cell, u);
+      }
+    Assert(false, ExcMessage("The cell is of another rank."));
+    return {};
+  }
+
+
+
   double Elasticity::strain_energy(const Vector<double> &u) const
   {
     double energy = 0;

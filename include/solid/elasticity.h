@@ -166,8 +166,12 @@ namespace Contact
 
     /// Cauchy stress [MPa] in all quadrature points, by active cell; nothing
     /// for the cells that this rank does not know.
-    virtual std::vector<std::vector<SymmetricTensor<2, 3>>>
-    stresses(const Vector<double> &u) const = 0;
+    std::vector<std::vector<SymmetricTensor<2, 3>>>
+    stresses(const Vector<double> &u) const;
+
+    /// The same in those of one cell, that this rank knows.
+    std::vector<SymmetricTensor<2, 3>> stresses(const unsigned int active_index,
+                                                const Vector<double> &u) const;
 
     /// The tangent does not depend on the displacement.
     virtual bool is_linear() const = 0;
@@ -218,6 +222,10 @@ namespace Contact
     /// Strain energy of a cell.
     virtual double cell_energy(const CellTable      &cell,
                                const Vector<double> &u) const = 0;
+
+    /// Cauchy stress in the quadrature points of a cell.
+    virtual std::vector<SymmetricTensor<2, 3>>
+    cell_stresses(const CellTable &cell, const Vector<double> &u) const = 0;
 
     const Discretization                        &discretization;
     const std::map<types::material_id, Material> materials;

@@ -24,9 +24,6 @@ namespace Contact
       {
       }
 
-      std::vector<std::vector<SymmetricTensor<2, 3>>>
-      stresses(const Vector<double> &u) const override;
-
       bool is_linear() const override
       {
         return !Kinematics::has_geometric_stiffness;
@@ -50,6 +47,10 @@ namespace Contact
 
       double cell_energy(const CellTable      &cell,
                          const Vector<double> &u) const override;
+
+      std::vector<SymmetricTensor<2, 3>>
+      cell_stresses(const CellTable      &cell,
+                    const Vector<double> &u) const override;
 
       /// By direction, what an unknown of a node adds to the strains.
       using StrainRows = std::array<typename Symmetry::StrainRow, 2>;
@@ -364,32 +365,26 @@ namespace Contact
 
 
     template<class Kinematics, class Symmetry>
-    std::vector<std::vector<SymmetricTensor<2, 3>>>
-    Solid<Kinematics, Symmetry>::stresses(const Vector<double> &u) const
+    std::vector<SymmetricTensor<2, 3>>
+    Solid<Kinematics, Symmetry>::cell_stresses(const CellTable      &cell,
+                                               const Vector<double> &u) const
     {
-      std::vector<std::vector<SymmetricTensor<2, 3>>> stresses(
-        discretization.mesh.triangulation.n_active_cells());
-      for (const auto *part : {&tables.own, &tables.neighbors})
-        for (const CellTable &cell : *part)
-          {
-            auto &of_cell = stresses[cell.active_index];
-            of_cell.resize(cell.JxW.size());
-            const AtPoints P_tr_E = dilatations(cell, u);
-            for (unsigned int q = 0; q < cell.JxW.size(); ++q)
-              {
-                const Tensor<2, 2> H      = displacement_gradient(cell, q, u);
-                const double       h      = hoop_gradient(cell, q, u);
-                const auto         strain = Kinematics::strain(H);
-                const auto plane = cell.material->stress(strain, P_tr_E[q]);
-                SymmetricTensor<2, 3> S;
-                for (unsigned int i = 0; i < 2; ++i)
-                  for (unsigned int j = 0; j <= i; ++j)
-                    S[i][j] = plane[i][j];
-                S[2][2] =
-                  cell.material->hoop_stress(Kinematics::strain(h), P_tr_E[q]);
-                of_cell[q] = Kinematics::cauchy(H, h, S);
-              }
-          }
+      std::vector<SymmetricTensor<2, 3>> stresses(cell.JxW.size());
+      const AtPoints                     P_tr_E = dilatations(cell, u);
+      for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+        {
+          const Tensor<2, 2> H      = displacement_gradient(cell, q, u);
+          const double       h      = hoop_gradient(cell, q, u);
+          const auto         strain = Kinematics::strain(H);
+          const auto         plane  = cell.material->stress(strain, P_tr_E[q]);
+          SymmetricTensor<2, 3> S;
+          for (unsigned int i = 0; i < 2; ++i)
+            for (unsigned int j = 0; j <= i; ++j)
+              S[i][j] = plane[i][j];
+          S[2][2] =
+            cell.material->hoop_stress(Kinematics::strain(h), P_tr_E[q]);
+          stresses[q] = Kinematics::cauchy(H, h, S);
+        }
       return stresses;
     }
   } // namespace

@@ -48,12 +48,10 @@ namespace Contact
       {
         if (cell->is_artificial())
           continue;
-        const auto &values = at_points[cell->active_cell_index()];
-        const auto &fit    = fits[cell->active_fe_index()];
         for (const unsigned int v : cell->vertex_indices())
           {
-            for (unsigned int q = 0; q < values.size(); ++q)
-              at_vertices[cell->vertex_index(v)] += fit(v, q) * values[q];
+            at_vertices[cell->vertex_index(v)] +=
+              at_vertex(cell, v, at_points[cell->active_cell_index()]);
             ++n_cells[cell->vertex_index(v)];
           }
       }
@@ -62,6 +60,50 @@ namespace Contact
         at_vertices[v] /= n_cells[v];
     gather_named_points(at_vertices);
     return at_vertices;
+  }
+
+
+
+  SymmetricTensor<2, 3> StressRecovery::at_vertex(
+    const DoFHandler<2>::active_cell_iterator &cell,
+    const unsigned int                         v,
+    const std::vector<SymmetricTensor<2, 3>>  &at_points) const
+  {
+    const auto           &fit = fits[cell->active_fe_index()];
+    SymmetricTensor<2, 3> stress;
+    for (unsigned int q = 0; q < at_points.size(); ++q)
+      stress += fit(v, q) * at_points[q];
+    return stress;
+  }
+
+
+
+  StressRecovery::Cells
+  StressRecovery::cells_at(const unsigned int vertex) const
+  {
+    Cells cells;
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        if (cell->vertex_index(v) == vertex)
+          cells.push_back(cell);
+    return cells;
+  }
+
+
+
+  SymmetricTensor<2, 3> StressRecovery::stress_at(const unsigned int vertex,
+                                                  const Cells       &cells,
+                                                  const Elasticity  &elasticity,
+                                                  const Vector<double> &u) const
+  {
+    SymmetricTensor<2, 3> sum;
+    for (const auto &cell : cells)
+      for (const unsigned int v : cell->vertex_indices())
+        if (cell->vertex_index(v) == vertex)
+          sum += at_vertex(cell,
+                           v,
+                           elasticity.stresses(cell->active_cell_index(), u));
+    return sum / cells.size();
   }
 
 

@@ -30,7 +30,20 @@ namespace Contact
     vertex_stresses(const Elasticity     &elasticity,
                     const Vector<double> &u) const;
 
+    /// The cells around a vertex, and the stress there by them alone.
+    using Cells = std::vector<DoFHandler<2>::active_cell_iterator>;
+    Cells                 cells_at(const unsigned int vertex) const;
+    SymmetricTensor<2, 3> stress_at(const unsigned int    vertex,
+                                    const Cells          &cells,
+                                    const Elasticity     &elasticity,
+                                    const Vector<double> &u) const;
+
   private:
+    SymmetricTensor<2, 3>
+    at_vertex(const DoFHandler<2>::active_cell_iterator &cell,
+              const unsigned int                         v,
+              const std::vector<SymmetricTensor<2, 3>>  &at_points) const;
+
     void
     gather_named_points(std::vector<SymmetricTensor<2, 3>> &at_vertices) const;
 

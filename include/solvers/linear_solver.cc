@@ -91,7 +91,22 @@ namespace Contact
 
 
 
+  // Compressed rows are the compressed columns of the transpose.
   void DirectSolver::solve(Vector<double> &b) const
+  {
+    solve(UMFPACK_At, b);
+  }
+
+
+
+  void DirectSolver::solve_transposed(Vector<double> &b) const
+  {
+    solve(UMFPACK_A, b);
+  }
+
+
+
+  void DirectSolver::solve(const int system, Vector<double> &b) const
   {
     ++counters.linear_solves;
     const Vector<double> rhs(b);
@@ -101,8 +116,7 @@ namespace Contact
     umfpack_di_defaults(control.data());
     control[UMFPACK_IRSTEP] = 0;
 
-    // Compressed rows are the compressed columns of the transpose.
-    umfpack_di_solve(UMFPACK_At,
+    umfpack_di_solve(system,
                      row_starts.data(),
                      columns.data(),
                      values.data(),

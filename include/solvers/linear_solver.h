@@ -47,7 +47,12 @@ namespace Contact
     /// Replace the right-hand side @p b by the solution.
     void solve(Vector<double> &b) const;
 
+    /// The same with the transposed matrix.
+    void solve_transposed(Vector<double> &b) const;
+
   private:
+    void solve(const int system, Vector<double> &b) const;
+
     Counters &counters;
 
     using Handle = std::unique_ptr<void, void (*)(void *)>;

@@ -169,6 +169,36 @@ namespace Contact
 
 
 
+  void SaddlePointSystem::factorize(const Vector<double> &solution,
+                                    const Vector<double> &u_start,
+                                    const double          load_factor)
+  {
+    Vector<double> rhs(matrix.m());
+    assemble_and_factorize(solution,
+                           u_start,
+                           load_factor,
+                           linearization,
+                           StressStiffness::with,
+                           rhs);
+  }
+
+
+
+  void SaddlePointSystem::solve_transposed(Vector<double> &b) const
+  {
+    TimerOutput::Scope scope(timer, "solution");
+    discretization.constraints.condense(b);
+    solver.solve_transposed(b);
+    for (const auto &line : discretization.constraints.get_lines())
+      {
+        b[line.index] = 0;
+        for (const auto &[dof, factor] : line.entries)
+          b[line.index] += factor * b[dof];
+      }
+  }
+
+
+
   // Under statuses that stay linear bodies keep their matrix, if the points do
   // not follow them.
   bool SaddlePointSystem::factorization_serves(const double residual,

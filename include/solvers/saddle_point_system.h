@@ -80,6 +80,16 @@ namespace Contact
                const StatusSearch    search,
                Vector<double>       &rhs_and_update);
 
+    /// Assemble and factorize the tangent in a state, under the present
+    /// statuses.
+    void factorize(const Vector<double> &solution,
+                   const Vector<double> &u_start,
+                   const double          load_factor);
+
+    /// Replace the functional @p b of all unknowns by the solution of the
+    /// transposed system, which meets homogeneous constraints.
+    void solve_transposed(Vector<double> &b) const;
+
   private:
     bool factorization_serves(const double residual,
                               const double last_residual) const;

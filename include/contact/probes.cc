@@ -3,9 +3,12 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "output/probes.h"
+#include "contact/probes.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
 
 #include "base/errors.h"
 #include "contact/contact_results.h"
@@ -151,21 +154,11 @@ namespace Contact
 
 
 
-  double probe_value(const Quantity                            quantity,
-                     const unsigned int                        vertex,
-                     const Discretization                     &discretization,
-                     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                     const Vector<double>                     &u)
+  double stress_component(const Quantity               quantity,
+                          const SymmetricTensor<2, 3> &stress)
   {
-    const NodeDoFs &dofs   = discretization.vertex_dofs[vertex];
-    const auto      stress = vertex_stresses.empty() ? SymmetricTensor<2, 3>()
-                                                     : vertex_stresses[vertex];
     switch (quantity)
       {
-        case Quantity::displacement_x:
-          return u[dofs[0]];
-        case Quantity::displacement_y:
-          return u[dofs[1]];
         case Quantity::stress_xx:
           return stress[0][0];
         case Quantity::stress_yy:
@@ -176,11 +169,144 @@ namespace Contact
           return stress[0][1];
         case Quantity::von_mises:
           return von_mises(stress);
+        case Quantity::displacement_x:
+        case Quantity::displacement_y:
         case Quantity::pressure:
         case Quantity::shear:
           break;
       }
     AssertThrow(false, ExcInternalError());
     return 0;
+  }
+
+
+
+  double probe_value(const Quantity                            quantity,
+                     const unsigned int                        vertex,
+                     const Discretization                     &discretization,
+                     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+                     const Vector<double>                     &u)
+  {
+    if (is_displacement(quantity))
+      return u[discretization
+                 .vertex_dofs[vertex][quantity == Quantity::displacement_y]];
+    return stress_component(quantity, vertex_stresses[vertex]);
+  }
+
+
+
+  namespace
+  {
+    void add_derivative_of_displacement(const Quantity      quantity,
+                                        const unsigned int  vertex,
+                                        const double        factor,
+                                        const ContactModel &model,
+                                        Vector<double>     &derivative)
+    {
+      const NodeDoFs &dofs = model.discretization->vertex_dofs[vertex];
+      derivative[dofs[quantity == Quantity::displacement_y]] += factor;
+    }
+
+
+
+    void add_derivative_of_traction(const Quantity      quantity,
+                                    const unsigned int  vertex,
+                                    const double        factor,
+                                    const ContactModel &model,
+                                    Vector<double>     &derivative)
+    {
+      const ContactInterface &interface = *model.interface;
+      const auto [contact_pair, n] =
+        slave_nodes_at(model.discretization->vertex_dofs[vertex], &interface)
+          .at(0);
+      if (quantity == Quantity::pressure)
+        {
+          for (const auto &[k, part] : contact_pair->pressure_at(n))
+            derivative[interface.normal_index(k)] += factor * part;
+          return;
+        }
+      const unsigned int k = contact_pair->multipliers.of_node[n];
+      if (!contact_pair->law.is_frictionless() &&
+          k != numbers::invalid_unsigned_int)
+        derivative[interface.tangential_index(k)] += factor;
+    }
+
+
+
+    // Central differences over the unknowns of the cells at the vertex.
+    void add_derivative_of_stress(const Quantity        quantity,
+                                  const unsigned int    vertex,
+                                  const double          factor,
+                                  const ContactModel   &model,
+                                  const Vector<double> &solution,
+                                  Vector<double>       &derivative)
+    {
+      const StressRecovery recovery(*model.discretization);
+      const auto           cells = recovery.cells_at(vertex);
+
+      std::set<types::global_dof_index>    unknowns;
+      std::vector<types::global_dof_index> dofs;
+      double                               diameter = 0;
+      for (const auto &cell : cells)
+        {
+          dofs.resize(cell->get_fe().dofs_per_cell);
+          cell->get_dof_indices(dofs);
+          unknowns.insert(dofs.begin(), dofs.end());
+          diameter = std::max(diameter, cell->diameter());
+        }
+
+      const double step =
+        std::cbrt(std::numeric_limits<double>::epsilon()) * diameter;
+      Vector<double> u           = solution;
+      const auto     stress_with = [&](const types::global_dof_index dof,
+                                   const double                  value) {
+        u[dof]              = value;
+        const double stress = stress_component(
+          quantity,
+          recovery.stress_at(vertex, cells, *model.elasticity, u));
+        u[dof] = solution[dof];
+        return stress;
+      };
+      for (const auto dof : unknowns)
+        derivative[dof] += factor *
+                           (stress_with(dof, solution[dof] + step) -
+                            stress_with(dof, solution[dof] - step)) /
+                           (2 * step);
+    }
+  } // namespace
+
+
+
+  Vector<double> probe_derivative(const Parameters::Probes::Definition &probe,
+                                  const ContactModel                   &model,
+                                  const Vector<double> &solution)
+  {
+    Vector<double> derivative(model.n_unknowns());
+    double         factor = 1;
+    for (const std::string &point : probe.points)
+      {
+        const unsigned int vertex = model.mesh->point(point, "Probes/Probes");
+        if (is_displacement(probe.quantity))
+          add_derivative_of_displacement(probe.quantity,
+                                         vertex,
+                                         factor,
+                                         model,
+                                         derivative);
+        else if (is_contact_traction(probe.quantity))
+          add_derivative_of_traction(probe.quantity,
+                                     vertex,
+                                     factor,
+                                     model,
+                                     derivative);
+        else
+          add_derivative_of_stress(probe.quantity,
+                                   vertex,
+                                   factor,
+                                   model,
+                                   solution,
+                                   derivative);
+        factor = -1;
+      }
+    return derivative;
   }
 } // namespace Contact

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/contact_interface.h"
+#include "contact/contact_model.h"
 
 namespace Contact
 {
@@ -41,6 +41,10 @@ namespace Contact
                           const Discretization      &discretization,
                           const Vector<double>      &solution);
 
+  /// The stress [MPa] that a quantity means.
+  double stress_component(const Parameters::Quantity   quantity,
+                          const SymmetricTensor<2, 3> &stress);
+
   /// A displacement [mm] or a stress [MPa] at a vertex of the triangulation.
   /// For a displacement @p vertex_stresses may be empty.
   double probe_value(const Parameters::Quantity                quantity,
@@ -48,6 +52,12 @@ namespace Contact
                      const Discretization                     &discretization,
                      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                      const Vector<double>                     &u);
+
+  /// The derivative of a probe with respect to all unknowns, in a state: of
+  /// tractions without the forces of corners of the master.
+  Vector<double> probe_derivative(const Parameters::Probes::Definition &probe,
+                                  const ContactModel                   &model,
+                                  const Vector<double> &solution);
 } // namespace Contact
 
 #endif

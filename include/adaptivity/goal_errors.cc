@@ -1,0 +1,320 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "adaptivity/goal_errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "adaptivity/patch_recovery.h"
+#include "adaptivity/refined_system.h"
+#include "adaptivity/refinement.h"
+#include "contact/probes.h"
+#include "contact/surface_transfer.h"
+#include "solvers/saddle_point_system.h"
+
+namespace Contact
+{
+  GoalErrors::GoalErrors(const Parameters::All &parameters,
+                         ContactModel          &model,
+                         const IncrementState  &state,
+                         TimerOutput           &timer)
+    : parameters(parameters)
+    , model(model)
+    , state(state)
+    , timer(timer)
+    , probes(parameters.probes.definitions())
+    , linearization(
+        {/*moving_geometry=*/model.geometry_follows(parameters.solution),
+         /*moving_bound=*/model.interface &&
+           model.interface->has_coulomb_friction()})
+  {
+  }
+
+
+
+  std::map<std::string, double> GoalErrors::estimate()
+  {
+    TimerOutput::Scope          scope(timer, "estimate");
+    std::vector<Vector<double>> duals = solve_dual_problems();
+    const PatchRecovery         recovery(*model.discretization, duals);
+    refine(duals);
+    const auto           recovered = recovery.values(*fine.discretization);
+    const RefinedSystem  system(fine, fine_state, linearization);
+    Vector<double>       residual = system.negative_residual();
+    const Vector<double> relaxed  = system.relax(residual, /*n_sweeps=*/5);
+
+    const double beyond =
+      1 / (1 - std::pow(4., -static_cast<double>(parameters.element.degree)));
+    std::map<std::string, double> errors;
+    unsigned int                  k = 0;
+    for (const auto &[name, probe] : probes)
+      {
+        Vector<double>      &dual = duals[k];
+        const Vector<double> functional =
+          probe_derivative(probe, fine, fine_state.solution);
+        std::copy(recovered[k].begin(), recovered[k].end(), dual.begin());
+        impose_contact(functional, dual);
+        std::vector<unsigned int> vertices;
+        for (const std::string &point : probe.points)
+          vertices.push_back(model.mesh->point(point, "Probes/Probes"));
+        system.solve_dual_around(vertices, functional, dual);
+        constrain(dual);
+        errors[name] = beyond * (functional * relaxed + residual * dual +
+                                 change_of_recovery(probe));
+        ++k;
+      }
+    return errors;
+  }
+
+
+
+  // The tangent knows how the pairing moves, whatever the run did.
+  std::vector<Vector<double>> GoalErrors::solve_dual_problems() const
+  {
+    std::vector<ContactPoint> points;
+    if (model.interface)
+      {
+        points = model.interface->points();
+        PairingMode mode;
+        mode.with_derivatives = linearization.moving_geometry;
+        model.interface->pair(linearization.moving_geometry
+                                ? state.solution
+                                : Vector<double>(state.solution.size()),
+                              mode);
+      }
+    SaddlePointSystem system(*model.discretization,
+                             *model.elasticity,
+                             model.interface.get(),
+                             linearization,
+                             linearization.moving_geometry,
+                             /*keeps_factorization=*/false,
+                             timer);
+    system.update_pattern(true);
+    system.factorize(state.solution, state.start, state.load_factor);
+
+    std::vector<Vector<double>> duals;
+    for (const auto &[name, probe] : probes)
+      {
+        duals.push_back(probe_derivative(probe, model, state.solution));
+        system.solve_transposed(duals.back());
+      }
+    if (model.interface)
+      model.interface->set_points(points);
+    return duals;
+  }
+
+
+
+  // Statuses follow the pressures of the state: it comes last.
+  void GoalErrors::refine(std::vector<Vector<double>> &duals)
+  {
+    fine.mesh = std::make_unique<Mesh>(*model.mesh);
+    fine.discretization =
+      std::make_unique<Discretization>(*fine.mesh, parameters);
+
+    std::vector<std::vector<SurfaceState>> surfaces;
+    if (model.interface)
+      for (const Vector<double> &dual : duals)
+        surfaces.push_back(save_surfaces(*model.interface, dual));
+
+    std::vector<Vector<double>> transferred = duals;
+    transferred.push_back(state.solution);
+    transferred.push_back(state.start);
+    flag_all_cells(*fine.mesh);
+    refine_and_transfer(*fine.mesh, *fine.discretization, transferred);
+
+    fine.elasticity =
+      Elasticity::create(*fine.discretization, parameters.solids);
+    if (model.interface)
+      {
+        auto pairs = parameters.pairs();
+        for (unsigned int z = 0; z < pairs.size(); ++z)
+          pairs[z].ends_are_corners = model.interface->pairs[z]->sees_ends();
+        fine.interface =
+          std::make_unique<ContactInterface>(*fine.discretization,
+                                             *fine.elasticity,
+                                             pairs);
+      }
+    for (Vector<double> &vector : transferred)
+      vector.grow_or_shrink(fine.n_unknowns());
+
+    fine_state.load_factor = state.load_factor;
+    fine_state.start       = transferred.back();
+    transferred.pop_back();
+    fine_state.solution = transferred.back();
+    transferred.pop_back();
+    duals.swap(transferred);
+    fine.discretization->prescribe(fine_state.solution, state.load_factor);
+    if (!fine.interface)
+      return;
+
+    PairingMode mode;
+    mode.with_derivatives = linearization.moving_geometry;
+    fine.interface->pair(linearization.moving_geometry
+                           ? fine_state.solution
+                           : Vector<double>(fine_state.solution.size()),
+                         mode);
+    fine.interface->set_support_motion(
+      fine.discretization->support_motion(fine_state.start, state.load_factor));
+    for (unsigned int k = 0; k < duals.size(); ++k)
+      restore_surfaces(surfaces[k], *fine.interface, duals[k]);
+    restore_surfaces(save_surfaces(*model.interface, state.solution),
+                     *fine.interface,
+                     fine_state.solution);
+    update_statuses();
+    for (const ContactPoint &point : fine.interface->points())
+      if (point.status.kind == Status::open)
+        for (Vector<double> &dual : duals)
+          set_multipliers(point, 0., dual);
+  }
+
+
+
+  // Where the contact ends, a point is one of it if what presses it is more
+  // than what its gap takes to close: the pressure against the stiffness E/h.
+  void GoalErrors::update_statuses()
+  {
+    std::vector<ContactPoint> points = fine.interface->points();
+    for (ContactPoint &point : points)
+      {
+        if (!point.facing || fine.interface->contact_pair(point).tied)
+          continue;
+        const ContactState now =
+          fine.interface->state(point, fine_state.solution, fine_state.start);
+        const double p_trial =
+          now.lambda_n -
+          fine.interface->contact_pair(point).stiffness(point) * now.gap;
+        const bool is_open = point.status.kind == Status::open;
+        if (is_open != (p_trial <= 0))
+          point.status =
+            fine.interface->updated_status(point,
+                                           PointStatus(),
+                                           p_trial,
+                                           now.lambda_t,
+                                           linearization.moving_bound);
+        if (point.status.kind == Status::open)
+          set_multipliers(point, 0., fine_state.solution);
+      }
+    fine.interface->set_points(points);
+  }
+
+
+
+  void GoalErrors::set_multipliers(const ContactPoint &point,
+                                   const double        value,
+                                   Vector<double>     &vector) const
+  {
+    for (unsigned int k = 0; k < point.n_multipliers; ++k)
+      {
+        vector[fine.interface->normal_index(point.multipliers[k])] = value;
+        if (fine.interface->has_friction(point))
+          vector[fine.interface->tangential_index(point.multipliers[k])] =
+            value;
+      }
+  }
+
+
+
+  // Supports are homogeneous for a dual solution.
+  void GoalErrors::constrain(Vector<double> &dual) const
+  {
+    for (const auto &line : fine.discretization->constraints.get_lines())
+      {
+        dual[line.index] = 0;
+        for (const auto &[dof, factor] : line.entries)
+          dual[line.index] += factor * dual[dof];
+      }
+  }
+
+
+
+  // Of the transposed equations those of the multipliers of a point k in
+  // contact: with the jump [z] = sum_a C_a z_a and J' = (J_n, J_t),
+  //   w n.[z] = -J_n,  w t.[z] = -J_t                        where it sticks,
+  //   w (n + q' t).[z] = -(J_n + q' J_t)                     where it slips,
+  // q' the derivative of the shear with respect to the pressure. The node of
+  // the slave takes what is missing.
+  void GoalErrors::impose_contact(const Vector<double> &functional,
+                                  Vector<double>       &dual) const
+  {
+    const auto &constraints = fine.discretization->constraints;
+    constrain(dual);
+    if (!fine.interface)
+      return;
+
+    const ContactInterface &interface = *fine.interface;
+    for (const ContactPoint &point : interface.points())
+      {
+        if (point.status.kind == Status::open || !point.facing)
+          continue;
+        const unsigned int own = point.own_node();
+        Tensor<1, 2>       missing;
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          for (unsigned int i = 0; i < 2; ++i)
+            missing[i] -= point.C[a] * dual[point.dofs[a][i]];
+
+        const unsigned int k   = point.multipliers[0];
+        const double       J_n = functional[interface.normal_index(k)];
+        const double       J_t = interface.has_friction(point)
+                                   ? functional[interface.tangential_index(k)]
+                                   : 0.;
+        const ContactState now =
+          interface.state(point, fine_state.solution, fine_state.start);
+        const Traction traction =
+          interface.traction(point,
+                             point.status,
+                             now.p_trial,
+                             now.q_trial,
+                             linearization.moving_bound);
+        std::vector<std::pair<Tensor<1, 2>, double>> conditions;
+        if (traction.dq_dq > 0)
+          conditions = {{point.normal, -J_n}, {point.tangent, -J_t}};
+        else
+          conditions = {{point.normal + traction.dq_dp * point.tangent,
+                         -(J_n + traction.dq_dp * J_t)}};
+        Tensor<1, 2> correction;
+        for (auto &[direction, target] : conditions)
+          {
+            const double distance = target / point.weight + direction * missing;
+            for (unsigned int i = 0; i < 2; ++i)
+              if (constraints.is_constrained(point.dofs[own][i]))
+                direction[i] = 0;
+            if (direction.norm() > 0)
+              correction += distance / direction.norm_square() * direction;
+          }
+        for (unsigned int i = 0; i < 2; ++i)
+          dual[point.dofs[own][i]] += correction[i] / point.C[own];
+      }
+    constrain(dual);
+  }
+
+
+
+  double GoalErrors::change_of_recovery(const Definition &probe) const
+  {
+    if (!is_stress(probe.quantity))
+      return 0;
+    double change = 0;
+    double factor = 1;
+    for (const std::string &point : probe.points)
+      {
+        const unsigned int vertex = model.mesh->point(point, "Probes/Probes");
+        const auto         value  = [&](const ContactModel   &on,
+                               const Vector<double> &u) {
+          const StressRecovery recovery(*on.discretization);
+          return stress_component(probe.quantity,
+                                  recovery.stress_at(vertex,
+                                                     recovery.cells_at(vertex),
+                                                     *on.elasticity,
+                                                     u));
+        };
+        change += factor * (value(fine, fine_state.solution) -
+                            value(model, state.solution));
+        factor = -1;
+      }
+    return change;
+  }
+} // namespace Contact

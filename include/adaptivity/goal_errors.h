@@ -1,0 +1,92 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_goal_errors_h
+#define contact_goal_errors_h
+
+#include <deal.II/base/timer.h>
+
+#include "contact/contact_kernel.h"
+#include "contact/increment_state.h"
+#include "solid/stress_recovery.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The discretization errors of probes by dual weighted residuals (R. Becker
+   * and R. Rannacher, Acta Numerica 10, 2001, 1-102; with contact H. Blum and
+   * F.-T. Suttmeier, Computing 65, 2000; A. Schroeder and A. Rademacher,
+   * Comput. Methods Appl. Mech. Engrg. 200, 2011).
+   *
+   * In a converged state x = (u, lambda) under its statuses the problem is
+   * smooth: A(x) = 0. With the solution x_h on the mesh refined once, A' and
+   * the residual r = -A(x_h) there, the change of a probe J by the refinement
+   * is
+   *   J(x) - J_h(x_h) = J'(e) + z . (r - A' e) + J(x_h) - J_h(x_h),
+   *   A'^T z = J',
+   * whatever e is, as far as A is linear. J_h is the probe on the mesh of the
+   * solution: on the finer one stresses are recovered from other cells. Both
+   * factors are approximated, each where it can be:
+   *   e   oscillates from node to node: relaxation on the finer mesh finds
+   *       that part, and leaves a residual that is smooth;
+   *   z   is smooth but around the probe: one transposed solve on the mesh of
+   *       the solution, in a richer space (PatchRecovery) and with the
+   *       conditions of contact put right on the finer mesh, and around the
+   *       probe a solve on the cells there.
+   * Contact is part of all of them: gaps and slips weigh with the multipliers
+   * of the dual solution, forces of contact with its displacements.
+   *
+   * What the mesh refined once does not see is taken from the order of the
+   * functional: errors fall by 4^-p (p the degree of the elements) from mesh to
+   * mesh where solution and dual solution are smooth, and the change is divided
+   * by 1 - 4^-p.
+   *
+   * Not seen: a contact area that ends elsewhere on a finer mesh, beyond what
+   * the transfer of the surfaces extrapolates; the history of friction before
+   * this increment; singularities, whose errors fall more slowly.
+   */
+  class GoalErrors
+  {
+  public:
+    /// The @p state has converged.
+    GoalErrors(const Parameters::All &parameters,
+               ContactModel          &model,
+               const IncrementState  &state,
+               TimerOutput           &timer);
+
+    /// By name the value on an infinitely fine mesh, minus that of the probe
+    /// [mm or MPa].
+    std::map<std::string, double> estimate();
+
+  private:
+    using Definition = Parameters::Probes::Definition;
+
+    std::vector<Vector<double>> solve_dual_problems() const;
+    void                        refine(std::vector<Vector<double>> &duals);
+    void                        constrain(Vector<double> &dual) const;
+    void                        update_statuses();
+    void                        set_multipliers(const ContactPoint &point,
+                                                const double        value,
+                                                Vector<double>     &vector) const;
+    void                        impose_contact(const Vector<double> &functional,
+                                               Vector<double>       &dual) const;
+    double change_of_recovery(const Definition &probe) const;
+
+    const Parameters::All                  &parameters;
+    ContactModel                           &model;
+    const IncrementState                   &state;
+    TimerOutput                            &timer;
+    const std::map<std::string, Definition> probes;
+    const ContactKernel::Linearization      linearization;
+
+    /// The same state on the mesh refined once.
+    ContactModel   fine;
+    IncrementState fine_state;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,76 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Errors of probes by dual weighted residuals.
+
+Proves that
+
+- the estimate of each level, less what it adds for finer meshes than the next
+  one (1 / (1 - 4^-p)), is the change of the probe on the next level, which is
+  computed without it: displacements, stresses at points and pressures of
+  contact, at degrees 1 and 2, axisymmetric and plane, with meshes that match and
+  that do not, at large displacement and with friction;
+- the estimates do not change the values;
+- they are refused where there are none.
+
+Usage: goal_errors.py CONTACT PARAMETERS MESHES
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+
+from block_scenes import check, contact, failures
+
+parameters = pathlib.Path(sys.argv[2]).resolve()
+
+
+def solve(case, levels, *settings):
+    """Returns status, what was said, and the summary."""
+    path = parameters / f"{case}.prm"
+    command = [str(contact), str(path), "--quiet"]
+    for setting in (f"Refinement/Levels={levels}", "Probes/References=",
+                    "Probes/Tolerances=", *settings):
+        command += ["--set", setting]
+    result = subprocess.run(command, capture_output=True, text=True)
+    summary = pathlib.Path(f"output/{path.stem}/summary.json")
+    return (result.returncode, result.stdout + result.stderr,
+            json.loads(summary.read_text()) if summary.exists() else {})
+
+
+estimate = "Probes/Dual weighted residuals=true"
+
+# By case: the degree, the levels, and how far the estimated change may be from
+# the one that comes about. Where the solution is smooth it is close; where the
+# contact area ends elsewhere on the next mesh, as in SSNP154, it is less so.
+cases = {
+    "verification/nested_cylinders": (1, 2, 0.03),
+    "verification/nested_cylinders_quadratic": (2, 2, 0.06),
+    "verification/nested_cylinders_plane_quadratic": (2, 2, 0.21),
+    "verification/nested_spheres_quadratic": (2, 2, 0.08),
+    "nested": (2, 3, 0.15),
+    "nested_large": (2, 1, 0.2),
+    "nested_friction": (2, 2, 0.22),
+}
+for case, (degree, n_levels, tolerance) in cases.items():
+    status, said, summary = solve(case, n_levels, estimate)
+    _, _, without = solve(case, n_levels)
+    check(f"{case}: runs", status in (0, 1), said)
+    levels = summary["levels"]
+    for name in levels[0]["probes"]:
+        values = [level["probes"][name] for level in levels]
+        check(f"{name} is unchanged", values ==
+              [level["probes"][name] for level in without["levels"]])
+        for level, value, after in zip(levels, values, values[1:]):
+            estimated = (1 - 4**-degree) * level["estimated_errors"][name]
+            check("  changes as estimated",
+                  abs(estimated / (after - value) - 1) < tolerance,
+                  f"{estimated:g} {after - value:g}")
+    for probe in summary["probes"]:
+        check("  says how", probe["estimator"] == "dual weighted residuals" and
+              probe["estimated_error"] ==
+              abs(levels[-1]["estimated_errors"][probe["name"]]))
+
+status, said, _ = solve("nested", 0, estimate, "Contact/Discretization=Gauss")
+check("Gauss points: refused", status == 2 and "dual problems" in said, said)
+sys.exit(len(failures) > 0)
