@@ -92,6 +92,7 @@
 #include "base/errors.h"
 #include "base/interruption.h"
 #include "contact/surface_transfer.h"
+#include "output/accuracy.h"
 #include "output/application.h"
 #include "output/checkpoint.h"
 #include "output/postprocessor.h"
@@ -131,10 +132,10 @@ namespace Contact
     void begin_anew();
 
     // The loops.
-    void solve_first_level();
-    void solve_level();
+    void                          solve_first_level();
+    void                          solve_level();
     std::map<std::string, double> estimate_errors();
-    void solve_increment(const LoadSteps::Step &step);
+    void                          solve_increment(const LoadSteps::Step &step);
     void start_from_coarser_level(const unsigned int increment);
     bool try_again(LoadSteps             &steps,
                    const LoadSteps::Step &step,
@@ -149,7 +150,9 @@ namespace Contact
 
     // The next mesh.
     void refine();
-    bool is_last_level() const;
+    bool may_be_last_level() const;
+    bool may_be_followed() const;
+    bool is_done();
 
     // The invariants.
     void check_invariants(const Vector<double> &springs);
@@ -174,6 +177,7 @@ namespace Contact
     {
       std::vector<Vector<double>>            solutions;
       std::vector<std::vector<SurfaceState>> surfaces;
+      Vector<float>                          indicators; // see GoalErrors
     };
 
     unsigned int level = 0;
@@ -223,7 +227,7 @@ namespace Contact
     try
       {
         solve_first_level();
-        while (!is_last_level())
+        while (!is_done())
           {
             refine();
             solve_level();
@@ -258,7 +262,7 @@ namespace Contact
     {
       TimerOutput::Scope scope(report.timer, "setup");
       model.mesh = std::make_unique<Mesh>(parameters.mesh, report.communicator);
-      if (parameters.refinement.strategy == Parameters::Strategy::adaptive)
+      if (parameters.refines_adaptively(model.mesh->is_all_quadrilateral()))
         check_adaptive(*model.mesh);
       model.discretization =
         std::make_unique<Discretization>(*model.mesh,
@@ -314,8 +318,9 @@ namespace Contact
     // mesh.
     const double tolerance = parameters.solution.newton_tolerance;
     newton.begin_level(
-      is_last_level() ? tolerance
-                      : std::max(tolerance, parameters.refinement.tolerance));
+      may_be_last_level()
+        ? tolerance
+        : std::max(tolerance, parameters.refinement.tolerance));
   }
 
 
@@ -387,7 +392,7 @@ namespace Contact
         pairing.pair(state.solution);
         model.interface->initialize_status(state.solution);
       }
-    if (parameters.restart && is_last_level() && !ends_are_corners)
+    if (parameters.restart && may_be_last_level() && !ends_are_corners)
       checkpoint.read(steps);
     while (!steps.finished())
       {
@@ -414,14 +419,14 @@ namespace Contact
         steps.accept(report.increment().newton_iterations);
         stabilization.end_increment();
 
-        if (is_last_level() && step.ends_increment)
+        if (may_be_last_level() && step.ends_increment)
           {
             postprocessor.write_increment(step.increment, /*is_complete=*/true);
             // A restarted run begins without points at the ends of masters.
-            if (!ends_are_corners)
+            if (!ends_are_corners && !parameters.asks_for_accuracy())
               checkpoint.write(steps);
           }
-        else if (step.ends_increment)
+        if (may_be_followed() && step.ends_increment)
           {
             here.solutions.push_back(state.solution);
             if (model.interface)
@@ -430,7 +435,7 @@ namespace Contact
           }
       }
     coarser = std::move(here);
-    postprocessor.record_level(level, is_last_level(), estimate_errors());
+    postprocessor.record_level(level, may_be_last_level(), estimate_errors());
   }
 
 
@@ -441,9 +446,13 @@ namespace Contact
   // the statuses that the last increment has ended with.
   std::map<std::string, double> ContactProblem::estimate_errors()
   {
-    if (!parameters.probes.dual_weighted_residuals)
+    if (!parameters.probes.dual_weighted_residuals &&
+        !parameters.asks_for_accuracy())
       return {};
-    return GoalErrors(parameters, model, state, report.timer).estimate();
+    GoalErrors goal_errors(parameters, model, state, report.timer);
+    const auto errors  = goal_errors.estimate();
+    coarser.indicators = goal_errors.indicators();
+    return errors;
   }
 
 
@@ -522,7 +531,7 @@ namespace Contact
         return true;
       }
     state.load_factor = step.from;
-    if (is_last_level() && !step.starts_increment)
+    if (may_be_last_level() && !step.starts_increment)
       postprocessor.write_increment(step.increment, /*is_complete=*/false);
     return false;
   }
@@ -773,7 +782,11 @@ namespace Contact
   // The old matrices go first: two meshes at a time would take their memory.
   void ContactProblem::refine()
   {
-    if (parameters.refinement.strategy == Parameters::Strategy::adaptive)
+    if (!parameters.refines_adaptively(model.mesh->is_all_quadrilateral()))
+      flag_all_cells(*model.mesh);
+    else if (parameters.asks_for_accuracy())
+      flag_by_indicators(model, parameters, coarser.indicators);
+    else
       {
         TimerOutput::Scope scope(report.timer, "estimate");
         flag_by_estimate(model,
@@ -781,8 +794,6 @@ namespace Contact
                          postprocessor.recovered_stresses(),
                          state.solution);
       }
-    else
-      flag_all_cells(*model.mesh);
 
     {
       TimerOutput::Scope scope(report.timer, "setup");
@@ -795,15 +806,43 @@ namespace Contact
                           coarser.solutions);
     }
     ++level;
+    if (parameters.asks_for_accuracy())
+      report.replace_results(*model.discretization);
     setup_level();
     report.print_level(model, level, system->name());
   }
 
 
 
-  bool ContactProblem::is_last_level() const
+  // @sect4{ContactProblem::is_done}
+  //
+  // A number of levels, or as many as it takes for the probes to be as accurate
+  // as asked for: then each level may be the last one, and has results.
+  bool ContactProblem::may_be_last_level() const
   {
-    return level == parameters.refinement.n_levels;
+    return parameters.asks_for_accuracy() ||
+           level == parameters.refinement.n_levels;
+  }
+
+
+
+  bool ContactProblem::may_be_followed() const
+  {
+    return parameters.asks_for_accuracy() ||
+           level < parameters.refinement.n_levels;
+  }
+
+
+
+  bool ContactProblem::is_done()
+  {
+    if (!parameters.asks_for_accuracy())
+      return !may_be_followed();
+    std::string &missed = report.summary.accuracy_missed;
+    const bool ends = accuracy_ends(parameters, report.summary.levels, missed);
+    if (ends && !missed.empty())
+      report.print_error(": " + missed);
+    return ends;
   }
 
 

@@ -417,19 +417,11 @@ namespace Contact
                         const Vector<double>                     &solution)
   {
     ++model.discretization->counters.error_estimates;
-    Mesh &mesh = *model.mesh;
-    flag_cells(mesh,
-               ErrorEstimator(*model.discretization, *model.elasticity)
-                 .indicators(stresses, model.interface.get(), solution),
-               parameters.refinement.fraction);
-    for (const auto &contact_pair : parameters.pairs())
-      if (contact_pair.discretization ==
-            Parameters::ContactDiscretization::nodal &&
-          !contact_pair.master.empty())
-        flag_slave_like_master(
-          mesh,
-          mesh.boundary(contact_pair.slave, contact_pair.section() + "/Slave"),
-          mesh.boundary(contact_pair.master,
-                        contact_pair.section() + "/Master"));
+    flag_by_indicators(model,
+                       parameters,
+                       ErrorEstimator(*model.discretization, *model.elasticity)
+                         .indicators(stresses,
+                                     model.interface.get(),
+                                     solution));
   }
 } // namespace Contact

@@ -118,9 +118,8 @@ namespace Contact
 
 
   /**
-   * Flag the cells with the largest indicators, see ErrorEstimator and
-   * flag_cells(), from the stresses at the vertices; and the slaves of nodal
-   * contact pairs that would become coarser than their masters.
+   * Flag the cells by the indicators of ErrorEstimator, from the stresses at
+   * the vertices, see flag_by_indicators().
    */
   void flag_by_estimate(const ContactModel                       &model,
                         const Parameters::All                    &parameters,

@@ -44,7 +44,10 @@ namespace Contact
     const auto           recovered = recovery.values(*fine.discretization);
     const RefinedSystem  system(fine, fine_state, linearization);
     Vector<double>       residual = system.negative_residual();
-    const Vector<double> relaxed  = system.relax(residual, /*n_sweeps=*/5);
+    const auto           requests = parameters.probes.requests();
+    Vector<float>        missed(model.mesh->triangulation.n_active_cells());
+    Vector<float>        met(missed.size());
+    const Vector<double> relaxed = system.relax(residual, /*n_sweeps=*/5);
 
     const double beyond =
       1 / (1 - std::pow(4., -static_cast<double>(parameters.element.degree)));
@@ -52,7 +55,8 @@ namespace Contact
     unsigned int                  k = 0;
     for (const auto &[name, probe] : probes)
       {
-        Vector<double>      &dual = duals[k];
+        Vector<double>      &dual        = duals[k];
+        Vector<double>       transferred = dual;
         const Vector<double> functional =
           probe_derivative(probe, fine, fine_state.solution);
         std::copy(recovered[k].begin(), recovered[k].end(), dual.begin());
@@ -64,9 +68,76 @@ namespace Contact
         constrain(dual);
         errors[name] = beyond * (functional * relaxed + residual * dual +
                                  change_of_recovery(probe));
+        if (const auto request = requests.find(name); request != requests.end())
+          {
+            const double accepted = request->second.error_of(
+              probe_value(probe, model, state.solution));
+            transferred -= dual;
+            add_indicators(system.negative_residual(),
+                           transferred,
+                           1 / accepted,
+                           std::abs(errors[name]) > accepted ? missed : met);
+          }
         ++k;
       }
+    cell_indicators = missed.linfty_norm() > 0 ? missed : met;
     return errors;
+  }
+
+
+
+  // A node's share belongs to all cells at it alike; the multipliers of a point
+  // to those at its own node.
+  void GoalErrors::add_indicators(const Vector<double> &residual,
+                                  const Vector<double> &weight,
+                                  const double          scale,
+                                  Vector<float>        &indicators) const
+  {
+    const auto    &dof_handler = fine.discretization->dof_handler;
+    Vector<double> shares(fine.n_displacements());
+    for (unsigned int i = 0; i < shares.size(); ++i)
+      shares[i] = residual[i] * weight[i];
+    if (fine.interface)
+      for (const ContactPoint &point : fine.interface->points())
+        for (unsigned int k = 0; k < point.n_multipliers && point.n_nodes > 0;
+             ++k)
+          {
+            const auto n = fine.interface->normal_index(point.multipliers[k]);
+            shares[point.dofs[point.own_node()][0]] += residual[n] * weight[n];
+          }
+
+    std::vector<unsigned int>            n_cells(shares.size());
+    std::vector<types::global_dof_index> dofs;
+    const auto                           for_cells = [&](const auto &visit) {
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        {
+          dofs.resize(cell->get_fe().dofs_per_cell);
+          cell->get_dof_indices(dofs);
+          visit(cell);
+        }
+    };
+    for_cells([&](const auto &) {
+      for (const auto dof : dofs)
+        ++n_cells[dof];
+    });
+    Vector<double> of_cells(indicators.size());
+    for_cells([&](const auto &cell) {
+      const Triangulation<2>::active_cell_iterator parent(
+        &model.mesh->triangulation,
+        cell->level() - 1,
+        cell->parent_index());
+      for (const auto dof : dofs)
+        of_cells[parent->active_cell_index()] += shares[dof] / n_cells[dof];
+    });
+    for (unsigned int c = 0; c < of_cells.size(); ++c)
+      indicators[c] += scale * std::abs(of_cells[c]);
+  }
+
+
+
+  Vector<float> GoalErrors::indicators() const
+  {
+    return cell_indicators;
   }
 
 
@@ -295,26 +366,9 @@ namespace Contact
 
   double GoalErrors::change_of_recovery(const Definition &probe) const
   {
-    if (!is_stress(probe.quantity))
-      return 0;
-    double change = 0;
-    double factor = 1;
-    for (const std::string &point : probe.points)
-      {
-        const unsigned int vertex = model.mesh->point(point, "Probes/Probes");
-        const auto         value  = [&](const ContactModel   &on,
-                               const Vector<double> &u) {
-          const StressRecovery recovery(*on.discretization);
-          return stress_component(probe.quantity,
-                                  recovery.stress_at(vertex,
-                                                     recovery.cells_at(vertex),
-                                                     *on.elasticity,
-                                                     u));
-        };
-        change += factor * (value(fine, fine_state.solution) -
-                            value(model, state.solution));
-        factor = -1;
-      }
-    return change;
+    return is_stress(probe.quantity)
+             ? probe_value(probe, fine, fine_state.solution) -
+                 probe_value(probe, model, state.solution)
+             : 0.;
   }
 } // namespace Contact

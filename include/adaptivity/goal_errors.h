@@ -62,9 +62,21 @@ namespace Contact
     /// [mm or MPa].
     std::map<std::string, double> estimate();
 
+    /**
+     * By active cell what it contributes to the errors of the probes that an
+     * accuracy is asked of, relative to that [-]: the residuals at its nodes
+     * times the dual solution, as far as the mesh does not have it. After
+     * estimate(). Probes that are accurate enough do not count, unless all are.
+     */
+    Vector<float> indicators() const;
+
   private:
     using Definition = Parameters::Probes::Definition;
 
+    void                        add_indicators(const Vector<double> &residual,
+                                               const Vector<double> &weight,
+                                               const double          scale,
+                                               Vector<float>        &indicators) const;
     std::vector<Vector<double>> solve_dual_problems() const;
     void                        refine(std::vector<Vector<double>> &duals);
     void                        constrain(Vector<double> &dual) const;
@@ -82,6 +94,8 @@ namespace Contact
     TimerOutput                            &timer;
     const std::map<std::string, Definition> probes;
     const ContactKernel::Linearization      linearization;
+
+    Vector<float> cell_indicators;
 
     /// The same state on the mesh refined once.
     ContactModel   fine;

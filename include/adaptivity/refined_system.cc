@@ -121,23 +121,30 @@ namespace Contact
   void RefinedSystem::factorize(const Unknowns &unknowns, Block &block) const
   {
     block.unknowns.assign(unknowns.begin(), unknowns.end());
-    std::map<types::global_dof_index, unsigned int> number;
-    for (const auto dof : block.unknowns)
-      number.emplace(dof, number.size());
+    const unsigned int        n = block.unknowns.size();
+    std::vector<unsigned int> number(matrix.m(), numbers::invalid_unsigned_int);
+    for (unsigned int i = 0; i < n; ++i)
+      number[block.unknowns[i]] = i;
     const auto for_entries = [&](const auto &visit) {
-      for (const auto &[row, i] : number)
-        for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
-          if (const auto column = number.find(entry->column());
-              column != number.end())
-            visit(i, column->second, entry->value());
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const auto row = block.unknowns[i];
+          for (auto entry = matrix.begin(row); entry != matrix.end(row);
+               ++entry)
+            if (number[entry->column()] != numbers::invalid_unsigned_int)
+              visit(i, number[entry->column()], entry->value());
+        }
     };
 
-    DynamicSparsityPattern couplings(number.size(), number.size());
-    for_entries([&](const unsigned int i, const unsigned int j, const double) {
-      couplings.add(i, j);
+    std::vector<unsigned int> lengths(n, 0);
+    for_entries([&](const unsigned int i, const unsigned int, const double) {
+      ++lengths[i];
     });
-    SparsityPattern local_pattern;
-    local_pattern.copy_from(couplings);
+    SparsityPattern local_pattern(n, n, lengths);
+    for_entries([&](const unsigned int i, const unsigned int j, const double) {
+      local_pattern.add(i, j);
+    });
+    local_pattern.compress();
     SparseMatrix<double> local(local_pattern);
     for_entries([&](const unsigned int i,
                     const unsigned int j,

@@ -179,6 +179,25 @@ namespace Contact
 
 
 
+  void flag_by_indicators(const ContactModel    &model,
+                          const Parameters::All &parameters,
+                          const Vector<float>   &indicators)
+  {
+    Mesh &mesh = *model.mesh;
+    flag_cells(mesh, indicators, parameters.refined_fraction());
+    for (const auto &contact_pair : parameters.pairs())
+      if (contact_pair.discretization ==
+            Parameters::ContactDiscretization::nodal &&
+          !contact_pair.master.empty())
+        flag_slave_like_master(
+          mesh,
+          mesh.boundary(contact_pair.slave, contact_pair.section() + "/Slave"),
+          mesh.boundary(contact_pair.master,
+                        contact_pair.section() + "/Master"));
+  }
+
+
+
   void flag_all_cells(Mesh &mesh)
   {
     mesh.triangulation.set_all_refine_flags();

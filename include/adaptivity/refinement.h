@@ -6,7 +6,7 @@
 #ifndef contact_refinement_h
 #define contact_refinement_h
 
-#include "solid/discretization.h"
+#include "contact/contact_model.h"
 
 namespace Contact
 {
@@ -31,6 +31,13 @@ namespace Contact
   void flag_slave_like_master(Mesh                               &mesh,
                               const std::set<types::boundary_id> &slave,
                               const std::set<types::boundary_id> &master);
+
+  /// Flag the cells with the largest indicators, by the fraction of the
+  /// parameters, and the slaves of nodal contact pairs that would become
+  /// coarser than their masters.
+  void flag_by_indicators(const ContactModel    &model,
+                          const Parameters::All &parameters,
+                          const Vector<float>   &indicators);
 
   /// Flag all cells.
   void flag_all_cells(Mesh &mesh);

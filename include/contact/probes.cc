@@ -277,6 +277,45 @@ namespace Contact
 
 
 
+  double probe_value(const Parameters::Probes::Definition &probe,
+                     const ContactModel                   &model,
+                     const Vector<double>                 &solution)
+  {
+    double value  = 0;
+    double factor = 1;
+    for (const std::string &point : probe.points)
+      {
+        const unsigned int vertex = model.mesh->point(point, "Probes/Probes");
+        if (is_contact_traction(probe.quantity))
+          value += factor * contact_traction(probe.quantity,
+                                             vertex,
+                                             model.interface.get(),
+                                             *model.discretization,
+                                             solution);
+        else if (is_displacement(probe.quantity))
+          value += factor * probe_value(probe.quantity,
+                                        vertex,
+                                        *model.discretization,
+                                        {},
+                                        solution);
+        else
+          {
+            const StressRecovery recovery(*model.discretization);
+            value +=
+              factor *
+              stress_component(probe.quantity,
+                               recovery.stress_at(vertex,
+                                                  recovery.cells_at(vertex),
+                                                  *model.elasticity,
+                                                  solution));
+          }
+        factor = -1;
+      }
+    return value;
+  }
+
+
+
   Vector<double> probe_derivative(const Parameters::Probes::Definition &probe,
                                   const ContactModel                   &model,
                                   const Vector<double> &solution)

@@ -53,6 +53,11 @@ namespace Contact
                      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                      const Vector<double>                     &u);
 
+  /// A probe in a state [mm or MPa], by the cells around its points alone.
+  double probe_value(const Parameters::Probes::Definition &probe,
+                     const ContactModel                   &model,
+                     const Vector<double>                 &solution);
+
   /// The derivative of a probe with respect to all unknowns, in a state: of
   /// tractions without the forces of corners of the master.
   Vector<double> probe_derivative(const Parameters::Probes::Definition &probe,

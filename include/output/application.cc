@@ -8,6 +8,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <cstdlib>
+#include <dlfcn.h>
 #include <filesystem>
 #include <iostream>
 #include <set>
@@ -72,7 +73,7 @@ namespace Contact
     {
       RunSummary summary = solve_robustly(parameters, prm, verbose, solve);
       if (!parameters.probes.estimate_errors || !summary.converged ||
-          parameters.refinement.n_levels > 0)
+          parameters.has_levels())
         return summary;
 
       const Parameters::All finer = refined_case(parameters);
@@ -119,6 +120,20 @@ namespace Contact
       setenv("OMPI_MCA_pml", "ob1", 0);
       setenv("OMPI_MCA_btl", "self", 0);
       setenv("OMPI_MCA_osc", "^ucx", 0);
+    }
+
+
+
+    // The blocks of a sparse factorization are too small for several threads of
+    // OpenBLAS, which wait for each other most of the time. Other BLAS have no
+    // such function.
+    void use_one_thread_of_blas()
+    {
+      for (const char *variable : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"})
+        if (std::getenv(variable) != nullptr)
+          return;
+      if (void *function = dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))
+        reinterpret_cast<void (*)(int)>(function)(1);
     }
 
 
@@ -200,6 +215,7 @@ namespace Contact
       }
 
     spare_network_of_single_process();
+    use_one_thread_of_blas();
     const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
     try
       {

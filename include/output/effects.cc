@@ -216,11 +216,15 @@ namespace Contact
                        std::to_string(parameters.solution.n_increments),
                        "each starts from the last one",
                        "Solution/Increments"});
-    if (refinement.n_levels > 0)
+    const bool adaptive =
+      parameters.refines_adaptively(discretization.mesh.is_all_quadrilateral());
+    if (parameters.has_levels())
       effects.push_back({"levels",
-                         std::to_string(refinement.n_levels) + ", " +
-                           refinement.strategy.name(),
-                         refinement.strategy == Parameters::Strategy::adaptive
+                         (parameters.asks_for_accuracy()
+                            ? "towards an accuracy"
+                            : std::to_string(refinement.n_levels)) +
+                           (adaptive ? ", adaptive" : ", uniform"),
+                         adaptive
                            ? "stresses recovered and errors estimated on each"
                            : "each starts from the last one",
                          "Refinement/Levels"});

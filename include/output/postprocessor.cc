@@ -167,10 +167,9 @@ namespace Contact
 
 
 
-  void
-  Postprocessor::record_level(const unsigned int                   level,
-                              const bool                           is_last,
-                              const std::map<std::string, double> &errors)
+  void Postprocessor::record_level(const unsigned int                   level,
+                                   const bool                           is_last,
+                                   const std::map<std::string, double> &errors)
   {
     const RunSummary &summary = report.summary;
     LevelRecord       record;
@@ -238,6 +237,7 @@ namespace Contact
 
   void Postprocessor::report_probes()
   {
+    report.summary.probes.clear();
     for (const auto &[name, definition] : parameters.probes.definitions())
       {
         ProbeResult result;

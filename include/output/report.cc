@@ -9,6 +9,7 @@
 #include <iomanip>
 #include <iostream>
 
+#include "output/accuracy.h"
 #include "output/effects.h"
 #include "output/result_tables.h"
 
@@ -49,6 +50,13 @@ namespace Contact
   void Report::begin_anew(const Discretization &discretization)
   {
     summary.increments.clear();
+    replace_results(discretization);
+  }
+
+
+
+  void Report::replace_results(const Discretization &discretization)
+  {
     result_files =
       std::make_unique<ResultFiles>(parameters.directory(), discretization);
     result_files->remove_increments();
@@ -194,7 +202,7 @@ namespace Contact
                                   const Parameters::Contact &contact_pair)
   {
     if (parameters.element.degree == 1 && parameters.mesh.refinements == 0 &&
-        parameters.refinement.n_levels == 0)
+        !parameters.has_levels())
       return;
     for (const std::string &name : {contact_pair.slave, contact_pair.master})
       {
@@ -310,6 +318,7 @@ namespace Contact
     if (screen.is_active())
       {
         print_levels(screen.get_stream(), summary);
+        print_accuracy(screen.get_stream(), summary);
         print_counters(screen.get_stream(), summary);
         screen << "Results: " << result_files->directory.string() << std::endl;
       }

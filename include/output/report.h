@@ -52,6 +52,9 @@ namespace Contact
     /// Another attempt at all increments: nothing is left of the one before.
     void begin_anew(const Discretization &discretization);
 
+    /// Results of a finer mesh replace those of the one before.
+    void replace_results(const Discretization &discretization);
+
     ResultFiles &files()
     {
       return *result_files;

@@ -34,7 +34,7 @@ namespace Contact
 
   bool RunSummary::passed() const
   {
-    return converged &&
+    return converged && accuracy_missed.empty() &&
            std::all_of(increments.begin(),
                        increments.end(),
                        [](const auto &increment) {
@@ -170,6 +170,7 @@ namespace Contact
       Json json{{"converged", summary.converged},
                 {"interrupted", summary.interrupted},
                 {"message", summary.message},
+                {"accuracy_missed", summary.accuracy_missed},
                 {"probes", Json::array()},
                 {"increments", Json::array()},
                 {"levels", Json::array()},

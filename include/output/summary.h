@@ -114,9 +114,9 @@ namespace Contact
     unsigned int newton_iterations = 0;
     unsigned int linear_iterations = 0; // 1 for each direct solve
 
-    std::map<std::string, double>    probes;             // value by name
+    std::map<std::string, double>    probes; // value by name
     std::map<std::string, double>    errors; // of them, see GoalErrors
-    std::map<std::string, PhaseTime> time;               // by phase
+    std::map<std::string, PhaseTime> time;   // by phase
     double                           peak_memory_mb = 0; // of all so far
   };
 
@@ -132,6 +132,9 @@ namespace Contact
     bool        converged   = false;
     bool        interrupted = false;
     std::string message;
+
+    /// Why an accuracy that was asked for is not reached, or nothing.
+    std::string accuracy_missed;
 
     std::vector<ProbeResult>     probes;
     std::vector<IncrementRecord> increments;

@@ -198,13 +198,16 @@ namespace Contact
     /// The refinement between two levels.
     enum class Strategy
     {
+      automatic,
       uniform,
       adaptive
     };
 
     inline NamedValues<Strategy> named_values(const Strategy)
     {
-      return {{"uniform", Strategy::uniform}, {"adaptive", Strategy::adaptive}};
+      return {{"automatic", Strategy::automatic},
+              {"uniform", Strategy::uniform},
+              {"adaptive", Strategy::adaptive}};
     }
 
 

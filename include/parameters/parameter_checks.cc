@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 #include "base/string_utilities.h"
 #include "parameters/parameters.h"
@@ -273,7 +274,6 @@ namespace Contact
 
     void Refinement::check() const
     {
-      check_positive(fraction, "Refinement/Fraction");
       check_positive(tolerance, "Refinement/Tolerance");
     }
 
@@ -297,6 +297,7 @@ namespace Contact
     {
       check_quantities();
       check_references();
+      check_accuracy();
       const std::string cylinders = "Probes/Concentric cylinders";
       if (hertz.size() > 2 ||
           std::any_of(hertz.begin(), hertz.end(), [](const double value) {
@@ -361,6 +362,48 @@ namespace Contact
           {name,
            {Choice<Quantity>(probe[0]), {probe.begin() + 1, probe.end()}}});
       return definitions;
+    }
+
+
+
+    void Probes::check_accuracy() const
+    {
+      const std::string entry = "Probes/Accuracy";
+      check_keys(accuracy, entry, probes, "Probes/Probes");
+      for (const auto &[name, request] : requests())
+        {
+          const auto quantity        = definitions().at(name).quantity;
+          const bool is_displacement = quantity == Quantity::displacement_x ||
+                                       quantity == Quantity::displacement_y;
+          const std::string unit = is_displacement ? "mm" : "MPa";
+          if (!(request.value > 0) ||
+              (request.unit != "%" && request.unit != unit))
+            throw EntryError("The accuracy of " + in_quotes(name) + ", " +
+                               in_quotes(accuracy.at(name)) +
+                               ", is not a positive number of % or " + unit +
+                               ".",
+                             {entry},
+                             "write '" + name + ": 0.1 %', or a number of " +
+                               unit);
+        }
+    }
+
+
+
+    std::map<std::string, Probes::Request> Probes::requests() const
+    {
+      std::map<std::string, Request> requests;
+      for (const auto &[name, text] : accuracy)
+        {
+          std::istringstream in(text);
+          Request            request{0, ""};
+          std::string        rest;
+          in >> request.value >> request.unit >> rest;
+          if (!rest.empty())
+            request.unit.clear();
+          requests.insert({name, request});
+        }
+      return requests;
     }
 
 

@@ -45,6 +45,7 @@ namespace Contact
                          "geometry");
       check_points();
       check_dual_problems();
+      check_limits();
       if (n_ranks > 1)
         check_ranks();
       if (is_condensed())
@@ -111,21 +112,43 @@ namespace Contact
     // Multipliers of the dual problems are transferred by nodes.
     void All::check_dual_problems() const
     {
-      const std::string entry = "Probes/Dual weighted residuals";
-      if (!probes.dual_weighted_residuals)
+      const std::string entry = asks_for_accuracy()
+                                  ? "Probes/Accuracy"
+                                  : "Probes/Dual weighted residuals";
+      if (!probes.dual_weighted_residuals && !asks_for_accuracy())
         return;
       if (n_ranks > 1)
         throw EntryError("Dual problems are solved by one process, here are " +
                            std::to_string(n_ranks) + ".",
                          {entry},
-                         "run it without mpirun, or set 'Dual weighted "
-                         "residuals = false'");
+                         "run it without mpirun, or without this entry");
       if (const auto shared = shared_pair())
         throw EntryError("There are no dual problems for the discretization " +
                            shared->discretization.name() + ".",
                          {entry, shared->section() + "/Discretization"},
                          "set 'Discretization = mortar' or 'Discretization = "
                          "nodal', or 'Estimate errors = true' instead");
+    }
+
+
+
+    void All::check_limits() const
+    {
+      for (const auto &[name, value] : refinement.limits)
+        if ((name != "unknowns" && name != "seconds" && name != "megabytes") ||
+            !(value > 0))
+          throw EntryError("There is no limit '" + name +
+                             "', or it is not "
+                             "positive.",
+                           {"Refinement/Limits"},
+                           "choose of unknowns, seconds and megabytes, and a "
+                           "number greater than 0");
+      if (asks_for_accuracy() && restart)
+        throw EntryError(
+          "A run towards an accuracy does not go on where it was "
+          "interrupted.",
+          {"Probes/Accuracy"},
+          "begin it anew, without --restart");
     }
 
 
@@ -174,7 +197,7 @@ namespace Contact
                          {solver_entry, system_entry},
                          "set 'Linear solver = UMFPACK', or 'System = "
                          "condensed'");
-      if (refinement.n_levels > 0)
+      if (has_levels())
         throw EntryError(
           "Nested iteration needs the condensed system.",
           {"Refinement/Levels", system_entry},
@@ -234,7 +257,7 @@ namespace Contact
                contact_pair.section() + "/Gauss points",
                "the discretization is " + contact_pair.discretization.name());
         }
-      if (refinement.n_levels == 0)
+      if (!has_levels())
         {
           const Refinement  standard;
           const std::string reason = "there are no levels";

@@ -98,7 +98,7 @@ namespace Contact
         return solution.system == SystemKind::condensed;
       if (solution.linear_solver != SolverKind::automatic)
         return solution.linear_solver != SolverKind::umfpack;
-      if (refinement.n_levels > 0 || n_ranks > 1)
+      if (has_levels() || n_ranks > 1)
         return true;
       const auto pairs    = this->pairs();
       const auto all_have = [&](const auto &property) {
@@ -116,6 +116,15 @@ namespace Contact
              all_have([](const Contact &contact_pair) {
                return contact_pair.has_point_per_multiplier();
              });
+    }
+
+
+
+    bool All::refines_adaptively(const bool is_all_quadrilateral) const
+    {
+      return refinement.strategy == Strategy::adaptive ||
+             (refinement.strategy == Strategy::automatic &&
+              asks_for_accuracy() && is_all_quadrilateral);
     }
 
 
@@ -156,8 +165,7 @@ namespace Contact
             other.solution.friction != solution.friction)
           others.push_back(other);
       };
-      const bool can_have_multipliers =
-        n_ranks == 1 && refinement.n_levels == 0;
+      const bool can_have_multipliers = n_ranks == 1 && !has_levels();
       if (can_have_multipliers)
         add(SystemKind::saddle_point);
       if ((!can_have_multipliers || pairs.size() > 1) && !shared_pair())

@@ -56,6 +56,31 @@ namespace Contact
       /// Go on behind the last increment of an interrupted run.
       bool restart = false;
 
+      /// Whether the mesh is refined until probes are accurate.
+      bool asks_for_accuracy() const
+      {
+        return !probes.accuracy.empty();
+      }
+
+      /// Whether there may be more than one mesh.
+      bool has_levels() const
+      {
+        return refinement.n_levels > 0 || asks_for_accuracy();
+      }
+
+      /// Whether a mesh is refined cell by cell, one of quadrangles alone or
+      /// another one.
+      bool refines_adaptively(const bool is_all_quadrilateral) const;
+
+      /// The share of the estimated error that is in the cells to refine [-].
+      /// Indicators of a goal fall off more slowly than squares of an energy.
+      double refined_fraction() const
+      {
+        return refinement.fraction > 0 ? refinement.fraction
+               : asks_for_accuracy()   ? 0.8
+                                       : 0.5;
+      }
+
       /// Whether the multipliers are eliminated from the linear system, of a
       /// mesh with so many displacements; 0: as far as the entries tell.
       bool is_condensed(const std::size_t n_displacements = 0) const;
@@ -88,6 +113,7 @@ namespace Contact
       void check_theory() const;
       void check_points() const;
       void check_dual_problems() const;
+      void check_limits() const;
       void check_ranks() const;
       void check_saddle_point() const;
       void check_condensed() const;

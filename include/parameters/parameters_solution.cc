@@ -133,14 +133,22 @@ namespace Contact
       prm.add_parameter("Strategy",
                         strategy,
                         "uniform: all cells; adaptive: the cells with the "
-                        "largest estimated errors, for meshes of quadrangles "
-                        "[-].");
-      prm.add_parameter("Fraction",
-                        fraction,
-                        "The share of the estimated error (squared) that is in "
-                        "the cells to refine [-]; > 0, <= 1; only for "
-                        "adaptive.",
-                        Patterns::Double(0, 1));
+                        "largest estimated errors, for meshes of quadrangles; "
+                        "automatic: uniform, but adaptive towards an accuracy "
+                        "where the mesh allows it [-].");
+      prm.add_parameter("Limits",
+                        limits,
+                        "'unknowns: number, seconds: number, megabytes: "
+                        "number', each of them or none: no further level of a "
+                        "run that an accuracy is asked of [-, s, MB].");
+      prm.add_parameter(
+        "Fraction",
+        fraction,
+        "The share of the estimated error (squared, without an "
+        "accuracy) that is in the cells to refine [-]; >= 0, <= "
+        "1; only for adaptive; 0: automatic: 0.5, and 0.8 "
+        "towards an accuracy.",
+        Patterns::Double(0, 1));
       prm.add_parameter("Tolerance",
                         tolerance,
                         "The Newton tolerance on all levels but the last [-]; "
@@ -199,6 +207,14 @@ namespace Contact
                         "With several levels that costs nothing and is always "
                         "done; without, the case is solved once more on the "
                         "mesh refined once.");
+      prm.add_parameter(
+        "Accuracy",
+        accuracy,
+        "'name: error unit', separated by ','; the unit is % "
+        "of the value, mm or MPa. The mesh is refined until the "
+        "estimated errors of these probes are no larger, or a "
+        "limit is reached; without 'Levels', as often as it "
+        "takes.");
       prm.add_parameter("Dual weighted residuals",
                         dual_weighted_residuals,
                         "Estimate the discretization error of the probes on "

@@ -9,6 +9,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -84,9 +85,13 @@ namespace Contact
     {
       unsigned int n_levels = 0; // refinements on top of the first mesh
 
-      Choice<Strategy> strategy = Strategy::uniform;
+      Choice<Strategy> strategy = Strategy::automatic;
 
-      double fraction  = 0.5;  // of the estimated error, in refined cells
+      /// Of a run that an accuracy is asked of: "unknowns", "seconds" or
+      /// "megabytes" -> no more than that.
+      std::map<std::string, double> limits = {{"unknowns", 1e6}};
+
+      double fraction  = 0;    // of the estimated error, in refined cells
       double tolerance = 1e-4; // Newton tolerance of all levels but the last
 
       void add_parameters(ParameterHandler &prm);
@@ -136,12 +141,32 @@ namespace Contact
       /// Estimate it by dual weighted residuals, see GoalErrors.
       bool dual_weighted_residuals = false;
 
+      /// Name -> the error that is accepted, with its unit: %, mm or MPa.
+      std::map<std::string, std::string> accuracy;
+
+      /// A number and its unit.
+      struct Request
+      {
+        double      value;
+        std::string unit;
+
+        /// The error that is accepted of a probe with this value.
+        double error_of(const double probe) const
+        {
+          return unit == "%" ? value / 100 * std::abs(probe) : value;
+        }
+      };
+
+      /// The accuracy that is asked for, by name. They have been checked.
+      std::map<std::string, Request> requests() const;
+
       void add_parameters(ParameterHandler &prm);
       void check() const;
 
     private:
       void check_quantities() const;
       void check_references() const;
+      void check_accuracy() const;
     };
 
 

@@ -1,0 +1,216 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "output/accuracy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <ostream>
+
+#include "base/string_utilities.h"
+
+namespace Contact
+{
+  namespace
+  {
+    double seconds(const LevelRecord &level)
+    {
+      double sum = 0;
+      for (const auto &[phase, time] : level.time)
+        sum += time.wall;
+      return sum;
+    }
+
+
+
+    /// The exponent of a power law through the values on two levels.
+    double rate(const LevelRecord &coarse,
+                const LevelRecord &fine,
+                const double       on_coarse,
+                const double       on_fine)
+    {
+      return std::log(on_fine / on_coarse) /
+             std::log(static_cast<double>(fine.n_displacements) /
+                      coarse.n_displacements);
+    }
+
+
+
+    bool has_errors(const std::vector<LevelRecord> &levels)
+    {
+      return !levels.empty() &&
+             std::all_of(levels.begin(), levels.end(), [](const auto &level) {
+               return !level.errors.empty();
+             });
+    }
+
+
+
+    /// The number with two digits.
+    std::string rounded(const double number)
+    {
+      std::ostringstream text;
+      text << std::setprecision(2) << number;
+      return text.str();
+    }
+
+
+
+    // Errors that change their sign, or grow, have no rate.
+    std::string next_digit(const std::vector<LevelRecord> &levels,
+                           const std::string              &probe)
+    {
+      if (levels.size() < 2)
+        return "";
+      const LevelRecord &fine   = levels.back();
+      const LevelRecord &coarse = levels[levels.size() - 2];
+      const double       before = coarse.errors.at(probe);
+      const double       error  = fine.errors.at(probe);
+      if (error == 0 || !(error / before > 0) || error / before >= 1)
+        return "no rate of the error yet";
+      const double growth =
+        std::pow(0.1, 1 / rate(coarse, fine, before, error));
+      const auto next = forecast(levels, growth);
+      return "the next digit costs about " + rounded(next->seconds) +
+             " s and " + rounded(next->n_displacements) + " unknowns";
+    }
+  } // namespace
+
+
+
+  std::optional<Forecast> forecast(const std::vector<LevelRecord> &levels,
+                                   const double                    growth)
+  {
+    if (levels.size() < 2 || !has_errors(levels))
+      return {};
+    const LevelRecord &coarse = levels[levels.size() - 2];
+    const LevelRecord &fine   = levels.back();
+    const auto extrapolate    = [&](const double before, const double now) {
+      return now * std::pow(growth, rate(coarse, fine, before, now));
+    };
+
+    Forecast next;
+    next.n_displacements = growth * fine.n_displacements;
+    next.seconds         = extrapolate(seconds(coarse), seconds(fine));
+    for (const auto &[probe, error] : fine.errors)
+      next.errors[probe] =
+        extrapolate(std::abs(coarse.errors.at(probe)), std::abs(error));
+    return next;
+  }
+
+
+
+  namespace
+  {
+    /// The limit that another level would break, or nothing. A level has some
+    /// four times the unknowns of the last one, and grows like that.
+    std::string broken_limit(const Parameters::Refinement   &parameters,
+                             const unsigned int              n_levels_before,
+                             const std::vector<LevelRecord> &levels)
+    {
+      const double growth =
+        levels.size() < 2 ? 4.
+                          : static_cast<double>(levels.back().n_displacements) /
+                              levels[levels.size() - 2].n_displacements;
+      double so_far = 0;
+      for (const LevelRecord &level : levels)
+        so_far += seconds(level);
+      const auto                          next = forecast(levels, growth);
+      const std::map<std::string, double> needed{
+        {"unknowns", growth * levels.back().n_displacements},
+        {"seconds",
+         so_far + (next ? next->seconds : growth * seconds(levels.back()))},
+        {"megabytes", growth * levels.back().peak_memory_mb}};
+      for (const auto &[name, limit] : parameters.limits)
+        if (needed.at(name) > limit)
+          return "the next mesh would take some " + rounded(needed.at(name)) +
+                 " " + name + ", and the limit is " + rounded(limit);
+      if (parameters.n_levels > 0 && n_levels_before >= parameters.n_levels)
+        return "there are no more levels";
+      return "";
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    /// The estimated error of a probe, or how far its value on a fine mesh, as
+    /// estimated on one level, is from that of the level before.
+    double uncertainty(const std::vector<LevelRecord> &levels,
+                       const std::string              &probe)
+    {
+      const auto limit = [&](const LevelRecord &level) {
+        return level.probes.at(probe) + level.errors.at(probe);
+      };
+      if (levels.size() < 2)
+        return std::numeric_limits<double>::infinity();
+      return std::max(std::abs(levels.back().errors.at(probe)),
+                      std::abs(limit(levels.back()) -
+                               limit(levels[levels.size() - 2])));
+    }
+  } // namespace
+
+
+
+  bool accuracy_ends(const Parameters::All          &parameters,
+                     const std::vector<LevelRecord> &levels,
+                     std::string                    &missed)
+  {
+    // Estimates are right to a factor of two, mostly much better.
+    const double       trusted_to = 2;
+    const LevelRecord &last       = levels.back();
+    missed.clear();
+    for (const auto &[name, request] : parameters.probes.requests())
+      {
+        const double error = uncertainty(levels, name);
+        const double accepted =
+          request.error_of(last.probes.at(name)) / trusted_to;
+        if (!(error <= accepted))
+          missed += (missed.empty() ? "" : "; ") + name + " to " +
+                    rounded(trusted_to * error) + " instead of " +
+                    rounded(trusted_to * accepted);
+      }
+    if (missed.empty())
+      return true;
+    const std::string limit =
+      broken_limit(parameters.refinement, levels.size() - 1, levels);
+    if (limit.empty())
+      return false;
+    missed = "the accuracy is not reached: " + missed + ": " + limit;
+    return true;
+  }
+
+
+
+  void print_accuracy(std::ostream &out, const RunSummary &summary)
+  {
+    if (!has_errors(summary.levels))
+      return;
+    out << "Accuracy and its price:\n";
+    for (const ProbeResult &probe : summary.probes)
+      {
+        out << "  " << probe.name << " [" << probe.unit() << "]\n"
+            << "    unknowns           value  est. error  seconds so far\n";
+        double so_far = 0;
+        for (const LevelRecord &level : summary.levels)
+          {
+            so_far += seconds(level);
+            out << std::setw(12) << level.n_displacements << ' '
+                << std::setw(15) << std::setprecision(8)
+                << level.probes.at(probe.name) << "  " << std::setw(10)
+                << std::scientific << std::setprecision(1)
+                << level.errors.at(probe.name) << std::defaultfloat << "  "
+                << std::setw(14) << std::setprecision(3) << so_far << '\n';
+          }
+        const std::string next = next_digit(summary.levels, probe.name);
+        if (!next.empty())
+          out << "    " << next << '\n';
+      }
+    out << std::setprecision(6);
+  }
+} // namespace Contact

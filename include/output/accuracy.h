@@ -1,0 +1,55 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_accuracy_h
+#define contact_accuracy_h
+
+#include <iosfwd>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/summary.h"
+#include "parameters/parameters.h"
+
+namespace Contact
+{
+  /// What more unknowns would give, by the rates of error and time from level
+  /// to level.
+  struct Forecast
+  {
+    double n_displacements = 0; // unknowns
+    double seconds         = 0; // wall time of that level alone
+
+    /// The errors of the probes by name, in their units.
+    std::map<std::string, double> errors;
+  };
+
+  /// That of the mesh with @p growth times the unknowns of the last of these
+  /// levels; none from a single level, or without estimated errors.
+  std::optional<Forecast> forecast(const std::vector<LevelRecord> &levels,
+                                   const double                    growth);
+
+  /**
+   * Whether a run towards an accuracy ends with the last of these levels: the
+   * errors are as asked for, or there is a limit. In @p missed why the accuracy
+   * is not reached, or nothing. An error that is small may be so by chance,
+   * where parts of it cancel: the value with its error put right has to be the
+   * same on two levels, to that accuracy.
+   */
+  bool accuracy_ends(const Parameters::All          &parameters,
+                     const std::vector<LevelRecord> &levels,
+                     std::string                    &missed);
+
+  /**
+   * Print what the accuracy of each probe has cost: by level the unknowns, the
+   * value, its estimated error and the wall time so far; and what the next
+   * digit would cost. Nothing without estimated errors.
+   */
+  void print_accuracy(std::ostream &out, const RunSummary &summary);
+} // namespace Contact
+
+#endif

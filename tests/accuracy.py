@@ -1,0 +1,91 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Accuracy on request.
+
+Proves that
+
+- a run that is asked for an accuracy ends with errors that are no larger, by
+  closed forms (cylinders, Lame) and by the limit of fine meshes (SSNP154), of
+  displacements and of stresses in a zone of contact, on meshes of quadrangles,
+  which it refines where the error comes from, and of triangles;
+- it ends with status 1, and says how far it got, at a limit;
+- its results are those of its last mesh;
+- what cannot be asked for is refused.
+
+Usage: accuracy.py CONTACT PARAMETERS MESHES
+"""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+from block_scenes import check, contact, failures
+
+parameters, meshes = (pathlib.Path(path).resolve() for path in sys.argv[2:4])
+
+
+def solve(case, *settings):
+    """Returns status, what was said, and the summary."""
+    path = parameters / f"{case}.prm"
+    command = [str(contact), str(path), "--quiet"]
+    for setting in ("Refinement/Levels=0", *settings):
+        command += ["--set", setting]
+    result = subprocess.run(command, capture_output=True, text=True)
+    summary = pathlib.Path(f"output/{path.stem}/summary.json")
+    return (result.returncode, result.stdout + result.stderr,
+            json.loads(summary.read_text()) if summary.exists() else {})
+
+
+# The references of the files, but for DY(B), are closed forms.
+cylinders = "verification/nested_cylinders_plane_quadratic"
+for case, probe, percent in (
+        (cylinders, "u(20)", 0.1), (cylinders, "u(20)", 0.01),
+        (cylinders, "u(50)", 0.1), (cylinders, "u(50)", 0.01),
+        (cylinders, "p(50)", 0.5), (cylinders, "p(50)", 0.05),
+        ("verification/nested_spheres_quadratic", "u(20)", 0.01),
+        ("nested", "DY(B)", 0.1), ("nested", "DY(B)", 0.01)):
+    status, said, summary = solve(
+        case, f"Probes/Accuracy={probe}: {percent} %", "Probes/Tolerances=" + (
+            "DY(B): 1" if case == "nested"
+            else "u(20): 1, u(50): 1, u(100): 1, p(50): 1"))
+    check(f"{case}, {probe} to {percent} %: runs", status == 0, said)
+    if status != 0:
+        continue
+    result = {p["name"]: p for p in summary["probes"]}[probe]
+    check("  is as accurate", 100 * abs(result["relative_deviation"]) < percent,
+          f"{100 * result['relative_deviation']:g} %")
+    check("  says so", 100 * result["estimated_error"] <
+          percent * abs(result["value"]))
+    levels = summary["levels"]
+    check("  on few unknowns", levels[-1]["displacements"] < 6000,
+          str([level["displacements"] for level in levels]))
+
+free = ("Probes/References=", "Probes/Tolerances=")
+status, said, summary = solve("nested", "Probes/Accuracy=DY(B): 1 %", *free,
+                              f"Mesh/File={meshes}/ssnp154.msh")
+sizes = [level["cells"] for level in summary["levels"]]
+check("triangles: refined uniformly", status == 0 and
+      all(b == 4 * a for a, b in zip(sizes, sizes[1:])), f"{said} {sizes}")
+
+status, said, summary = solve("nested", "Probes/Accuracy=DY(B): 1e-5 mm", *free,
+                              "Refinement/Limits=unknowns: 3000")
+check("limit: status 1", status == 1, said)
+check("  says how far it got", re.search(
+    r"DY\(B\) to \S+ instead of 1e-05: the next mesh would take some \S+ "
+    "unknowns, and the limit is 3e.03", said) is not None, said)
+check("  keeps it", summary["levels"][-1]["displacements"] <= 3000 and
+      summary["converged"] and summary["probes"][0]["value"] ==
+      summary["levels"][-1]["probes"]["DY(B)"])
+
+for setting, word in (("DY(B): 1 MPa", "is not a positive number of % or mm"),
+                      ("DY(B): 1", "is not a positive number"),
+                      ("DY(B): -1 %", "is not a positive number"),
+                      ("DY(C): 1 %", "but not in Probes/Probes")):
+    status, said, _ = solve("nested", f"Probes/Accuracy={setting}", *free)
+    check(f"'{setting}' is refused", status == 2 and word in said, said)
+status, said, _ = solve("nested", "Probes/Accuracy=DY(B): 1 %", *free,
+                        "Refinement/Limits=hours: 3")
+check("a limit of hours is refused", status == 2, said)
+sys.exit(len(failures) > 0)
