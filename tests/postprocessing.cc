@@ -200,8 +200,8 @@ namespace
     good.case_name = "good";
     good.mesh_file = "meshes/block.msh";
     good.converged = true;
-    good.probes    = {{"DY", true, -1.30001, -1.3, 1e-4, {}},
-                      {"S", false, 2, {}, {}, {}}};
+    good.probes    = {{"DY", true, -1.30001, -1.3, 1e-4, {}, {}},
+                      {"S", false, 2, {}, {}, {}, {}}};
     good.increments.resize(1);
     good.time["solve"] = {0.5, 0.25};
     RunSummary outside = good, failed = good;

@@ -214,7 +214,7 @@ namespace Contact
         "of the value, mm or MPa. The mesh is refined until the "
         "estimated errors of these probes are no larger, or a "
         "limit is reached; without 'Levels', as often as it "
-        "takes.");
+        "takes [%, mm, MPa].");
       prm.add_parameter("Dual weighted residuals",
                         dual_weighted_residuals,
                         "Estimate the discretization error of the probes on "
