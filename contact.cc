@@ -150,9 +150,6 @@ namespace Contact
 
     // The next mesh.
     void refine();
-    bool may_be_last_level() const;
-    bool may_be_followed() const;
-    bool is_done();
 
     // The invariants.
     void check_invariants(const Vector<double> &springs);
@@ -180,7 +177,7 @@ namespace Contact
       Vector<float>                          indicators; // see GoalErrors
     };
 
-    unsigned int level = 0;
+    Levels       levels;
     CoarserLevel coarser;
 
     // Whether the ends of the masters are corners, see solve_first_level().
@@ -206,6 +203,7 @@ namespace Contact
                  pairing,
                  newton.convergence,
                  report)
+    , levels(this->parameters)
   {
   }
 
@@ -227,13 +225,15 @@ namespace Contact
     try
       {
         solve_first_level();
-        while (!is_done())
+        while (!levels.end_with(summary.levels, summary.accuracy_missed))
           {
             refine();
             solve_level();
           }
         summary.converged = true;
         summary.message.clear();
+        if (!summary.accuracy_missed.empty())
+          report.print_error(": " + summary.accuracy_missed);
       }
     catch (const NotConverged &failure)
       {
@@ -318,7 +318,7 @@ namespace Contact
     // mesh.
     const double tolerance = parameters.solution.newton_tolerance;
     newton.begin_level(
-      may_be_last_level()
+      levels.may_be_last()
         ? tolerance
         : std::max(tolerance, parameters.refinement.tolerance));
   }
@@ -387,12 +387,12 @@ namespace Contact
     LoadSteps    steps(parameters.solution.n_increments,
                     parameters.solution.max_cuts);
     stabilization.begin_level();
-    if (level > 0 && model.has_friction())
+    if (levels.present() > 0 && model.has_friction())
       {
         pairing.pair(state.solution);
         model.interface->initialize_status(state.solution);
       }
-    if (parameters.restart && may_be_last_level() && !ends_are_corners)
+    if (parameters.restart && levels.may_be_last() && !ends_are_corners)
       checkpoint.read(steps);
     while (!steps.finished())
       {
@@ -419,14 +419,14 @@ namespace Contact
         steps.accept(report.increment().newton_iterations);
         stabilization.end_increment();
 
-        if (may_be_last_level() && step.ends_increment)
+        if (levels.may_be_last() && step.ends_increment)
           {
             postprocessor.write_increment(step.increment, /*is_complete=*/true);
             // A restarted run begins without points at the ends of masters.
             if (!ends_are_corners && !parameters.asks_for_accuracy())
               checkpoint.write(steps);
           }
-        if (may_be_followed() && step.ends_increment)
+        if (levels.may_be_followed() && step.ends_increment)
           {
             here.solutions.push_back(state.solution);
             if (model.interface)
@@ -435,7 +435,9 @@ namespace Contact
           }
       }
     coarser = std::move(here);
-    postprocessor.record_level(level, may_be_last_level(), estimate_errors());
+    postprocessor.record_level(levels.present(),
+                               levels.may_be_last(),
+                               estimate_errors());
   }
 
 
@@ -464,8 +466,8 @@ namespace Contact
     pairing.begin_increment((step.to - step.from) *
                             parameters.solution.n_increments);
     postprocessor.forget_stresses();
-    report.begin_increment(level, step.increment, step.to);
-    if (level > 0 && step.is_whole)
+    report.begin_increment(levels.present(), step.increment, step.to);
+    if (levels.present() > 0 && step.is_whole)
       start_from_coarser_level(step.increment);
 
     // Linear bodies take what is prescribed at once: nothing of it has to go
@@ -531,7 +533,7 @@ namespace Contact
         return true;
       }
     state.load_factor = step.from;
-    if (may_be_last_level() && !step.starts_increment)
+    if (levels.may_be_last() && !step.starts_increment)
       postprocessor.write_increment(step.increment, /*is_complete=*/false);
     return false;
   }
@@ -639,11 +641,12 @@ namespace Contact
 
       // The way of the bodies since they were paired.
       const double moved =
-        level > 0 ? model.interface->largest_change(state.solution,
-                                                    pairing.configuration())
-                  : state.largest_change(model, pairing.configuration());
+        levels.present() > 0
+          ? model.interface->largest_change(state.solution,
+                                            pairing.configuration())
+          : state.largest_change(model, pairing.configuration());
       const double change      = moved == 0 ? 0. : moved / last_increment;
-      const bool   is_compared = n > 1 || level > 0;
+      const bool   is_compared = n > 1 || levels.present() > 0;
       if (is_compared)
         report.screen << "    change of the displacement " << change
                       << std::endl;
@@ -674,7 +677,7 @@ namespace Contact
         parameters.solution.friction != Parameters::FrictionLoop::fixed_point ||
         !model.interface->has_coulomb_friction())
       {
-        if (has_friction && level == 0)
+        if (has_friction && levels.present() == 0)
           model.interface->update_bounds(state.solution, state.start);
         solve_newton();
         return;
@@ -805,44 +808,11 @@ namespace Contact
                           *model.discretization,
                           coarser.solutions);
     }
-    ++level;
+    levels.advance();
     if (parameters.asks_for_accuracy())
       report.replace_results(*model.discretization);
     setup_level();
-    report.print_level(model, level, system->name());
-  }
-
-
-
-  // @sect4{ContactProblem::is_done}
-  //
-  // A number of levels, or as many as it takes for the probes to be as accurate
-  // as asked for: then each level may be the last one, and has results.
-  bool ContactProblem::may_be_last_level() const
-  {
-    return parameters.asks_for_accuracy() ||
-           level == parameters.refinement.n_levels;
-  }
-
-
-
-  bool ContactProblem::may_be_followed() const
-  {
-    return parameters.asks_for_accuracy() ||
-           level < parameters.refinement.n_levels;
-  }
-
-
-
-  bool ContactProblem::is_done()
-  {
-    if (!parameters.asks_for_accuracy())
-      return !may_be_followed();
-    std::string &missed = report.summary.accuracy_missed;
-    const bool ends = accuracy_ends(parameters, report.summary.levels, missed);
-    if (ends && !missed.empty())
-      report.print_error(": " + missed);
-    return ends;
+    report.print_level(model, levels.present(), system->name());
   }
 
 

@@ -27,7 +27,9 @@ Proves that
   of a surface that meets a symmetry line or a wall at a slant;
 - two layers clamped in one wall share a load as beam theory has it, without a
   pressure in the wall;
-- a circle that passes between two nodes unseen is a violation.
+- a circle that passes between two nodes unseen is a violation, and so is a body
+  that goes through a foil whose both sides are the master;
+- a history that turns back inside an increment is noted.
 
 Usage: wrong_results.py CONTACT PARAMETERS MESHES
 """
@@ -619,9 +621,51 @@ def between_nodes():
               (status_wanted == 1), said[:300])
 
 
+def foil():
+    """A block pressed on a clamped foil far thinner than it sags: with both sides
+    as master, points behind it see the far one."""
+    for sides, status_wanted in ((("top",), 0), (("top", "bottom"), 1)):
+        mesh = Mesh()
+        mesh.block("A", 60, 1, box(-10, -0.01, 10, 0),
+                   {**{side: "Ground" for side in sides},
+                    "left": "Left", "right": "Right"})
+        mesh.block("B", 8, 4, box(-3, 0, 3, 3), {"bottom": "Sole", "top": "Head"})
+        mesh.write("foil")
+        status, said, _ = run("foil", {
+            "Mesh/File": "foil.msh", **CONTACT,
+            **solids("A: 200000, B: 1000", kinematics="large displacement"),
+            "Boundary conditions/Displacement x": "Left: 0, Right: 0, Head: 0",
+            "Boundary conditions/Displacement y": "Left: 0, Right: 0",
+            "Boundary conditions/Resultant force y": "Head: -60",
+            "Solution/Increments": "2"})
+        check(f"{sides}: exit status {status_wanted}", status == status_wanted,
+              said[:400])
+        check("  what went through is named",
+              ("gone through the other body" in said) == (status_wanted == 1),
+              said[:400])
+
+
+def turning():
+    mesh = Mesh()
+    mesh.block("B", 4, 4, box(0, 0, 1, 1), {"bottom": "Base", "top": "Head"})
+    mesh.write("turning")
+    for increments, noted in ((1, True), (3, True), (2, False), (4, False)):
+        status, said, _ = run("turning", {
+            "Mesh/File": "turning.msh", **solids("B: 1000", "B: 0.3"),
+            "Boundary conditions/Displacement x": "Base: 0",
+            "Boundary conditions/Displacement y": "Base: 0, Head: 0.01",
+            "Boundary conditions/Histories":
+                "Displacement y: table(0 0, 0.5 1, 1 -0.3)",
+            "Solution/Increments": str(increments)})
+        check(f"{increments} increments", status == 0 and
+              ("turns back inside an increment, at about t = 0.5" in said)
+              == noted, said[:300])
+
+
 for scene in (carried, overlap, cantilever, teeth, own_master, round_off,
               held_ends, dragged, driven, cornered, in_a_corner, roles,
-              tied, flank, groove, slide, pinned, clamped, between_nodes):
+              tied, flank, groove, slide, pinned, clamped, between_nodes, foil,
+              turning):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)

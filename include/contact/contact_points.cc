@@ -111,18 +111,6 @@ namespace Contact
 
 
 
-  unsigned int ContactPoint::own_node() const
-  {
-    return std::max_element(C.begin(),
-                            C.begin() + n_slave_nodes,
-                            [](const double a, const double b) {
-                              return std::abs(a) < std::abs(b);
-                            }) -
-           C.begin();
-  }
-
-
-
   void PointPairing::keep_nodes(const unsigned int n)
   {
     n_nodes = n;

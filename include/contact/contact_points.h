@@ -8,7 +8,9 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <algorithm>
 #include <boost/container/small_vector.hpp>
+#include <cmath>
 
 #include "contact/friction_law.h"
 #include "contact/obstacle.h"
@@ -184,7 +186,14 @@ namespace Contact
     double friction_bound = 0;
 
     /// The number of the node that has the multipliers, where it is one.
-    unsigned int own_node() const;
+    unsigned int own_node() const
+    {
+      const auto smaller = [](const double a, const double b) {
+        return std::abs(a) < std::abs(b);
+      };
+      return std::max_element(C.begin(), C.begin() + n_slave_nodes, smaller) -
+             C.begin();
+    }
 
     /// Whether the node @p a of the list is one of the slave.
     bool is_on_slave(const unsigned int a) const

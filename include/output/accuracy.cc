@@ -106,39 +106,6 @@ namespace Contact
 
   namespace
   {
-    /// The limit that another level would break, or nothing. A level has some
-    /// four times the unknowns of the last one, and grows like that.
-    std::string broken_limit(const Parameters::Refinement   &parameters,
-                             const unsigned int              n_levels_before,
-                             const std::vector<LevelRecord> &levels)
-    {
-      const double growth =
-        levels.size() < 2 ? 4.
-                          : static_cast<double>(levels.back().n_displacements) /
-                              levels[levels.size() - 2].n_displacements;
-      double so_far = 0;
-      for (const LevelRecord &level : levels)
-        so_far += seconds(level);
-      const auto                          next = forecast(levels, growth);
-      const std::map<std::string, double> needed{
-        {"unknowns", growth * levels.back().n_displacements},
-        {"seconds",
-         so_far + (next ? next->seconds : growth * seconds(levels.back()))},
-        {"megabytes", growth * levels.back().peak_memory_mb}};
-      for (const auto &[name, limit] : parameters.limits)
-        if (needed.at(name) > limit)
-          return "the next mesh would take some " + rounded(needed.at(name)) +
-                 " " + name + ", and the limit is " + rounded(limit);
-      if (parameters.n_levels > 0 && n_levels_before >= parameters.n_levels)
-        return "there are no more levels";
-      return "";
-    }
-  } // namespace
-
-
-
-  namespace
-  {
     /// The estimated error of a probe, or how far its value on a fine mesh, as
     /// estimated on one level, is from that of the level before.
     double uncertainty(const std::vector<LevelRecord> &levels,
@@ -157,31 +124,65 @@ namespace Contact
 
 
 
-  bool accuracy_ends(const Parameters::All          &parameters,
-                     const std::vector<LevelRecord> &levels,
-                     std::string                    &missed)
+  // Estimates are trusted to a factor of two; mostly they are much better.
+  std::string Levels::inaccurate(const std::vector<LevelRecord> &levels) const
   {
-    // Estimates are right to a factor of two, mostly much better.
-    const double       trusted_to = 2;
-    const LevelRecord &last       = levels.back();
-    missed.clear();
+    std::string inaccurate;
     for (const auto &[name, request] : parameters.probes.requests())
       {
-        const double error = uncertainty(levels, name);
-        const double accepted =
-          request.error_of(last.probes.at(name)) / trusted_to;
+        const double error    = 2 * uncertainty(levels, name);
+        const double accepted = request.error_of(levels.back().probes.at(name));
         if (!(error <= accepted))
-          missed += (missed.empty() ? "" : "; ") + name + " to " +
-                    rounded(trusted_to * error) + " instead of " +
-                    rounded(trusted_to * accepted);
+          inaccurate += (inaccurate.empty() ? "" : "; ") + name + " to " +
+                        rounded(error) + " instead of " + rounded(accepted);
       }
-    if (missed.empty())
+    return inaccurate;
+  }
+
+
+
+  // What another level would break. It is taken to be as much larger as the
+  // last one was.
+  std::string Levels::broken_limit(const std::vector<LevelRecord> &levels) const
+  {
+    const double growth =
+      levels.size() < 2 ? 4.
+                        : static_cast<double>(levels.back().n_displacements) /
+                            levels[levels.size() - 2].n_displacements;
+    double so_far = 0;
+    for (const LevelRecord &level : levels)
+      so_far += seconds(level);
+    const auto                          next = forecast(levels, growth);
+    const std::map<std::string, double> needed{
+      {"unknowns", growth * levels.back().n_displacements},
+      {"seconds",
+       so_far + (next ? next->seconds : growth * seconds(levels.back()))},
+      {"megabytes", growth * levels.back().peak_memory_mb}};
+    for (const auto &[name, limit] : parameters.refinement.limits)
+      if (needed.at(name) > limit)
+        return "the next mesh would take some " + rounded(needed.at(name)) +
+               ' ' + name + ", and the limit is " + rounded(limit);
+    if (parameters.refinement.n_levels > 0 &&
+        number >= parameters.refinement.n_levels)
+      return "there are no more levels";
+    return "";
+  }
+
+
+
+  bool Levels::end_with(const std::vector<LevelRecord> &levels,
+                        std::string                    &missed) const
+  {
+    missed.clear();
+    if (!parameters.asks_for_accuracy())
+      return !may_be_followed();
+    const std::string probes = inaccurate(levels);
+    if (probes.empty())
       return true;
-    const std::string limit =
-      broken_limit(parameters.refinement, levels.size() - 1, levels);
+    const std::string limit = broken_limit(levels);
     if (limit.empty())
       return false;
-    missed = "the accuracy is not reached: " + missed + ": " + limit;
+    missed = "the accuracy is not reached: " + probes + ": " + limit;
     return true;
   }
 

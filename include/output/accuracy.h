@@ -34,15 +34,61 @@ namespace Contact
                                    const double                    growth);
 
   /**
-   * Whether a run towards an accuracy ends with the last of these levels: the
-   * errors are as asked for, or there is a limit. In @p missed why the accuracy
-   * is not reached, or nothing. An error that is small may be so by chance,
-   * where parts of it cancel: the value with its error put right has to be the
-   * same on two levels, to that accuracy.
+   * The meshes of a run: a number of levels, or as many as it takes for the
+   * probes to be as accurate as asked for. Then each level may be the last one.
    */
-  bool accuracy_ends(const Parameters::All          &parameters,
-                     const std::vector<LevelRecord> &levels,
-                     std::string                    &missed);
+  class Levels
+  {
+  public:
+    /// The first one.
+    explicit Levels(const Parameters::All &parameters)
+      : parameters(parameters)
+    {
+    }
+
+    /// That of the present mesh, from zero.
+    unsigned int present() const
+    {
+      return number;
+    }
+
+    void advance()
+    {
+      ++number;
+    }
+
+    /// Whether the present level may be the last one, and has results, and
+    /// whether one may follow.
+    bool may_be_last() const
+    {
+      return parameters.asks_for_accuracy() ||
+             number == parameters.refinement.n_levels;
+    }
+    bool may_be_followed() const
+    {
+      return parameters.asks_for_accuracy() ||
+             number < parameters.refinement.n_levels;
+    }
+
+    /**
+     * Whether a run ends with the last of these levels: the errors are as asked
+     * for, or there is a limit. In @p missed why the accuracy is not reached,
+     * or nothing. An error that is small may be so by chance, where parts of it
+     * cancel: the value with its error put right has to be the same on two
+     * levels, to that accuracy.
+     */
+    bool end_with(const std::vector<LevelRecord> &levels,
+                  std::string                    &missed) const;
+
+  private:
+    std::string inaccurate(const std::vector<LevelRecord> &levels) const;
+    std::string broken_limit(const std::vector<LevelRecord> &levels) const;
+
+    const Parameters::All &parameters;
+    unsigned int           number = 0;
+  };
+
+
 
   /**
    * Print what the accuracy of each probe has cost: by level the unknowns, the

@@ -9,6 +9,7 @@
 #include <iomanip>
 #include <iostream>
 
+#include "base/string_utilities.h"
 #include "output/accuracy.h"
 #include "output/effects.h"
 #include "output/result_tables.h"
@@ -114,6 +115,7 @@ namespace Contact
            << std::endl;
     if (screen.is_active())
       print_effects(screen.get_stream(), effects);
+    print_note_on_histories(*model.discretization);
     if (model.interface)
       for (const auto &contact_pair : parameters.pairs())
         print_note_on_arcs(model, contact_pair);
@@ -121,6 +123,47 @@ namespace Contact
       {
         print_note_on_facing(*model.interface);
         print_note_on_roles(model);
+      }
+  }
+
+
+
+  // Loads and supports have their values at the ends of increments alone: where
+  // a history turns back in between, its peak is never there.
+  void Report::print_note_on_histories(const Discretization &discretization)
+  {
+    const unsigned int n         = parameters.solution.n_increments;
+    const unsigned int n_samples = 32; // of an increment
+    for (const auto &[entry, is_set] :
+         parameters.boundary.entries_with_history())
+      {
+        if (!is_set || parameters.boundary.histories.count(entry) == 0)
+          continue;
+        double size = 0, missed = 0, where = 0;
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            const double first = discretization.factor(entry, 1. * k / n);
+            const double last  = discretization.factor(entry, (k + 1.) / n);
+            size = std::max({size, std::abs(first), std::abs(last)});
+            for (unsigned int i = 1; i < n_samples; ++i)
+              {
+                const double t      = (k + 1. * i / n_samples) / n;
+                const double factor = discretization.factor(entry, t);
+                const double beyond = std::max(factor - std::max(first, last),
+                                               std::min(first, last) - factor);
+                if (beyond > missed)
+                  {
+                    missed = beyond;
+                    where  = t;
+                  }
+              }
+          }
+        if (missed > 1e-3 * std::max(size, missed))
+          print_error(
+            ": note: the history of '" + entry +
+            "' turns back inside an increment, at about t = " + brief(where) +
+            ": only its values at the ends of increments are "
+            "applied. Take more increments, so that one ends there");
       }
   }
 

@@ -98,6 +98,7 @@ namespace Contact
     void finish();
 
   private:
+    void print_note_on_histories(const Discretization &discretization);
     void print_note_on_facing(const ContactInterface &interface);
     void print_note_on_roles(const ContactModel &model);
     void print_note_on_arcs(const ContactModel        &model,

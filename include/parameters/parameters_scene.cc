@@ -170,7 +170,9 @@ namespace Contact
                         "'boundary: formula' [MPa], separated by ';'; a "
                         "boundary group and the pressure on it at full load, a "
                         "formula in x and y [mm], positive in compression. It "
-                        "acts along the normal of the undeformed boundary.",
+                        "acts along the normal of the undeformed boundary. In "
+                        "all formulas x and y are coordinates after Mesh/Move, "
+                        "Scale, Rotation and Shift.",
                         formulas);
       prm.add_parameter("Traction x",
                         traction_x,

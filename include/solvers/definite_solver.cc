@@ -46,7 +46,7 @@ namespace Contact
     const std::string not_definite =
       "the matrix is not positive definite: a body can move without "
       "resistance, or has lost its stability; if friction alone holds it, try "
-      "'Solution/Friction = lagged bound'";
+      "another 'Solution/Friction' or more increments";
 
 
 

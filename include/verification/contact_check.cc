@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "contact/contact_crossing.h"
 #include "contact/contact_depth.h"
 
 namespace Contact
@@ -99,7 +100,10 @@ namespace Contact
         if (contact_pair->master)
           check_balance(*contact_pair, slack, found);
         if (!contact_pair->tied)
-          check_depth(*contact_pair, found);
+          {
+            check_depth(*contact_pair, found);
+            check_crossing(*contact_pair, found);
+          }
       }
     check_normal(slack, found);
     check_tangential(slack, found);
@@ -151,6 +155,28 @@ namespace Contact
                   allowed,
                   what + ", and no force acts there",
                   advice);
+  }
+
+
+
+  void ContactCheck::check_crossing(const ContactPair &contact_pair,
+                                    ContactInvariants &found) const
+  {
+    const auto crossing = find_crossing(contact_pair, u_start, solution);
+    if (!crossing)
+      return;
+    found.check("depth",
+                crossing->depth,
+                0,
+                "the node of the " +
+                  std::string(crossing->of_master ? "master" : "slave") +
+                  " at X = (" + brief(crossing->X[0]) + ", " +
+                  brief(crossing->X[1]) +
+                  ") mm has gone through the other body in this increment, and "
+                  "is " +
+                  brief(crossing->depth) + " mm behind the side it went in by",
+                "Take only the side that is to be touched as master, or more "
+                "increments.");
   }
 
 

@@ -147,6 +147,8 @@ namespace Contact
                        ContactInvariants &found) const;
     void check_depth(const ContactPair &contact_pair,
                      ContactInvariants &found) const;
+    void check_crossing(const ContactPair &contact_pair,
+                        ContactInvariants &found) const;
 
     /// The forces of a contact pair on both bodies together; the moment is
     /// about the middle of the slave, whose size [mm] is that of its box.
