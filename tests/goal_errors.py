@@ -9,6 +9,8 @@ Proves that
   computed without it: displacements, stresses at points and pressures of
   contact, at degrees 1 and 2, axisymmetric and plane, with meshes that match and
   that do not, at large displacement and with friction;
+- where errors fall at their rate, the forecast of the next level's is right to a
+  factor of two;
 - the estimates do not change the values;
 - they are refused where there are none.
 
@@ -52,6 +54,10 @@ cases = {
     "nested_large": (2, 1, 0.2),
     "nested_friction": (2, 2, 0.22),
 }
+# Those whose errors fall at their rate from the first mesh on.
+asymptotic = ["verification/nested_cylinders",
+              "verification/nested_cylinders_quadratic",
+              "verification/nested_spheres_quadratic"]
 for case, (degree, n_levels, tolerance) in cases.items():
     status, said, summary = solve(case, n_levels, estimate)
     _, _, without = solve(case, n_levels)
@@ -61,6 +67,11 @@ for case, (degree, n_levels, tolerance) in cases.items():
         values = [level["probes"][name] for level in levels]
         check(f"{name} is unchanged", values ==
               [level["probes"][name] for level in without["levels"]])
+        for level, after in zip(levels[1:], levels[2:]):
+            ratio = (level["forecast"]["errors"][name] /
+                     abs(after["estimated_errors"][name]))
+            check("  forecast of the error", case not in asymptotic or
+                  0.5 < ratio < 2, f"{ratio:g}")
         for level, value, after in zip(levels, values, values[1:]):
             estimated = (1 - 4**-degree) * level["estimated_errors"][name]
             check("  changes as estimated",

@@ -12,6 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "output/accuracy.h"
+
 namespace Contact
 {
   std::optional<double> ProbeResult::relative_deviation() const
@@ -165,6 +167,25 @@ namespace Contact
 
 
 
+    /// Of a level that grows as the one with the number @p k has.
+    Json forecast_after(const std::vector<LevelRecord> &levels,
+                        const unsigned int              k)
+    {
+      if (k == 0)
+        return {};
+      const auto next =
+        forecast({levels.begin(), levels.begin() + k + 1},
+                 static_cast<double>(levels[k].n_displacements) /
+                   levels[k - 1].n_displacements);
+      if (!next)
+        return {};
+      return {{"displacements", next->n_displacements},
+              {"seconds", next->seconds},
+              {"errors", next->errors}};
+    }
+
+
+
     Json to_json(const RunSummary &summary)
     {
       Json json{{"converged", summary.converged},
@@ -188,8 +209,11 @@ namespace Contact
         json["probes"].push_back(to_json(probe));
       for (const IncrementRecord &increment : summary.increments)
         json["increments"].push_back(to_json(increment));
-      for (const LevelRecord &level : summary.levels)
-        json["levels"].push_back(to_json(level));
+      for (unsigned int k = 0; k < summary.levels.size(); ++k)
+        {
+          json["levels"].push_back(to_json(summary.levels[k]));
+          json["levels"].back()["forecast"] = forecast_after(summary.levels, k);
+        }
       add_pairs(summary.contact, json);
       for (const auto &[effect, value] : summary.effects)
         json["effects"][effect] = value;
