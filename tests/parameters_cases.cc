@@ -62,8 +62,8 @@ void compare(const std::string           &what,
 {
   std::ofstream("case.json") << text;
   std::cout << what << ": "
-            << (printed("case.json", ParameterHandler::ShortText) ==
-                    printed(file, ParameterHandler::ShortText)
+            << (printed("case.json", ParameterHandler::ShortPRM) ==
+                    printed(file, ParameterHandler::ShortPRM)
                   ? "equal"
                   : "DIFFERENT")
             << '\n';

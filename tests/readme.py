@@ -179,7 +179,9 @@ def unlisted_tests(page: str, directory: pathlib.Path) -> list[str]:
                             capture_output=True, check=True).stdout
     names = {re.sub(r"^tests/|\.\w+$|_(published|newton_geometry|small_strain)$",
                     "", name) for name in re.findall(r"#\d+: (\S+)", listed)}
-    return sorted(name for name in names if f"`{name}`" not in page)
+    # Newer versions of deal.II build what tests need by tests.
+    return sorted(name for name in names if f"`{name}`" not in page and
+                  not name.startswith("test_dependency/"))
 
 
 def main() -> int:

@@ -124,6 +124,15 @@ namespace Contact
 
 
 
+    // Newer versions of deal.II hand the command line to PETSc, which this
+    // program does not use, and PETSc would list what it does not know.
+    void silence_petsc()
+    {
+      setenv("PETSC_OPTIONS", "-options_left no", /*overwrite=*/0);
+    }
+
+
+
     // The blocks of a sparse factorization are too small for several threads of
     // OpenBLAS, which wait for each other most of the time. Other BLAS have no
     // such function.
@@ -216,6 +225,7 @@ namespace Contact
 
     spare_network_of_single_process();
     use_one_thread_of_blas();
+    silence_petsc();
     const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
     try
       {

@@ -180,8 +180,10 @@ namespace Contact
 
       // The parser's message without its own name and place, and without what
       // was read: that may be long, and it is at this place.
-      static std::string reason(std::string message)
+      std::string reason(std::string message) const
       {
+        if (Utilities::trim(text).empty())
+          return "it is empty";
         const auto begin = message.find("syntax error");
         message.erase(0,
                       begin != std::string::npos ? begin
