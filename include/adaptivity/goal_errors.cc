@@ -12,7 +12,6 @@
 #include "adaptivity/refined_system.h"
 #include "adaptivity/refinement.h"
 #include "contact/probes.h"
-#include "contact/surface_transfer.h"
 #include "solvers/saddle_point_system.h"
 
 namespace Contact
@@ -179,7 +178,6 @@ namespace Contact
 
 
 
-  // Statuses follow the pressures of the state: it comes last.
   void GoalErrors::refine(std::vector<Vector<double>> &duals)
   {
     fine.mesh = std::make_unique<Mesh>(*model.mesh);
@@ -219,9 +217,17 @@ namespace Contact
     transferred.pop_back();
     duals.swap(transferred);
     fine.discretization->prescribe(fine_state.solution, state.load_factor);
-    if (!fine.interface)
-      return;
+    if (fine.interface)
+      transfer_contact(surfaces, duals);
+  }
 
+
+
+  // Statuses follow the pressures of the state: it comes last.
+  void GoalErrors::transfer_contact(
+    const std::vector<std::vector<SurfaceState>> &duals_on_surfaces,
+    std::vector<Vector<double>>                  &duals)
+  {
     PairingMode mode;
     mode.with_derivatives = linearization.moving_geometry;
     fine.interface->pair(linearization.moving_geometry
@@ -231,7 +237,7 @@ namespace Contact
     fine.interface->set_support_motion(
       fine.discretization->support_motion(fine_state.start, state.load_factor));
     for (unsigned int k = 0; k < duals.size(); ++k)
-      restore_surfaces(surfaces[k], *fine.interface, duals[k]);
+      restore_surfaces(duals_on_surfaces[k], *fine.interface, duals[k]);
     restore_surfaces(save_surfaces(*model.interface, state.solution),
                      *fine.interface,
                      fine_state.solution);

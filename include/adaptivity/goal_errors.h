@@ -10,6 +10,7 @@
 
 #include "contact/contact_kernel.h"
 #include "contact/increment_state.h"
+#include "contact/surface_transfer.h"
 #include "solid/stress_recovery.h"
 
 namespace Contact
@@ -79,13 +80,16 @@ namespace Contact
                                                Vector<float>        &indicators) const;
     std::vector<Vector<double>> solve_dual_problems() const;
     void                        refine(std::vector<Vector<double>> &duals);
-    void                        constrain(Vector<double> &dual) const;
-    void                        update_statuses();
-    void                        set_multipliers(const ContactPoint &point,
-                                                const double        value,
-                                                Vector<double>     &vector) const;
-    void                        impose_contact(const Vector<double> &functional,
-                                               Vector<double>       &dual) const;
+    void                        transfer_contact(
+                             const std::vector<std::vector<SurfaceState>> &duals_on_surfaces,
+                             std::vector<Vector<double>>                  &duals);
+    void   constrain(Vector<double> &dual) const;
+    void   update_statuses();
+    void   set_multipliers(const ContactPoint &point,
+                           const double        value,
+                           Vector<double>     &vector) const;
+    void   impose_contact(const Vector<double> &functional,
+                          Vector<double>       &dual) const;
     double change_of_recovery(const Definition &probe) const;
 
     const Parameters::All                  &parameters;

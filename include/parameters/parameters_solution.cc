@@ -180,6 +180,15 @@ namespace Contact
                         "'name: value', separated by ','; the deviation from "
                         "the reference that is accepted, relative to it [-]; "
                         "> 0.");
+      add_theory(prm);
+      add_errors(prm);
+      prm.leave_subsection();
+    }
+
+
+
+    void Probes::add_theory(ParameterHandler &prm)
+    {
       prm.add_parameter("Hertz",
                         hertz,
                         "Line contact of Hertz to compare with: 'radius, "
@@ -201,6 +210,12 @@ namespace Contact
                         "pressure, amplitude' [mm, MPa], under the pressure "
                         "'pressure + amplitude cos(2 theta)' outside, small "
                         "strain, no friction. Empty: none.");
+    }
+
+
+
+    void Probes::add_errors(ParameterHandler &prm)
+    {
       prm.add_parameter("Estimate errors",
                         estimate_errors,
                         "Estimate the discretization error of the probes [-]. "
@@ -220,7 +235,6 @@ namespace Contact
                         "Estimate the discretization error of the probes on "
                         "each level by a dual problem for each of them [-]: "
                         "one factorization and one linear solve a probe.");
-      prm.leave_subsection();
     }
 
 

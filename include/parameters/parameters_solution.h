@@ -164,6 +164,8 @@ namespace Contact
       void check() const;
 
     private:
+      void add_theory(ParameterHandler &prm);
+      void add_errors(ParameterHandler &prm);
       void check_quantities() const;
       void check_references() const;
       void check_accuracy() const;
