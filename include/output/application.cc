@@ -55,6 +55,10 @@ namespace Contact
                       << other.solution.friction.name()
                       << ", Geometry = " << other.solution.geometry.name()
                       << ", System = " << other.solution.system.name()
+                      << (other.has_levels() == parameters.has_levels()
+                            ? ""
+                            : ", Levels = 0, Refinements = " +
+                                std::to_string(other.mesh.refinements))
                       << std::endl;
           summary = solve(other, prm, verbose);
         }

@@ -9,6 +9,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 
 #include "parameters/parameter_file.h"
@@ -156,8 +157,7 @@ namespace Contact
         newton.solution.geometry = GeometryLoop::automatic;
 
       std::vector<All> others;
-      const auto       add = [&](const SystemKind system) {
-        All other             = newton;
+      const auto       add = [&](All other, const SystemKind system) {
         other.solution.system = system;
         if (other.is_condensed() != is_condensed(n_displacements))
           other.solution.linear_solver = SolverKind::automatic;
@@ -167,9 +167,21 @@ namespace Contact
       };
       const bool can_have_multipliers = n_ranks == 1 && !has_levels();
       if (can_have_multipliers)
-        add(SystemKind::saddle_point);
+        add(newton, SystemKind::saddle_point);
       if ((!can_have_multipliers || pairs.size() > 1) && !shared_pair())
-        add(SystemKind::condensed);
+        add(newton, SystemKind::condensed);
+
+      // Uniform levels end with the mesh that these refinements make.
+      const double most_of_direct_solver = 400000; // displacements
+      if (n_ranks == 1 && refinement.n_levels > 0 && !asks_for_accuracy() &&
+          refinement.strategy != Strategy::adaptive &&
+          std::ldexp(n_displacements, 2 * refinement.n_levels) <
+            most_of_direct_solver)
+        {
+          newton.mesh.refinements += refinement.n_levels;
+          newton.refinement.n_levels = 0;
+          add(newton, SystemKind::saddle_point);
+        }
       return others;
     }
   } // namespace Parameters
