@@ -46,6 +46,8 @@ namespace Contact
     const auto           requests = parameters.probes.requests();
     Vector<float>        missed(model.mesh->triangulation.n_active_cells());
     Vector<float>        met(missed.size());
+    // By trial: without sweeps estimates of smooth scenes are off by a factor of
+    // up to six, after one by half, after three by a tenth, after five by less.
     const Vector<double> relaxed = system.relax(residual, /*n_sweeps=*/5);
 
     const double beyond =
