@@ -40,14 +40,15 @@ namespace Contact
     std::vector<Vector<double>> duals = solve_dual_problems();
     const PatchRecovery         recovery(*model.discretization, duals);
     refine(duals);
-    const auto           recovered = recovery.values(*fine.discretization);
-    const RefinedSystem  system(fine, fine_state, linearization);
-    Vector<double>       residual = system.negative_residual();
-    const auto           requests = parameters.probes.requests();
-    Vector<float>        missed(model.mesh->triangulation.n_active_cells());
-    Vector<float>        met(missed.size());
-    // By trial: without sweeps estimates of smooth scenes are off by a factor of
-    // up to six, after one by half, after three by a tenth, after five by less.
+    const auto          recovered = recovery.values(*fine.discretization);
+    const RefinedSystem system(fine, fine_state, linearization);
+    Vector<double>      residual = system.negative_residual();
+    const auto          requests = parameters.probes.requests();
+    Vector<float>       missed(model.mesh->triangulation.n_active_cells());
+    Vector<float>       met(missed.size());
+    // By trial: without sweeps estimates of smooth scenes are off by a factor
+    // of up to six, after one by half, after three by a tenth, after five by
+    // less.
     const Vector<double> relaxed = system.relax(residual, /*n_sweeps=*/5);
 
     const double beyond =

@@ -197,8 +197,9 @@ namespace Contact
   RefinedSystem::Unknowns RefinedSystem::unknowns_around(
     const std::vector<unsigned int> &vertices) const
   {
-    // By trial: with three the estimate at the bore of nested_cylinders_quadratic
-    // is three times the change on the next mesh, with six it is that change.
+    // By trial: with three the estimate at the bore of
+    // nested_cylinders_quadratic is three times the change on the next mesh,
+    // with six it is that change.
     const unsigned int n_layers = 6;
 
     using Cells = std::set<Triangulation<2>::active_cell_iterator>;
