@@ -15,27 +15,17 @@ Proves that
 Usage: accuracy.py CONTACT PARAMETERS MESHES
 """
 
-import json
 import pathlib
 import re
-import subprocess
 import sys
 
-from block_scenes import check, contact, failures
+from block_scenes import check, failures, solve
 
 parameters, meshes = (pathlib.Path(path).resolve() for path in sys.argv[2:4])
 
 
-def solve(case, *settings):
-    """Returns status, what was said, and the summary."""
-    path = parameters / f"{case}.prm"
-    command = [str(contact), str(path), "--quiet"]
-    for setting in ("Refinement/Levels=0", *settings):
-        command += ["--set", setting]
-    result = subprocess.run(command, capture_output=True, text=True)
-    summary = pathlib.Path(f"output/{path.stem}/summary.json")
-    return (result.returncode, result.stdout + result.stderr,
-            json.loads(summary.read_text()) if summary.exists() else {})
+def run(case, *settings):
+    return solve(parameters / f"{case}.prm", "Refinement/Levels=0", *settings)
 
 
 # The references of the files, but for DY(B), are closed forms.
@@ -46,7 +36,7 @@ for case, probe, percent in (
         (cylinders, "p(50)", 0.5), (cylinders, "p(50)", 0.05),
         ("verification/nested_spheres_quadratic", "u(20)", 0.01),
         ("nested", "DY(B)", 0.1), ("nested", "DY(B)", 0.01)):
-    status, said, summary = solve(
+    status, said, summary = run(
         case, f"Probes/Accuracy={probe}: {percent} %", "Probes/Tolerances=" + (
             "DY(B): 1" if case == "nested"
             else "u(20): 1, u(50): 1, u(100): 1, p(50): 1"))
@@ -63,13 +53,13 @@ for case, probe, percent in (
           str([level["displacements"] for level in levels]))
 
 free = ("Probes/References=", "Probes/Tolerances=")
-status, said, summary = solve("nested", "Probes/Accuracy=DY(B): 1 %", *free,
+status, said, summary = run("nested", "Probes/Accuracy=DY(B): 1 %", *free,
                               f"Mesh/File={meshes}/ssnp154.msh")
 sizes = [level["cells"] for level in summary["levels"]]
 check("triangles: refined uniformly", status == 0 and
       all(b == 4 * a for a, b in zip(sizes, sizes[1:])), f"{said} {sizes}")
 
-status, said, summary = solve("nested", "Probes/Accuracy=DY(B): 1e-5 mm", *free,
+status, said, summary = run("nested", "Probes/Accuracy=DY(B): 1e-5 mm", *free,
                               "Refinement/Limits=unknowns: 3000")
 check("limit: status 1", status == 1, said)
 check("  says how far it got", re.search(
@@ -83,9 +73,9 @@ for setting, word in (("DY(B): 1 MPa", "is not a positive number of % or mm"),
                       ("DY(B): 1", "is not a positive number"),
                       ("DY(B): -1 %", "is not a positive number"),
                       ("DY(C): 1 %", "but not in Probes/Probes")):
-    status, said, _ = solve("nested", f"Probes/Accuracy={setting}", *free)
+    status, said, _ = run("nested", f"Probes/Accuracy={setting}", *free)
     check(f"'{setting}' is refused", status == 2 and word in said, said)
-status, said, _ = solve("nested", "Probes/Accuracy=DY(B): 1 %", *free,
+status, said, _ = run("nested", "Probes/Accuracy=DY(B): 1 %", *free,
                         "Refinement/Limits=hours: 3")
 check("a limit of hours is refused", status == 2, said)
 sys.exit(len(failures) > 0)

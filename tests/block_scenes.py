@@ -106,3 +106,15 @@ def rows(name, file="profile.csv"):
     with open(f"output/{name}/{file}", encoding="utf-8") as lines:
         return [{k: v if k in ("surface", "body") else float(v or "nan")
                  for k, v in row.items()} for row in csv.DictReader(lines)]
+
+
+def solve(path, *settings):
+    """Run a parameter file with settings on top, for its values alone. Returns
+    status, what was said, and the summary."""
+    command = [str(contact), str(path), "--quiet"]
+    for setting in settings:
+        command += ["--set", setting]
+    result = subprocess.run(command, capture_output=True, text=True)
+    summary = pathlib.Path(f"output/{path.stem}/summary.json")
+    return (result.returncode, result.stdout + result.stderr,
+            json.loads(summary.read_text()) if summary.exists() else {})

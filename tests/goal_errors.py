@@ -17,27 +17,17 @@ Proves that
 Usage: goal_errors.py CONTACT PARAMETERS MESHES
 """
 
-import json
 import pathlib
-import subprocess
 import sys
 
-from block_scenes import check, contact, failures
+from block_scenes import check, failures, solve
 
 parameters = pathlib.Path(sys.argv[2]).resolve()
 
 
-def solve(case, levels, *settings):
-    """Returns status, what was said, and the summary."""
-    path = parameters / f"{case}.prm"
-    command = [str(contact), str(path), "--quiet"]
-    for setting in (f"Refinement/Levels={levels}", "Probes/References=",
-                    "Probes/Tolerances=", *settings):
-        command += ["--set", setting]
-    result = subprocess.run(command, capture_output=True, text=True)
-    summary = pathlib.Path(f"output/{path.stem}/summary.json")
-    return (result.returncode, result.stdout + result.stderr,
-            json.loads(summary.read_text()) if summary.exists() else {})
+def run(case, levels, *settings):
+    return solve(parameters / f"{case}.prm", f"Refinement/Levels={levels}",
+                 "Probes/References=", "Probes/Tolerances=", *settings)
 
 
 estimate = "Probes/Dual weighted residuals=true"
@@ -59,8 +49,8 @@ asymptotic = ["verification/nested_cylinders",
               "verification/nested_cylinders_quadratic",
               "verification/nested_spheres_quadratic"]
 for case, (degree, n_levels, tolerance) in cases.items():
-    status, said, summary = solve(case, n_levels, estimate)
-    _, _, without = solve(case, n_levels)
+    status, said, summary = run(case, n_levels, estimate)
+    _, _, without = run(case, n_levels)
     check(f"{case}: runs", status in (0, 1), said)
     levels = summary["levels"]
     for name in levels[0]["probes"]:
@@ -82,6 +72,6 @@ for case, (degree, n_levels, tolerance) in cases.items():
               probe["estimated_error"] ==
               abs(levels[-1]["estimated_errors"][probe["name"]]))
 
-status, said, _ = solve("nested", 0, estimate, "Contact/Discretization=Gauss")
+status, said, _ = run("nested", 0, estimate, "Contact/Discretization=Gauss")
 check("Gauss points: refused", status == 2 and "dual problems" in said, said)
 sys.exit(len(failures) > 0)

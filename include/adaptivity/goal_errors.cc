@@ -67,7 +67,7 @@ namespace Contact
         for (const std::string &point : probe.points)
           vertices.push_back(model.mesh->point(point, "Probes/Probes"));
         system.solve_dual_around(vertices, functional, dual);
-        constrain(dual);
+        fine.discretization->constrain_homogeneously(dual);
         errors[name] = beyond * (functional * relaxed + residual * dual +
                                  change_of_recovery(probe));
         if (const auto request = requests.find(name); request != requests.end())
@@ -253,7 +253,7 @@ namespace Contact
 
 
 
-  // Where the contact ends, a point is one of it if what presses it is more
+  // At the end of the contact a point is part of it if what presses it is more
   // than what its gap takes to close: the pressure against the stiffness E/h.
   void GoalErrors::update_statuses()
   {
@@ -298,19 +298,6 @@ namespace Contact
 
 
 
-  // Supports are homogeneous for a dual solution.
-  void GoalErrors::constrain(Vector<double> &dual) const
-  {
-    for (const auto &line : fine.discretization->constraints.get_lines())
-      {
-        dual[line.index] = 0;
-        for (const auto &[dof, factor] : line.entries)
-          dual[line.index] += factor * dual[dof];
-      }
-  }
-
-
-
   // Of the transposed equations those of the multipliers of a point k in
   // contact: with the jump [z] = sum_a C_a z_a and J' = (J_n, J_t),
   //   w n.[z] = -J_n,  w t.[z] = -J_t                        where it sticks,
@@ -321,7 +308,7 @@ namespace Contact
                                   Vector<double>       &dual) const
   {
     const auto &constraints = fine.discretization->constraints;
-    constrain(dual);
+    fine.discretization->constrain_homogeneously(dual);
     if (!fine.interface)
       return;
 
@@ -368,7 +355,7 @@ namespace Contact
         for (unsigned int i = 0; i < 2; ++i)
           dual[point.dofs[own][i]] += correction[i] / point.C[own];
       }
-    constrain(dual);
+    fine.discretization->constrain_homogeneously(dual);
   }
 
 

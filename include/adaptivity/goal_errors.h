@@ -41,7 +41,7 @@ namespace Contact
    * Contact is part of all of them: gaps and slips weigh with the multipliers
    * of the dual solution, forces of contact with its displacements.
    *
-   * What the mesh refined once does not see is taken from the order of the
+   * The error that the mesh refined once leaves is taken from the order of the
    * functional: errors fall by 4^-p (p the degree of the elements) from mesh to
    * mesh where solution and dual solution are smooth, and the change is divided
    * by 1 - 4^-p.
@@ -83,7 +83,6 @@ namespace Contact
     void                        transfer_contact(
                              const std::vector<std::vector<SurfaceState>> &duals_on_surfaces,
                              std::vector<Vector<double>>                  &duals);
-    void   constrain(Vector<double> &dual) const;
     void   update_statuses();
     void   set_multipliers(const ContactPoint &point,
                            const double        value,

@@ -70,6 +70,9 @@ namespace Contact
                          is_master ? projection.edge : e};
           }
     }
+
+
+
     /// The deepest place of the slave inside of an obstacle.
     void look(const Surface        &slave,
               const Obstacle       &obstacle,

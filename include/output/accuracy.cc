@@ -141,7 +141,7 @@ namespace Contact
 
 
 
-  // What another level would break. It is taken to be as much larger as the
+  // The limit that another level would break. It is taken to be as much larger as the
   // last one was.
   std::string Levels::broken_limit(const std::vector<LevelRecord> &levels) const
   {

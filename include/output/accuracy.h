@@ -17,7 +17,7 @@
 
 namespace Contact
 {
-  /// What more unknowns would give, by the rates of error and time from level
+  /// The gain and the price of more unknowns, by the rates of error and time from level
   /// to level.
   struct Forecast
   {

@@ -147,6 +147,18 @@ namespace Contact
     /// the constraints of its own unknowns, not those of all others.
     void gather(Vector<double> &u) const;
 
+    /// Set the constrained unknowns at the beginning of @p v, a change under
+    /// which supports rest: zero, or as the unknowns that they follow.
+    void constrain_homogeneously(Vector<double> &v) const
+    {
+      for (const auto &line : constraints.get_lines())
+        {
+          v[line.index] = 0;
+          for (const auto &[dof, factor] : line.entries)
+            v[line.index] += factor * v[dof];
+        }
+    }
+
     /// The largest displacement that a support prescribes now [mm].
     double largest_prescribed() const
     {

@@ -189,12 +189,7 @@ namespace Contact
     TimerOutput::Scope scope(timer, "solution");
     discretization.constraints.condense(b);
     solver.solve_transposed(b);
-    for (const auto &line : discretization.constraints.get_lines())
-      {
-        b[line.index] = 0;
-        for (const auto &[dof, factor] : line.entries)
-          b[line.index] += factor * b[dof];
-      }
+    discretization.constrain_homogeneously(b);
   }
 
 
