@@ -86,6 +86,7 @@
 #include <memory>
 #include <sstream>
 
+#include "adaptivity/effect_estimates.h"
 #include "adaptivity/error_estimator.h"
 #include "adaptivity/goal_errors.h"
 #include "adaptivity/refinement.h"
@@ -147,6 +148,9 @@ namespace Contact
 
     // Newton's method.
     void solve_newton();
+
+    // The effects, estimated in the last state.
+    void estimate_effects();
 
     // The next mesh.
     void refine();
@@ -230,6 +234,7 @@ namespace Contact
             refine();
             solve_level();
           }
+        estimate_effects();
         summary.converged = true;
         summary.message.clear();
         if (!summary.accuracy_missed.empty())
@@ -774,6 +779,23 @@ namespace Contact
         record.linear_iterations += newton.make_step();
         ++record.newton_iterations;
       }
+  }
+
+
+
+  // @sect3{The effects}
+
+  // @sect4{ContactProblem::estimate_effects}
+  //
+  // How much the probes change by an effect that the scene has, or leaves out,
+  // follows from the residual of the other scene in this one's state.
+  void ContactProblem::estimate_effects()
+  {
+    if (!parameters.solution.estimate_effects)
+      return;
+    EffectEstimates effects(parameters, model, state, report.timer);
+    const auto      estimates = effects.estimate();
+    report.record(estimates, effects.remainders());
   }
 
 

@@ -136,8 +136,11 @@ namespace Contact
                           const Discretization   &discretization,
                           const Vector<double>   &solution)
   {
-    const auto [contact_pair, n] =
-      slave_nodes_at(discretization.vertex_dofs[vertex], interface).at(0);
+    const auto found =
+      slave_nodes_at(discretization.vertex_dofs[vertex], interface);
+    if (found.empty())
+      return 0;
+    const auto [contact_pair, n] = found[0];
     const bool   normal     = quantity == Quantity::pressure;
     const auto   of_corners = corner_loads(*interface, *contact_pair, solution);
     const double of_corner =

@@ -33,8 +33,8 @@ namespace Contact
                               const ContactInterface    *interface,
                               const Discretization      &discretization);
 
-  /// The traction [MPa] at a vertex of the triangulation that was checked: the
-  /// multiplier there; zero without friction for the shear.
+  /// The traction [MPa] at a vertex of the triangulation: the multiplier there;
+  /// zero where there is none, as for the shear without friction.
   double contact_traction(const Parameters::Quantity quantity,
                           const unsigned int         vertex,
                           const ContactInterface    *interface,

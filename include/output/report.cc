@@ -11,6 +11,7 @@
 
 #include "base/string_utilities.h"
 #include "output/accuracy.h"
+#include "output/estimated_effects.h"
 #include "output/effects.h"
 #include "output/result_tables.h"
 
@@ -333,6 +334,23 @@ namespace Contact
 
 
 
+  void Report::record(const std::vector<EffectEstimate>   &effects,
+                      const std::map<std::string, double> &loop_errors)
+  {
+    const auto requests      = parameters.probes.requests();
+    summary.effect_estimates = effects;
+    for (ProbeResult &probe : summary.probes)
+      {
+        const auto request   = requests.find(probe.name);
+        probe.loop_error     = std::abs(loop_errors.at(probe.name));
+        probe.accepted_error = request != requests.end()
+                                 ? request->second.error_of(probe.value)
+                                 : 0.01 * std::abs(probe.value);
+      }
+  }
+
+
+
   void Report::write_summary() const
   {
     result_files->write_first("summary.json", [this](std::ostream &out) {
@@ -362,6 +380,7 @@ namespace Contact
       {
         print_levels(screen.get_stream(), summary);
         print_accuracy(screen.get_stream(), summary);
+        print_estimated_effects(screen.get_stream(), summary);
         print_counters(screen.get_stream(), summary);
         screen << "Results: " << result_files->directory.string() << std::endl;
       }

@@ -89,6 +89,10 @@ namespace Contact
     /// the standard error.
     void record(const Invariants &found);
 
+    /// The estimated effects, and by probe what the loops leave.
+    void record(const std::vector<EffectEstimate>   &effects,
+                const std::map<std::string, double> &loop_errors);
+
     /// A message on the standard error, once.
     void print_error(const std::string &message) const;
 

@@ -13,6 +13,7 @@
 #include <ostream>
 
 #include "output/accuracy.h"
+#include "output/estimated_effects.h"
 
 namespace Contact
 {
@@ -95,7 +96,29 @@ namespace Contact
               {"estimator", probe.error ? Json(probe.estimator) : Json()},
               {"reference", to_json(probe.reference)},
               {"relative_deviation", to_json(probe.relative_deviation())},
-              {"tolerance", to_json(probe.tolerance)}};
+              {"tolerance", to_json(probe.tolerance)},
+              {"accepted_error", to_json(probe.accepted_error)},
+              {"loop_error", to_json(probe.loop_error)}};
+    }
+
+
+
+    Json to_json(const EffectEstimate           &estimate,
+                 const std::vector<ProbeResult> &probes)
+    {
+      Json json{{"effect", estimate.effect},
+                {"on", estimate.is_on},
+                {"entries", estimate.entries},
+                {"changes", estimate.changes},
+                {"uncertainties", estimate.uncertainties},
+                {"status_changes", estimate.n_status_changes},
+                {"price", to_json(estimate.price)},
+                {"unknown", estimate.unknown},
+                {"verdicts", Json::object()}};
+      for (const ProbeResult &probe : probes)
+        json["verdicts"][probe.name] =
+          name_of(verdict_on(estimate, probe));
+      return json;
     }
 
 
@@ -217,6 +240,8 @@ namespace Contact
       add_pairs(summary.contact, json);
       for (const auto &[effect, value] : summary.effects)
         json["effects"][effect] = value;
+      for (const EffectEstimate &estimate : summary.effect_estimates)
+        json["estimated_effects"].push_back(to_json(estimate, summary.probes));
       return json;
     }
   } // namespace

@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "adaptivity/effect_estimate.h"
+
 namespace Contact
 {
   /// A probed value and what it is compared with.
@@ -32,6 +34,11 @@ namespace Contact
     /// estimates it.
     std::optional<double> error;
     std::string           estimator;
+
+    /// Where effects are estimated, in the unit of the value: the error that
+    /// is accepted, 1 % unless an accuracy is asked for, and what the loops
+    /// and the linear solver leave.
+    std::optional<double> accepted_error, loop_error;
 
     const char *unit() const
     {
@@ -156,6 +163,9 @@ namespace Contact
     /// The effects that the case switches on, for instance "friction" ->
     /// "Coulomb 0.1".
     std::map<std::string, std::string> effects;
+
+    /// What effects do to the probes, see EffectEstimates.
+    std::vector<EffectEstimate> effect_estimates;
 
     /// The numbers of costly operations, see Counters.
     std::map<std::string, unsigned long> counters;

@@ -115,6 +115,11 @@ namespace Contact
       const std::string entry = asks_for_accuracy()
                                   ? "Probes/Accuracy"
                                   : "Probes/Dual weighted residuals";
+      if (solution.estimate_effects && n_ranks > 1)
+        throw EntryError("Effects are estimated by one process, here are " +
+                           std::to_string(n_ranks) + ".",
+                         {"Solution/Estimate effects"},
+                         "run it without mpirun, or without this entry");
       if (!probes.dual_weighted_residuals && !asks_for_accuracy())
         return;
       if (n_ranks > 1)

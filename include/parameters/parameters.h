@@ -72,6 +72,13 @@ namespace Contact
       /// another one.
       bool refines_adaptively(const bool is_all_quadrilateral) const;
 
+      /// Whether dual problems can be solved: contact has a point for each
+      /// multiplier.
+      bool has_dual_problems() const
+      {
+        return !shared_pair();
+      }
+
       /// The share of the estimated error that is in the cells to refine [-].
       /// Indicators of a goal fall off more slowly than squares of an energy.
       double refined_fraction() const

@@ -96,6 +96,11 @@ namespace Contact
 
     void Solution::add_linear_system(ParameterHandler &prm)
     {
+      prm.add_parameter("Estimate effects",
+                        estimate_effects,
+                        "Estimate at the end how much each effect, that the "
+                        "scene has or leaves out, changes the probes [-]: by "
+                        "two Newton steps of the scene with and without it.");
       prm.add_parameter("Linear tolerance",
                         linear_tolerance,
                         "How far conjugate gradients are driven in a Newton "

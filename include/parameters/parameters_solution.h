@@ -52,6 +52,9 @@ namespace Contact
       /// Of iterative solvers, relative to the residual of the Newton step.
       double linear_tolerance = 1e-3;
 
+      /// Estimate what effects do to the probes, see EffectEstimates.
+      bool estimate_effects = false;
+
       Choice<SystemKind> system = SystemKind::automatic;
 
       Choice<SolverKind> linear_solver = SolverKind::automatic;

@@ -375,8 +375,10 @@ def draw_pressures(cases: list[Path], path: Path) -> None:
                       f'title "{case.name}: {describe(case)}" noenhanced')
     # The curve of theory on a fine line of its own.
     exact = summary(cases[-1])["exact"]
-    curves.append(f"{exact['max_pressure']:.9g} * sqrt(1 - "
-                  f"(x / {exact['half_width']:.9g})**2) "
+    half_width = f"{exact['half_width']:.9g}"
+    curves.append(f"abs(x) > {half_width} ? NaN : "
+                  f"{exact['max_pressure']:.9g} * sqrt(1 - "
+                  f"(x / {half_width})**2) "
                   'lw 2 dt 2 lc rgb "#000000" title "Hertz"')
     lines += ["set samples 2000", "set key top right",
               "plot " + ", \\\n  ".join(curves)]

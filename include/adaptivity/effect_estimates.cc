@@ -1,0 +1,355 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "adaptivity/effect_estimates.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "adaptivity/goal_errors.h"
+#include "adaptivity/scene_variants.h"
+#include "base/errors.h"
+#include "base/interruption.h"
+#include "contact/probes.h"
+#include "solvers/rigid_body_modes.h"
+#include "solvers/saddle_point_system.h"
+
+namespace Contact
+{
+  namespace
+  {
+    /// Seconds of wall time since a moment.
+    using Clock = std::chrono::steady_clock;
+    double seconds_since(const Clock::time_point begin)
+    {
+      return std::chrono::duration<double>(Clock::now() - begin).count();
+    }
+
+
+
+    /// A variant of the scene in the scene's own state, and Newton's method
+    /// from there.
+    class Variant
+    {
+    public:
+      Variant(const Parameters::All &parameters,
+              const ContactModel    &scene,
+              const IncrementState  &from,
+              TimerOutput           &timer);
+
+      /// Throws NotConverged if the linearised problem has no solution, or one
+      /// that is no state.
+      void make_step();
+
+      ContactModel   model;
+      IncrementState state;
+
+      /// The statuses that have changed in all steps.
+      unsigned int n_status_changes = 0;
+
+    private:
+      void take_surfaces(const ContactInterface &from,
+                         const Vector<double>   &solution);
+      void take_multipliers(const ContactInterface &from,
+                            const ContactPoint     &point,
+                            const Vector<double>   &solution,
+                            ContactPoint           &here);
+      void pair();
+      void update_statuses();
+
+      ContactKernel::Linearization       linearization{};
+      std::unique_ptr<SaddlePointSystem> system;
+    };
+
+
+
+    Variant::Variant(const Parameters::All &parameters,
+                     const ContactModel    &scene,
+                     const IncrementState  &from,
+                     TimerOutput           &timer)
+    {
+      model.mesh = std::make_unique<Mesh>(*scene.mesh);
+      model.discretization =
+        std::make_unique<Discretization>(*model.mesh, parameters);
+      model.elasticity =
+        Elasticity::create(*model.discretization, parameters.solids);
+      std::vector<Parameters::Contact> pairs = parameters.pairs();
+      for (Parameters::Contact &of_pair : pairs)
+        for (const auto &known : scene.interface->pairs)
+          if (known->name == of_pair.name)
+            of_pair.ends_are_corners = known->sees_ends();
+      if (!pairs.empty())
+        model.interface =
+          std::make_unique<ContactInterface>(*model.discretization,
+                                             *model.elasticity,
+                                             pairs);
+
+      state.reinit(model.n_unknowns());
+      state.load_factor = from.load_factor;
+      std::copy_n(from.solution.begin(),
+                  model.n_displacements(),
+                  state.solution.begin());
+      const bool friction_is_new =
+        model.has_friction() && !scene.has_friction();
+      if (!friction_is_new)
+        std::copy_n(from.start.begin(),
+                    model.n_displacements(),
+                    state.start.begin());
+
+      linearization = {model.geometry_follows(parameters.solution),
+                       model.interface &&
+                         model.interface->has_coulomb_friction()};
+      system        = std::make_unique<SaddlePointSystem>(
+        *model.discretization,
+        *model.elasticity,
+        model.interface.get(),
+        linearization,
+        linearization.moving_geometry,
+        /*keeps_factorization=*/false,
+        timer);
+      if (model.interface)
+        {
+          pair();
+          model.interface->set_support_motion(
+            model.discretization->support_motion(state.start,
+                                                 state.load_factor));
+          take_surfaces(*scene.interface, from.solution);
+        }
+      if (!rigid_body_modes(*model.discretization, model.interface.get())
+             .empty())
+        throw NotConverged("nothing holds a body");
+    }
+
+
+
+    // Pairs by their names, their points one by one.
+    void Variant::take_surfaces(const ContactInterface &from,
+                                const Vector<double>   &solution)
+    {
+      std::vector<ContactPoint> points = model.interface->points();
+      for (const auto &of_pair : model.interface->pairs)
+        for (const auto &known : from.pairs)
+          if (known->name == of_pair->name)
+            for (unsigned int q = 0; q < of_pair->n_points; ++q)
+              take_multipliers(from,
+                               from.points()[known->first_point + q],
+                               solution,
+                               points[of_pair->first_point + q]);
+      model.interface->set_points(points);
+      model.interface->update_statuses(state.solution,
+                                       state.start,
+                                       linearization.moving_bound,
+                                       /*keep=*/true);
+    }
+
+
+
+    void Variant::take_multipliers(const ContactInterface &from,
+                                   const ContactPoint     &point,
+                                   const Vector<double>   &solution,
+                                   ContactPoint           &here)
+    {
+      const ContactInterface &interface = *model.interface;
+      for (unsigned int k = 0; k < here.n_multipliers; ++k)
+        {
+          const unsigned int m = here.multipliers[k];
+          const unsigned int n = point.multipliers[k];
+          state.solution[interface.normal_index(m)] =
+            solution[from.normal_index(n)];
+          if (interface.has_friction(here) && from.has_friction(point))
+            state.solution[interface.tangential_index(m)] =
+              solution[from.tangential_index(n)];
+        }
+      here.status         = point.status;
+      here.friction_bound = interface.contact_pair(here).law.tresca_limit;
+    }
+
+
+
+    void Variant::pair()
+    {
+      const Vector<double> undeformed(state.solution.size());
+      PairingMode          mode;
+      mode.with_derivatives = linearization.moving_geometry;
+      system->update_pattern(model.interface->pair(
+        linearization.moving_geometry ? state.solution : undeformed, mode));
+    }
+
+
+
+    void Variant::make_step()
+    {
+      if (model.interface)
+        pair();
+      else
+        system->update_pattern(false);
+      if (model.elasticity->is_linear())
+        model.discretization->prescribe(state.solution, state.load_factor);
+      else
+        model.discretization->constrain_update(state.solution,
+                                               state.load_factor);
+
+      Vector<double>    step(model.n_unknowns());
+      const VolumeRatio smallest =
+        model.elasticity->assemble(state.solution,
+                                   state.load_factor,
+                                   step,
+                                   nullptr);
+      if (smallest.value <= 0)
+        throw NotConverged("a body turns inside out");
+      if (model.interface)
+        ContactKernel(*model.interface)
+          .assemble(state.solution, state.start, linearization, step, nullptr);
+      if (!system->solve(state.solution,
+                         state.start,
+                         state.load_factor,
+                         /*residual=*/1,
+                         /*last_residual=*/1,
+                         StatusSearch::later,
+                         step))
+        throw NotConverged("no active set agrees with the linearised problem");
+      state.solution += step;
+      if (model.interface)
+        update_statuses();
+    }
+
+
+
+    void Variant::update_statuses()
+    {
+      n_status_changes +=
+        model.interface->update_statuses(state.solution,
+                                         state.start,
+                                         linearization.moving_bound,
+                                         /*keep=*/true);
+    }
+
+
+
+    /// By key the difference of two maps.
+    std::map<std::string, double>
+    difference(std::map<std::string, double>        a,
+               const std::map<std::string, double> &b)
+    {
+      for (auto &[name, value] : a)
+        value -= b.at(name);
+      return a;
+    }
+  } // namespace
+
+
+
+  EffectEstimates::EffectEstimates(const Parameters::All &parameters,
+                                   ContactModel          &model,
+                                   const IncrementState  &state,
+                                   TimerOutput           &timer)
+    : parameters(parameters)
+    , model(model)
+    , state(state)
+    , timer(timer)
+    , probes(parameters.probes.definitions())
+  {
+  }
+
+
+
+  std::vector<EffectEstimate> EffectEstimates::estimate()
+  {
+    TimerOutput::Scope            scope(timer, "effects");
+    std::map<std::string, double> value;
+    for (const auto &[name, probe] : probes)
+      value[name] = probe_value(probe, model, state.solution);
+    const Steps of_scene = steps_toward(parameters);
+    left                 = difference(value, of_scene.second);
+
+    std::vector<EffectEstimate> estimates;
+    for (const SceneVariant &variant : scene_variants(parameters))
+      {
+        EffectEstimate estimate;
+        estimate.effect  = variant.effect;
+        estimate.is_on   = variant.is_on;
+        estimate.entries = variant.entries;
+        try
+          {
+            const Steps steps = steps_toward(variant.parameters);
+            estimate.changes  = difference(steps.second, of_scene.second);
+            estimate.uncertainties    = difference(steps.second, steps.first);
+            estimate.n_status_changes = steps.n_status_changes;
+            estimate.price            = steps.seconds / of_scene.seconds;
+          }
+        catch (const NotConverged &failure)
+          {
+            estimate.unknown = failure.what();
+          }
+        estimates.push_back(estimate);
+      }
+    if (parameters.element.degree == 1)
+      estimates.push_back(of_quadratic_elements());
+    estimates.push_back(of_increments());
+    return estimates;
+  }
+
+
+
+  // Their error is small beside that of linear elements, which therefore is
+  // what they change. It is known to a half.
+  EffectEstimate EffectEstimates::of_quadratic_elements() const
+  {
+    EffectEstimate estimate{"quadratic elements", false, {"Element/Degree=2"}};
+    if (!parameters.has_dual_problems())
+      estimate.unknown = "no dual problems for this discretization of contact";
+    else
+      {
+        estimate.changes =
+          GoalErrors(parameters, model, state, timer).estimate();
+        for (const auto &[name, error] : estimate.changes)
+          estimate.uncertainties[name] = error / 2;
+      }
+    return estimate;
+  }
+
+
+
+  // Elastic bodies have no history, and contact without friction neither.
+  EffectEstimate EffectEstimates::of_increments() const
+  {
+    EffectEstimate estimate{"increments doubled",
+                            false,
+                            {"Solution/Increments=" +
+                             std::to_string(2 *
+                                            parameters.solution.n_increments)}};
+    estimate.price = 2;
+    if (model.has_friction())
+      estimate.unknown = "the shear remembers the way";
+    else
+      for (const auto &[name, probe] : probes)
+        estimate.changes[name] = estimate.uncertainties[name] = 0;
+    return estimate;
+  }
+
+
+
+  // A probe that the variant does not have, as a pressure without its pair, is
+  // zero there.
+  EffectEstimates::Steps
+  EffectEstimates::steps_toward(const Parameters::All &variant) const
+  {
+    stop_if_interrupted(MPI_COMM_SELF); // dual problems are those of one process
+    Variant    now(variant, model, state, timer);
+    Steps      steps;
+    const auto probe = [&](std::map<std::string, double> &values) {
+      for (const auto &[name, definition] : probes)
+        values[name] = probe_value(definition, now.model, now.state.solution);
+    };
+    const auto begin = Clock::now();
+    now.make_step();
+    steps.seconds = seconds_since(begin);
+    probe(steps.first);
+    now.make_step();
+    probe(steps.second);
+    steps.n_status_changes = now.n_status_changes;
+    return steps;
+  }
+} // namespace Contact

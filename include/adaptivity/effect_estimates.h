@@ -1,0 +1,78 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_effect_estimates_h
+#define contact_effect_estimates_h
+
+#include <deal.II/base/timer.h>
+
+#include "adaptivity/effect_estimate.h"
+#include "contact/contact_model.h"
+#include "contact/increment_state.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * Estimates of what each effect does to the probes, without a run of its own.
+   *
+   * A state x solves the problem of the scene, A(x) = 0; a variant of the scene
+   * has other equations B on the same mesh. Its solution is approached by
+   * Newton's method from x,
+   *   x_1 = x - B'(x)^-1 B(x),   x_2 = x_1 - B'(x_1)^-1 B(x_1),
+   * the active set being searched in each linearised problem. The first step is
+   * the estimate by residuals; the second one corrects it, and says by its
+   * length how far the estimate can be trusted: where the steps do not become
+   * shorter, nothing is known. The same two steps of the scene itself are what
+   * its own loops have left, and are subtracted.
+   *
+   * Not seen: the history of friction. Friction that is left out would have
+   * acted since the undeformed state, in one increment.
+   */
+  class EffectEstimates
+  {
+  public:
+    /// The @p state has converged.
+    EffectEstimates(const Parameters::All &parameters,
+                    ContactModel          &model,
+                    const IncrementState  &state,
+                    TimerOutput           &timer);
+
+    /// Of all variants of the scene, of quadratic elements instead of linear
+    /// ones, and of twice the increments.
+    std::vector<EffectEstimate> estimate();
+
+    /// By probe, the error [mm or MPa] that the loops and the linear solver
+    /// have left. After estimate().
+    const std::map<std::string, double> &remainders() const
+    {
+      return left;
+    }
+
+  private:
+    /// The probes behind each step, and the wall time of the first one [s].
+    struct Steps
+    {
+      std::map<std::string, double> first, second;
+      double                        seconds          = 0;
+      unsigned int                  n_status_changes = 0;
+    };
+
+    Steps          steps_toward(const Parameters::All &variant) const;
+    EffectEstimate of_quadratic_elements() const;
+    EffectEstimate of_increments() const;
+
+    const Parameters::All                                     &parameters;
+    ContactModel                                              &model;
+    const IncrementState                                      &state;
+    TimerOutput                                               &timer;
+    const std::map<std::string, Parameters::Probes::Definition> probes;
+
+    std::map<std::string, double> left;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,295 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "adaptivity/scene_variants.h"
+
+#include <functional>
+
+namespace Contact
+{
+  namespace
+  {
+    using Parameters::All;
+
+    /// The variants of a scene as they are made.
+    class Variants
+    {
+    public:
+      explicit Variants(const All &scene)
+        : scene(scene)
+      {
+      }
+
+      /// The scene with a change; nothing if its entries then contradict each
+      /// other.
+      void add(const std::string                      &effect,
+               const bool                              is_on,
+               const std::vector<std::string>         &entries,
+               const std::function<void(All &changed)> &change)
+      {
+        SceneVariant variant{effect, is_on, entries, scene};
+        forget_theory(variant.parameters.probes);
+        change(variant.parameters);
+        try
+          {
+            variant.parameters.check();
+          }
+        catch (const EntryError &)
+          {
+            return;
+          }
+        all.push_back(variant);
+      }
+
+      const All                &scene;
+      std::vector<SceneVariant> all;
+
+    private:
+      /// Closed forms are those of the scene itself, not of its variants.
+      static void forget_theory(Parameters::Probes &probes)
+      {
+        probes.hertz.clear();
+        probes.concentric_cylinders.clear();
+        probes.frictional_theory = false;
+      }
+    };
+
+
+
+    /// A map as its entry has it.
+    template<typename Value>
+    std::string entry_of(const std::string                  &name,
+                         const std::map<std::string, Value> &values)
+    {
+      return name + "=" + Patterns::Tools::to_string(values);
+    }
+
+
+
+    /// The contact pair of a section in another scene.
+    Parameters::Contact &pair_of(All &scene, const std::string &name)
+    {
+      return name.empty() ? scene.contact : scene.further_contacts.at(name);
+    }
+
+
+
+    void add_kinematics(Variants &variants)
+    {
+      using Parameters::GeometryLoop;
+      using Parameters::Strains;
+      const All        &scene    = variants.scene;
+      const bool        is_large = scene.solids.kinematics == Strains::large;
+      const std::string geometry = "Solution/Geometry=";
+      const auto frozen = [](All &changed) {
+        changed.solution.geometry = GeometryLoop::undeformed;
+      };
+      const auto following = [](All &changed) {
+        changed.solution.geometry = GeometryLoop::automatic;
+      };
+
+      if (is_large)
+        variants.add("large displacement",
+                     true,
+                     {"Solids/Kinematics=small strain", geometry + "undeformed"},
+                     [&](All &changed) {
+                       changed.solids.kinematics = Strains::small;
+                       frozen(changed);
+                     });
+      else
+        variants.add("large displacement",
+                     false,
+                     {"Solids/Kinematics=large displacement",
+                      geometry + "automatic"},
+                     [&](All &changed) {
+                       changed.solids.kinematics = Strains::large;
+                       following(changed);
+                     });
+      if (is_large || scene.pairs().empty())
+        return;
+      if (scene.solution.geometry == GeometryLoop::undeformed)
+        variants.add("contact of deformed surfaces",
+                     false,
+                     {geometry + "automatic"},
+                     following);
+      else
+        variants.add("contact of deformed surfaces",
+                     true,
+                     {geometry + "undeformed"},
+                     frozen);
+    }
+
+
+
+    void add_friction(const Parameters::Contact &of_pair, Variants &variants)
+    {
+      const std::string section = of_pair.section() + "/";
+      const std::string name    = of_pair.name;
+      if (of_pair.frictional())
+        variants.add(section + "friction",
+                     true,
+                     {section + "Friction coefficient=0",
+                      section + "Tresca limit=0"},
+                     [&](All &changed) {
+                       pair_of(changed, name).friction_coefficient = 0;
+                       pair_of(changed, name).tresca_limit         = 0;
+                     });
+      else
+        variants.add(section + "friction 0.1",
+                     false,
+                     {section + "Friction coefficient=0.1"},
+                     [&](All &changed) {
+                       pair_of(changed, name).friction_coefficient = 0.1;
+                     });
+    }
+
+
+
+    void add_pair(const Parameters::Contact &of_pair, Variants &variants)
+    {
+      const std::string section = of_pair.section() + "/";
+      const std::string name    = of_pair.name;
+      if (of_pair.tied)
+        variants.add(section + "glue",
+                     true,
+                     {section + "Tied=false"},
+                     [&](All &changed) { pair_of(changed, name).tied = false; });
+      else
+        {
+          add_friction(of_pair, variants);
+          variants.add(section + "glue",
+                       false,
+                       {section + "Tied=true",
+                        section + "Friction coefficient=0",
+                        section + "Tresca limit=0"},
+                       [&](All &changed) {
+                         Parameters::Contact &glued = pair_of(changed, name);
+                         glued.tied                 = true;
+                         glued.friction_coefficient = 0;
+                         glued.tresca_limit         = 0;
+                       });
+        }
+      variants.add(section + "the pair itself",
+                   true,
+                   {section + "Slave=",
+                    section + "Master=",
+                    section + "Obstacle=",
+                    section + "Excluded points=",
+                    section + "Friction coefficient=0",
+                    section + "Tresca limit=0",
+                    section + "Tied=false"},
+                   [&](All &changed) {
+                     if (name.empty())
+                       changed.contact = Parameters::Contact();
+                     else
+                       changed.further_contacts.erase(name);
+                   });
+    }
+
+
+
+    /// An entry of the boundary conditions without one of its groups; a history
+    /// of nothing goes, too.
+    template<typename Value>
+    void add_without(const std::string                  &entry,
+                     const std::string                  &group,
+                     const std::map<std::string, Value> &others,
+                     std::map<std::string, Value> Parameters::Boundary::*values,
+                     Variants                           &variants)
+    {
+      const std::string        section = "Boundary conditions/";
+      std::vector<std::string> entries = {entry_of(section + entry, others)};
+      auto histories                   = variants.scene.boundary.histories;
+      if (others.empty() && histories.erase(entry) > 0)
+        entries.push_back(entry_of(section + "Histories", histories));
+      variants.add(entry + " of " + group, true, entries, [&](All &changed) {
+        changed.boundary.*values   = others;
+        changed.boundary.histories = histories;
+      });
+    }
+
+
+
+    /// Each group of an entry of loads.
+    template<typename Value>
+    void add_groups(const std::string &entry,
+                    std::map<std::string, Value> Parameters::Boundary::*values,
+                    Variants                                           &variants)
+    {
+      for (const auto &[group, value] : variants.scene.boundary.*values)
+        {
+          std::map<std::string, Value> others = variants.scene.boundary.*values;
+          others.erase(group);
+          add_without(entry, group, others, values, variants);
+        }
+    }
+
+
+
+    /// Each support that moves: it rests.
+    void
+    add_displacements(const std::string &entry,
+                      std::map<std::string, double> Parameters::Boundary::*values,
+                      Variants &variants)
+    {
+      for (const auto &[group, value] : variants.scene.boundary.*values)
+        if (value != 0)
+          {
+            auto others   = variants.scene.boundary.*values;
+            others[group] = 0;
+            add_without(entry, group, others, values, variants);
+          }
+    }
+
+
+
+    void add_loads(Variants &variants)
+    {
+      using Parameters::Boundary;
+      add_displacements("Displacement x", &Boundary::displacement_x, variants);
+      add_displacements("Displacement y", &Boundary::displacement_y, variants);
+      add_groups("Force x", &Boundary::force_x, variants);
+      add_groups("Force y", &Boundary::force_y, variants);
+      add_groups("Resultant force x", &Boundary::resultant_force_x, variants);
+      add_groups("Resultant force y", &Boundary::resultant_force_y, variants);
+      add_groups("Pressure", &Boundary::pressure, variants);
+      add_groups("Traction x", &Boundary::traction_x, variants);
+      add_groups("Traction y", &Boundary::traction_y, variants);
+      add_groups("Body force x", &Boundary::body_force_x, variants);
+      add_groups("Body force y", &Boundary::body_force_y, variants);
+    }
+
+
+
+    void add_materials(Variants &variants)
+    {
+      for (const auto &[body, modulus] : variants.scene.solids.youngs_modulus)
+        {
+          std::map<std::string, double> stiffer =
+            variants.scene.solids.youngs_modulus;
+          stiffer[body] *= 1.01;
+          variants.add("Young's modulus of " + body + " + 1 %",
+                       false,
+                       {entry_of("Solids/Young's modulus", stiffer)},
+                       [&](All &changed) {
+                         changed.solids.youngs_modulus = stiffer;
+                       });
+        }
+    }
+  } // namespace
+
+
+
+  std::vector<SceneVariant> scene_variants(const Parameters::All &scene)
+  {
+    Variants variants(scene);
+    add_kinematics(variants);
+    for (const Parameters::Contact &of_pair : scene.pairs())
+      add_pair(of_pair, variants);
+    add_loads(variants);
+    add_materials(variants);
+    return variants.all;
+  }
+} // namespace Contact
