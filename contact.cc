@@ -133,18 +133,18 @@ namespace Contact
     void begin_anew();
 
     // The loops.
-    void                          solve_first_level();
-    void                          solve_level();
-    std::map<std::string, double> estimate_errors();
-    void                          solve_increment(const LoadSteps::Step &step);
-    void start_from_coarser_level(const unsigned int increment);
-    bool try_again(LoadSteps             &steps,
-                   const LoadSteps::Step &step,
-                   const std::string     &reason);
-    void make_first_contact(LoadSteps &steps);
-    void solve_with_stabilization();
-    void solve_with_geometry_loop();
-    void solve_with_friction_loop();
+    void        solve_first_level();
+    void        solve_level();
+    ProbeErrors estimate_errors();
+    void        solve_increment(const LoadSteps::Step &step);
+    void        start_from_coarser_level(const unsigned int increment);
+    bool        try_again(LoadSteps             &steps,
+                          const LoadSteps::Step &step,
+                          const std::string     &reason);
+    void        make_first_contact(LoadSteps &steps);
+    void        solve_with_stabilization();
+    void        solve_with_geometry_loop();
+    void        solve_with_friction_loop();
 
     // Newton's method.
     void solve_newton();
@@ -451,7 +451,7 @@ namespace Contact
   //
   // The dual problems, one for each probe, are linear: they are solved under
   // the statuses that the last increment has ended with.
-  std::map<std::string, double> ContactProblem::estimate_errors()
+  ProbeErrors ContactProblem::estimate_errors()
   {
     if (!parameters.probes.dual_weighted_residuals &&
         !parameters.asks_for_accuracy())
@@ -794,8 +794,17 @@ namespace Contact
     if (!parameters.solution.estimate_effects)
       return;
     EffectEstimates effects(parameters, model, state, report.timer);
-    const auto      estimates = effects.estimate();
-    report.record(estimates, effects.remainders());
+    try
+      {
+        const auto estimates = effects.estimate();
+        report.record(estimates, effects.remainders());
+      }
+    catch (const NotConverged &failure)
+      {
+        report.print_error(
+          std::string(": note: effects cannot be estimated: ") +
+          failure.what());
+      }
   }
 
 

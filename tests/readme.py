@@ -45,6 +45,7 @@ SHORT = {
         './run parameters/ssnp154_a.prm --set "Mesh/File=$PWD/meshes/ssnp154.msh"',
     "./run benchmark": "REPETITIONS=1 ./run benchmark",
     "./run effects": "./run effects tied --repetitions 1",
+    "./run estimates": "./run estimates verification/hertz",
     "./run yardstick":
         "./run yardstick CHOLMOD --repetitions 1 --refinements 2",
     "./run scaling": "./run scaling 2000",

@@ -39,9 +39,9 @@ namespace Contact
               const IncrementState  &from,
               TimerOutput           &timer);
 
-      /// Throws NotConverged if the linearised problem has no solution, or one
-      /// that is no state.
-      void make_step();
+      /// Returns the largest change of a displacement [mm]. Throws NotConverged
+      /// if the linearised problem has no solution, or one that is no state.
+      double make_step();
 
       ContactModel   model;
       IncrementState state;
@@ -101,14 +101,14 @@ namespace Contact
       linearization = {model.geometry_follows(parameters.solution),
                        model.interface &&
                          model.interface->has_coulomb_friction()};
-      system        = std::make_unique<SaddlePointSystem>(
-        *model.discretization,
-        *model.elasticity,
-        model.interface.get(),
-        linearization,
-        linearization.moving_geometry,
-        /*keeps_factorization=*/false,
-        timer);
+      system =
+        std::make_unique<SaddlePointSystem>(*model.discretization,
+                                            *model.elasticity,
+                                            model.interface.get(),
+                                            linearization,
+                                            linearization.moving_geometry,
+                                            /*keeps_factorization=*/false,
+                                            timer);
       if (model.interface)
         {
           pair();
@@ -173,13 +173,15 @@ namespace Contact
       const Vector<double> undeformed(state.solution.size());
       PairingMode          mode;
       mode.with_derivatives = linearization.moving_geometry;
-      system->update_pattern(model.interface->pair(
-        linearization.moving_geometry ? state.solution : undeformed, mode));
+      system->update_pattern(model.interface->pair(linearization.moving_geometry
+                                                     ? state.solution
+                                                     : undeformed,
+                                                   mode));
     }
 
 
 
-    void Variant::make_step()
+    double Variant::make_step()
     {
       if (model.interface)
         pair();
@@ -192,11 +194,10 @@ namespace Contact
                                                state.load_factor);
 
       Vector<double>    step(model.n_unknowns());
-      const VolumeRatio smallest =
-        model.elasticity->assemble(state.solution,
-                                   state.load_factor,
-                                   step,
-                                   nullptr);
+      const VolumeRatio smallest = model.elasticity->assemble(state.solution,
+                                                              state.load_factor,
+                                                              step,
+                                                              nullptr);
       if (smallest.value <= 0)
         throw NotConverged("a body turns inside out");
       if (model.interface)
@@ -213,6 +214,8 @@ namespace Contact
       state.solution += step;
       if (model.interface)
         update_statuses();
+      step.grow_or_shrink(model.n_displacements());
+      return step.linfty_norm();
     }
 
 
@@ -224,6 +227,32 @@ namespace Contact
                                          state.start,
                                          linearization.moving_bound,
                                          /*keep=*/true);
+    }
+
+
+
+    /// Newton's method in the scene itself, until its steps are nothing beside
+    /// the displacements. Returns the wall time of the first one [s].
+    double converge(Variant &scene)
+    {
+      const unsigned int max_steps = 20;
+      const auto         begin     = Clock::now();
+      double             step      = scene.make_step();
+      const double       seconds   = seconds_since(begin);
+      const auto         largest   = [&]() {
+        const Vector<double> &x = scene.state.solution;
+        return Vector<double>(x.begin(),
+                              x.begin() + scene.model.n_displacements())
+          .linfty_norm();
+      };
+      for (unsigned int n = 1; step > 1e-8 * largest(); ++n)
+        {
+          if (n == max_steps)
+            throw NotConverged("Newton's method goes on from the end of the "
+                               "scene's own loops");
+          step = scene.make_step();
+        }
+      return seconds;
     }
 
 
@@ -255,29 +284,44 @@ namespace Contact
 
 
 
+  template<class Other>
+  std::map<std::string, double>
+  EffectEstimates::probes_of(const Other &other) const
+  {
+    std::map<std::string, double> values;
+    for (const auto &[name, probe] : probes)
+      values[name] = probe_value(probe, other.model, other.state.solution);
+    return values;
+  }
+
+
+
+  // Of the scene, Newton's method goes on to the end of all loops.
   std::vector<EffectEstimate> EffectEstimates::estimate()
   {
-    TimerOutput::Scope            scope(timer, "effects");
-    std::map<std::string, double> value;
+    TimerOutput::Scope scope(timer, "effects");
+    Variant            scene(parameters, model, state, timer);
+    const double       seconds = converge(scene);
+    const auto         values  = probes_of(scene);
     for (const auto &[name, probe] : probes)
-      value[name] = probe_value(probe, model, state.solution);
-    const Steps of_scene = steps_toward(parameters);
-    left                 = difference(value, of_scene.second);
+      left[name] = values.at(name) - probe_value(probe, model, state.solution);
 
     std::vector<EffectEstimate> estimates;
     for (const SceneVariant &variant : scene_variants(parameters))
       {
-        EffectEstimate estimate;
-        estimate.effect  = variant.effect;
-        estimate.is_on   = variant.is_on;
-        estimate.entries = variant.entries;
+        EffectEstimate estimate{variant.effect, variant.is_on, variant.entries};
         try
           {
-            const Steps steps = steps_toward(variant.parameters);
-            estimate.changes  = difference(steps.second, of_scene.second);
-            estimate.uncertainties    = difference(steps.second, steps.first);
-            estimate.n_status_changes = steps.n_status_changes;
-            estimate.price            = steps.seconds / of_scene.seconds;
+            Variant other(variant.parameters, scene.model, scene.state, timer);
+            const auto begin = Clock::now();
+            other.make_step();
+            estimate.price   = seconds_since(begin) / seconds;
+            const auto first = probes_of(other);
+            other.make_step();
+            const auto second         = probes_of(other);
+            estimate.changes          = difference(second, values);
+            estimate.uncertainties    = difference(second, first);
+            estimate.n_status_changes = other.n_status_changes;
           }
         catch (const NotConverged &failure)
           {
@@ -303,7 +347,7 @@ namespace Contact
     else
       {
         estimate.changes =
-          GoalErrors(parameters, model, state, timer).estimate();
+          GoalErrors(parameters, model, state, timer).estimate().mesh;
         for (const auto &[name, error] : estimate.changes)
           estimate.uncertainties[name] = error / 2;
       }
@@ -327,29 +371,5 @@ namespace Contact
       for (const auto &[name, probe] : probes)
         estimate.changes[name] = estimate.uncertainties[name] = 0;
     return estimate;
-  }
-
-
-
-  // A probe that the variant does not have, as a pressure without its pair, is
-  // zero there.
-  EffectEstimates::Steps
-  EffectEstimates::steps_toward(const Parameters::All &variant) const
-  {
-    stop_if_interrupted(MPI_COMM_SELF); // dual problems are those of one process
-    Variant    now(variant, model, state, timer);
-    Steps      steps;
-    const auto probe = [&](std::map<std::string, double> &values) {
-      for (const auto &[name, definition] : probes)
-        values[name] = probe_value(definition, now.model, now.state.solution);
-    };
-    const auto begin = Clock::now();
-    now.make_step();
-    steps.seconds = seconds_since(begin);
-    probe(steps.first);
-    now.make_step();
-    probe(steps.second);
-    steps.n_status_changes = now.n_status_changes;
-    return steps;
   }
 } // namespace Contact

@@ -26,8 +26,8 @@ namespace Contact
    * the active set being searched in each linearised problem. The first step is
    * the estimate by residuals; the second one corrects it, and says by its
    * length how far the estimate can be trusted: where the steps do not become
-   * shorter, nothing is known. The same two steps of the scene itself are what
-   * its own loops have left, and are subtracted.
+   * shorter, nothing is known. The scene's own state is first brought to the
+   * end of all loops in the same way: what they have left is no effect.
    *
    * Not seen: the history of friction. Friction that is left out would have
    * acted since the undeformed state, in one increment.
@@ -53,22 +53,15 @@ namespace Contact
     }
 
   private:
-    /// The probes behind each step, and the wall time of the first one [s].
-    struct Steps
-    {
-      std::map<std::string, double> first, second;
-      double                        seconds          = 0;
-      unsigned int                  n_status_changes = 0;
-    };
+    template<class Other>
+    std::map<std::string, double> probes_of(const Other &other) const;
+    EffectEstimate                of_quadratic_elements() const;
+    EffectEstimate                of_increments() const;
 
-    Steps          steps_toward(const Parameters::All &variant) const;
-    EffectEstimate of_quadratic_elements() const;
-    EffectEstimate of_increments() const;
-
-    const Parameters::All                                     &parameters;
-    ContactModel                                              &model;
-    const IncrementState                                      &state;
-    TimerOutput                                               &timer;
+    const Parameters::All                                      &parameters;
+    ContactModel                                               &model;
+    const IncrementState                                       &state;
+    TimerOutput                                                &timer;
     const std::map<std::string, Parameters::Probes::Definition> probes;
 
     std::map<std::string, double> left;

@@ -34,10 +34,11 @@ namespace Contact
 
 
 
-  std::map<std::string, double> GoalErrors::estimate()
+  ProbeErrors GoalErrors::estimate()
   {
     TimerOutput::Scope          scope(timer, "estimate");
-    std::vector<Vector<double>> duals = solve_dual_problems();
+    ProbeErrors                 errors;
+    std::vector<Vector<double>> duals = solve_dual_problems(errors);
     const PatchRecovery         recovery(*model.discretization, duals);
     refine(duals);
     const auto          recovered = recovery.values(*fine.discretization);
@@ -53,8 +54,7 @@ namespace Contact
 
     const double beyond =
       1 / (1 - std::pow(4., -static_cast<double>(parameters.element.degree)));
-    std::map<std::string, double> errors;
-    unsigned int                  k = 0;
+    unsigned int k = 0;
     for (const auto &[name, probe] : probes)
       {
         Vector<double>      &dual        = duals[k];
@@ -68,8 +68,8 @@ namespace Contact
           vertices.push_back(model.mesh->point(point, "Probes/Probes"));
         system.solve_dual_around(vertices, functional, dual);
         fine.discretization->constrain_homogeneously(dual);
-        errors[name] = beyond * (functional * relaxed + residual * dual +
-                                 change_of_recovery(probe));
+        errors.mesh[name] = beyond * (functional * relaxed + residual * dual +
+                                      change_of_recovery(probe));
         if (const auto request = requests.find(name); request != requests.end())
           {
             const double accepted = request->second.error_of(
@@ -78,7 +78,8 @@ namespace Contact
             add_indicators(system.negative_residual(),
                            transferred,
                            1 / accepted,
-                           std::abs(errors[name]) > accepted ? missed : met);
+                           std::abs(errors.mesh[name]) > accepted ? missed
+                                                                  : met);
           }
         ++k;
       }
@@ -144,20 +145,86 @@ namespace Contact
 
 
 
+  // Minus the residual of the state under the present pairing.
+  Vector<double> GoalErrors::negative_residual() const
+  {
+    Vector<double> residual(model.n_unknowns());
+    model.elasticity->assemble(state.solution,
+                               state.load_factor,
+                               residual,
+                               nullptr);
+    if (model.interface)
+      ContactKernel(*model.interface)
+        .assemble(state.solution,
+                  state.start,
+                  linearization,
+                  residual,
+                  nullptr);
+    return residual;
+  }
+
+
+
+  // First under the pairing of the run, which ends with bounds of friction from
+  // the pressures; then under that of the state. There points may face the
+  // master that did not, or the other way round.
+  GoalErrors::Residuals GoalErrors::pair_anew() const
+  {
+    const bool has_friction_loop =
+      linearization.moving_bound && !parameters.solution.has_moving_bound();
+    Residuals residuals = {
+      {has_friction_loop ? "friction loop" : "Newton's method",
+       negative_residual()}};
+    if (!model.interface)
+      return residuals;
+    PairingMode mode;
+    mode.with_derivatives = linearization.moving_geometry;
+    model.interface->pair(linearization.moving_geometry
+                            ? state.solution
+                            : Vector<double>(state.solution.size()),
+                          mode);
+    if (linearization.moving_geometry)
+      {
+        model.interface->update_statuses(state.solution,
+                                         state.start,
+                                         linearization.moving_bound,
+                                         /*keep=*/true);
+        forget_excess();
+        residuals.emplace_back("pairing", negative_residual());
+      }
+    return residuals;
+  }
+
+
+
+  // In contact the weighted gap of a mortar point vanishes, and no distance is
+  // above it. Under a pairing that is not yet that of the state one may be, and
+  // two points would have the gap of the one place where the bodies are
+  // closest.
+  void GoalErrors::forget_excess() const
+  {
+    std::vector<ContactPoint> points = model.interface->points();
+    for (ContactPoint &point : points)
+      if (point.status.kind != Status::open && !point.change.dofs.empty())
+        {
+          point.projection = Point<2>();
+          std::fill(point.change.projection.begin(),
+                    point.change.projection.end(),
+                    0.);
+        }
+    model.interface->set_points(points);
+  }
+
+
+
   // The tangent knows how the pairing moves, whatever the run did.
-  std::vector<Vector<double>> GoalErrors::solve_dual_problems() const
+  std::vector<Vector<double>>
+  GoalErrors::solve_dual_problems(ProbeErrors &errors) const
   {
     std::vector<ContactPoint> points;
     if (model.interface)
-      {
-        points = model.interface->points();
-        PairingMode mode;
-        mode.with_derivatives = linearization.moving_geometry;
-        model.interface->pair(linearization.moving_geometry
-                                ? state.solution
-                                : Vector<double>(state.solution.size()),
-                              mode);
-      }
+      points = model.interface->points();
+    const Residuals   residuals = pair_anew();
     SaddlePointSystem system(*model.discretization,
                              *model.elasticity,
                              model.interface.get(),
@@ -173,6 +240,13 @@ namespace Contact
       {
         duals.push_back(probe_derivative(probe, model, state.solution));
         system.solve_transposed(duals.back());
+        double before = 0;
+        for (const auto &[loop, residual] : residuals)
+          {
+            const double so_far      = residual * duals.back();
+            errors.loops[name][loop] = so_far - before;
+            before                   = so_far;
+          }
       }
     if (model.interface)
       model.interface->set_points(points);

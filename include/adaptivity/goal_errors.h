@@ -8,6 +8,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include "adaptivity/probe_errors.h"
 #include "contact/contact_kernel.h"
 #include "contact/increment_state.h"
 #include "contact/surface_transfer.h"
@@ -59,9 +60,12 @@ namespace Contact
                const IncrementState  &state,
                TimerOutput           &timer);
 
-    /// By name the value on an infinitely fine mesh, minus that of the probe
-    /// [mm or MPa].
-    std::map<std::string, double> estimate();
+    /**
+     * Of the mesh: the value on an infinitely fine one, minus that of the
+     * probe. Of a loop: the residual that the state has because the loop ended
+     * before its limit, weighted with the dual solution.
+     */
+    ProbeErrors estimate();
 
     /**
      * By active cell what it contributes to the errors of the probes that an
@@ -74,11 +78,17 @@ namespace Contact
   private:
     using Definition = Parameters::Probes::Definition;
 
+    /// Minus the residual that is left, one loop after the other.
+    using Residuals = std::vector<std::pair<std::string, Vector<double>>>;
+
     void                        add_indicators(const Vector<double> &residual,
                                                const Vector<double> &weight,
                                                const double          scale,
                                                Vector<float>        &indicators) const;
-    std::vector<Vector<double>> solve_dual_problems() const;
+    std::vector<Vector<double>> solve_dual_problems(ProbeErrors &errors) const;
+    Vector<double>              negative_residual() const;
+    Residuals                   pair_anew() const;
+    void                        forget_excess() const;
     void                        refine(std::vector<Vector<double>> &duals);
     void                        transfer_contact(
                              const std::vector<std::vector<SurfaceState>> &duals_on_surfaces,

@@ -24,9 +24,9 @@ namespace Contact
 
       /// The scene with a change; nothing if its entries then contradict each
       /// other.
-      void add(const std::string                      &effect,
-               const bool                              is_on,
-               const std::vector<std::string>         &entries,
+      void add(const std::string                       &effect,
+               const bool                               is_on,
+               const std::vector<std::string>          &entries,
                const std::function<void(All &changed)> &change)
       {
         SceneVariant variant{effect, is_on, entries, scene};
@@ -83,7 +83,7 @@ namespace Contact
       const All        &scene    = variants.scene;
       const bool        is_large = scene.solids.kinematics == Strains::large;
       const std::string geometry = "Solution/Geometry=";
-      const auto frozen = [](All &changed) {
+      const auto        frozen   = [](All &changed) {
         changed.solution.geometry = GeometryLoop::undeformed;
       };
       const auto following = [](All &changed) {
@@ -93,7 +93,8 @@ namespace Contact
       if (is_large)
         variants.add("large displacement",
                      true,
-                     {"Solids/Kinematics=small strain", geometry + "undeformed"},
+                     {"Solids/Kinematics=small strain",
+                      geometry + "undeformed"},
                      [&](All &changed) {
                        changed.solids.kinematics = Strains::small;
                        frozen(changed);
@@ -155,7 +156,9 @@ namespace Contact
         variants.add(section + "glue",
                      true,
                      {section + "Tied=false"},
-                     [&](All &changed) { pair_of(changed, name).tied = false; });
+                     [&](All &changed) {
+                       pair_of(changed, name).tied = false;
+                     });
       else
         {
           add_friction(of_pair, variants);
@@ -197,11 +200,11 @@ namespace Contact
                      const std::string                  &group,
                      const std::map<std::string, Value> &others,
                      std::map<std::string, Value> Parameters::Boundary::*values,
-                     Variants                           &variants)
+                     Variants &variants)
     {
-      const std::string        section = "Boundary conditions/";
-      std::vector<std::string> entries = {entry_of(section + entry, others)};
-      auto histories                   = variants.scene.boundary.histories;
+      const std::string        section   = "Boundary conditions/";
+      std::vector<std::string> entries   = {entry_of(section + entry, others)};
+      auto                     histories = variants.scene.boundary.histories;
       if (others.empty() && histories.erase(entry) > 0)
         entries.push_back(entry_of(section + "Histories", histories));
       variants.add(entry + " of " + group, true, entries, [&](All &changed) {
@@ -214,9 +217,9 @@ namespace Contact
 
     /// Each group of an entry of loads.
     template<typename Value>
-    void add_groups(const std::string &entry,
+    void add_groups(const std::string           &entry,
                     std::map<std::string, Value> Parameters::Boundary::*values,
-                    Variants                                           &variants)
+                    Variants &variants)
     {
       for (const auto &[group, value] : variants.scene.boundary.*values)
         {
@@ -229,10 +232,10 @@ namespace Contact
 
 
     /// Each support that moves: it rests.
-    void
-    add_displacements(const std::string &entry,
-                      std::map<std::string, double> Parameters::Boundary::*values,
-                      Variants &variants)
+    void add_displacements(
+      const std::string            &entry,
+      std::map<std::string, double> Parameters::Boundary::*values,
+      Variants                                            &variants)
     {
       for (const auto &[group, value] : variants.scene.boundary.*values)
         if (value != 0)

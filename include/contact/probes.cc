@@ -141,7 +141,7 @@ namespace Contact
     if (found.empty())
       return 0;
     const auto [contact_pair, n] = found[0];
-    const bool   normal     = quantity == Quantity::pressure;
+    const bool   normal          = quantity == Quantity::pressure;
     const auto   of_corners = corner_loads(*interface, *contact_pair, solution);
     const double of_corner =
       of_corners.empty() ? 0. : of_corners[n].traction()[normal ? 0 : 1];

@@ -44,7 +44,7 @@ namespace Contact
     {
       return !levels.empty() &&
              std::all_of(levels.begin(), levels.end(), [](const auto &level) {
-               return !level.errors.empty();
+               return !level.errors.mesh.empty();
              });
     }
 
@@ -60,6 +60,23 @@ namespace Contact
 
 
 
+    /// The errors that a mesh and the loops on it have left, by their sources;
+    /// the largest one first.
+    std::string budget(const LevelRecord &level, const std::string &probe)
+    {
+      std::vector<std::pair<double, std::string>> sources = {
+        {std::abs(level.errors.mesh.at(probe)), "mesh"}};
+      for (const auto &[loop, error] : level.errors.loops.at(probe))
+        sources.emplace_back(std::abs(error), loop);
+      std::sort(sources.rbegin(), sources.rend());
+      std::string text;
+      for (const auto &[error, source] : sources)
+        text += (text.empty() ? "" : ", ") + source + ' ' + rounded(error);
+      return text;
+    }
+
+
+
     // Errors that change their sign, or grow, have no rate.
     std::string next_digit(const std::vector<LevelRecord> &levels,
                            const std::string              &probe)
@@ -68,8 +85,8 @@ namespace Contact
         return "";
       const LevelRecord &fine   = levels.back();
       const LevelRecord &coarse = levels[levels.size() - 2];
-      const double       before = coarse.errors.at(probe);
-      const double       error  = fine.errors.at(probe);
+      const double       before = coarse.errors.mesh.at(probe);
+      const double       error  = fine.errors.mesh.at(probe);
       if (error == 0 || !(error / before > 0) || error / before >= 1)
         return "no rate of the error yet";
       const double growth =
@@ -96,9 +113,9 @@ namespace Contact
     Forecast next;
     next.n_displacements = growth * fine.n_displacements;
     next.seconds         = extrapolate(seconds(coarse), seconds(fine));
-    for (const auto &[probe, error] : fine.errors)
+    for (const auto &[probe, error] : fine.errors.mesh)
       next.errors[probe] =
-        extrapolate(std::abs(coarse.errors.at(probe)), std::abs(error));
+        extrapolate(std::abs(coarse.errors.mesh.at(probe)), std::abs(error));
     return next;
   }
 
@@ -112,11 +129,11 @@ namespace Contact
                        const std::string              &probe)
     {
       const auto limit = [&](const LevelRecord &level) {
-        return level.probes.at(probe) + level.errors.at(probe);
+        return level.probes.at(probe) + level.errors.mesh.at(probe);
       };
       if (levels.size() < 2)
         return std::numeric_limits<double>::infinity();
-      return std::max(std::abs(levels.back().errors.at(probe)),
+      return std::max(std::abs(levels.back().errors.mesh.at(probe)),
                       std::abs(limit(levels.back()) -
                                limit(levels[levels.size() - 2])));
     }
@@ -141,8 +158,8 @@ namespace Contact
 
 
 
-  // The limit that another level would break. It is taken to be as much larger as the
-  // last one was.
+  // The limit that another level would break. It is taken to be as much larger
+  // as the last one was.
   std::string Levels::broken_limit(const std::vector<LevelRecord> &levels) const
   {
     const double growth =
@@ -205,9 +222,11 @@ namespace Contact
                 << std::setw(15) << std::setprecision(8)
                 << level.probes.at(probe.name) << "  " << std::setw(10)
                 << std::scientific << std::setprecision(1)
-                << level.errors.at(probe.name) << std::defaultfloat << "  "
+                << level.errors.mesh.at(probe.name) << std::defaultfloat << "  "
                 << std::setw(14) << std::setprecision(3) << so_far << '\n';
           }
+        out << "    error by source: "
+            << budget(summary.levels.back(), probe.name) << '\n';
         const std::string next = next_digit(summary.levels, probe.name);
         if (!next.empty())
           out << "    " << next << '\n';

@@ -17,8 +17,8 @@
 
 namespace Contact
 {
-  /// The gain and the price of more unknowns, by the rates of error and time from level
-  /// to level.
+  /// The gain and the price of more unknowns, by the rates of error and time
+  /// from level to level.
   struct Forecast
   {
     double n_displacements = 0; // unknowns

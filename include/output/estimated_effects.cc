@@ -82,8 +82,8 @@ namespace Contact
     for (const ProbeResult &probe : summary.probes)
       {
         out << "  " << probe.name << " = " << probe.value << ' ' << probe.unit()
-            << ", asked for to " << brief(*probe.accepted_error) << ' ' << probe.unit()
-            << "; its loops and solvers leave "
+            << ", asked for to " << brief(*probe.accepted_error) << ' '
+            << probe.unit() << "; its loops and solvers leave "
             << brief(*probe.loop_error) << '\n'
             << "    effect" << std::string(32, ' ') << "     change"
             << std::string(16, ' ') << "price  verdict\n";

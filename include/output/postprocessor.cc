@@ -167,9 +167,9 @@ namespace Contact
 
 
 
-  void Postprocessor::record_level(const unsigned int                   level,
-                                   const bool                           is_last,
-                                   const std::map<std::string, double> &errors)
+  void Postprocessor::record_level(const unsigned int level,
+                                   const bool         is_last,
+                                   const ProbeErrors &errors)
   {
     const RunSummary &summary = report.summary;
     LevelRecord       record;
@@ -251,7 +251,7 @@ namespace Contact
           }
         report.summary.probes.push_back(result);
       }
-    if (report.summary.levels.back().errors.empty())
+    if (report.summary.levels.back().errors.mesh.empty())
       estimate_errors(report.summary);
     else
       take_errors_of_level(report.summary);

@@ -52,9 +52,9 @@ namespace Contact
     /// The cost of this level, since the level before, its probes and the
     /// estimated @p errors of these, if any; at the last one these are those of
     /// the run.
-    void record_level(const unsigned int                   level,
-                      const bool                           is_last,
-                      const std::map<std::string, double> &errors);
+    void record_level(const unsigned int level,
+                      const bool         is_last,
+                      const ProbeErrors &errors);
 
   private:
     ContactResults results(const ContactPair &contact_pair) const;

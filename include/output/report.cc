@@ -11,8 +11,8 @@
 
 #include "base/string_utilities.h"
 #include "output/accuracy.h"
-#include "output/estimated_effects.h"
 #include "output/effects.h"
+#include "output/estimated_effects.h"
 #include "output/result_tables.h"
 
 namespace Contact

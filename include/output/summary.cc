@@ -116,8 +116,7 @@ namespace Contact
                 {"unknown", estimate.unknown},
                 {"verdicts", Json::object()}};
       for (const ProbeResult &probe : probes)
-        json["verdicts"][probe.name] =
-          name_of(verdict_on(estimate, probe));
+        json["verdicts"][probe.name] = name_of(verdict_on(estimate, probe));
       return json;
     }
 
@@ -183,7 +182,8 @@ namespace Contact
               {"newton_iterations", level.newton_iterations},
               {"linear_iterations", level.linear_iterations},
               {"probes", level.probes},
-              {"estimated_errors", level.errors},
+              {"estimated_errors", level.errors.mesh},
+              {"loop_errors", level.errors.loops},
               {"time", to_json(level.time)},
               {"peak_memory_mb", level.peak_memory_mb}};
     }
@@ -252,7 +252,8 @@ namespace Contact
   {
     for (ProbeResult &probe : summary.probes)
       {
-        probe.error     = std::abs(summary.levels.back().errors.at(probe.name));
+        probe.error =
+          std::abs(summary.levels.back().errors.mesh.at(probe.name));
         probe.estimator = "dual weighted residuals";
       }
   }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "adaptivity/effect_estimate.h"
+#include "adaptivity/probe_errors.h"
 
 namespace Contact
 {
@@ -122,7 +123,7 @@ namespace Contact
     unsigned int linear_iterations = 0; // 1 for each direct solve
 
     std::map<std::string, double>    probes; // value by name
-    std::map<std::string, double>    errors; // of them, see GoalErrors
+    ProbeErrors                      errors; // of them, see GoalErrors
     std::map<std::string, PhaseTime> time;   // by phase
     double                           peak_memory_mb = 0; // of all so far
   };

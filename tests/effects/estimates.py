@@ -11,44 +11,46 @@ verdicts at 1 % and 0.1 % of the probe are right, wrong, or not given.
 Usage: estimates.py CONTACT [SCENE...]
 """
 
+import dataclasses
 import json
 import pathlib
 import subprocess
 import sys
 import tempfile
 
-contact = pathlib.Path(sys.argv[1]).resolve()
 parameters = pathlib.Path(__file__).resolve().parents[2] / "parameters"
-scenes = sys.argv[2:] or [
-    "ssnp154_a", "ssnp154_b", "ssnp154_c", "ssnp154_d",
-    "verification/nested_cylinders",
-    "verification/hertz", "verification/hertz_friction",
-    "verification/punch", "verification/punch_friction", "verification/stack",
-    "verification/disk_in_ring", "verification/sphere_on_plane"]
+SCENES = ["ssnp154_a", "ssnp154_b", "ssnp154_c", "ssnp154_d",
+          "verification/nested_cylinders", "verification/hertz",
+          "verification/hertz_friction", "verification/punch",
+          "verification/punch_friction", "verification/stack",
+          "verification/sphere_on_plane", "hard/pin_friction",
+          "hard/unload"]
 
 
-def solve(scene, directory, *settings):
-    """The summary of a run, or none if it does not converge."""
-    file = parameters / f"{scene}.prm" if "." not in scene else scene
-    command = [str(contact), str(file), "--quiet"]
-    for setting in (f"Output/Directory={directory}", "Output/VTU=false",
-                    "Output/Profile=false", "Probes/References=",
-                    "Probes/Tolerances=", "Probes/Concentric cylinders=",
-                    "Probes/Hertz=", "Probes/Frictional theory=false",
-                    *settings):
-        command += ["--set", setting]
-    try:
-        ended = subprocess.run(command, capture_output=True, text=True,
-                               check=False, timeout=120)
-    except subprocess.TimeoutExpired:
-        return None, "takes more than two minutes"
-    if ended.returncode not in (0, 1):
-        return None, ended.stderr.strip().splitlines()[0]
-    summary = next(pathlib.Path(directory).glob("*/summary.json"))
-    return json.loads(summary.read_text()), ""
+def solve(contact, scene, *settings):
+    """The summary of a run, or none and a sentence if there is no result."""
+    file = scene if scene.endswith(".prm") else parameters / f"{scene}.prm"
+    with tempfile.TemporaryDirectory() as directory:
+        command = [str(contact), str(file), "--quiet"]
+        for setting in (f"Output/Directory={directory}", "Output/VTU=false",
+                        "Output/Profile=false", "Probes/References=",
+                        "Probes/Tolerances=", "Probes/Concentric cylinders=",
+                        "Probes/Hertz=", "Probes/Frictional theory=false",
+                        *settings):
+            command += ["--set", setting]
+        try:
+            ended = subprocess.run(command, capture_output=True, text=True,
+                                   check=False, timeout=120)
+        except subprocess.TimeoutExpired:
+            return None, "takes more than two minutes"
+        if ended.returncode not in (0, 1):
+            return None, ended.stderr.strip().splitlines()[0]
+        summary = next(pathlib.Path(directory).glob("*/summary.json"))
+        return json.loads(summary.read_text()), ""
 
 
-def verdict(change, uncertainty, accepted):
+def called_for(change, uncertainty, accepted):
+    """The verdict of the program, or none."""
     if abs(change) - abs(uncertainty) > accepted:
         return True
     if abs(change) + abs(uncertainty) <= accepted:
@@ -56,48 +58,78 @@ def verdict(change, uncertainty, accepted):
     return None
 
 
-ratios = []
-verdicts = {0.01: [], 0.001: []}
-print("| scene | effect | here | probe | estimated | true | estimated / true |")
-print("|---|---|---|---|---|---|---|")
-for scene in scenes:
-    with tempfile.TemporaryDirectory() as directory:
-        base, why = solve(scene, directory, "Solution/Estimate effects=true")
-    if base is None:
-        sys.exit(f"{scene}: {why}")
+@dataclasses.dataclass
+class Comparison:
+    """An effect on a probe; without estimate, or without true change, why."""
+    effect: dict
+    probe: str = ""
+    value: float = 0
+    true: float = None
+    why: str = ""
+
+    @property
+    def estimated(self):
+        return self.effect["changes"].get(self.probe)
+
+    def verdict_is_right(self, accuracy):
+        """None: there is none."""
+        if self.true is None or self.estimated is None:
+            return None
+        accepted = accuracy * abs(self.value)
+        verdict = called_for(self.estimated,
+                             self.effect["uncertainties"][self.probe], accepted)
+        return None if verdict is None else verdict == (abs(self.true) > accepted)
+
+
+def compare(contact, scene, base):
+    """All effects on all probes of a scene, whose summary is BASE."""
     values = {probe["name"]: probe["value"] for probe in base["probes"]}
     for effect in base["estimated_effects"]:
-        with tempfile.TemporaryDirectory() as directory:
-            other, why = solve(scene, directory, *effect["entries"])
-        here = "on" if effect["on"] else "off"
-        start = f"| {pathlib.Path(scene).stem} | {effect['effect']} | {here} | "
-        if other is None or effect["unknown"]:
-            print(f"{start} | {effect['unknown'] or 'known'} | "
-                  f"{why or 'converges'} | |", flush=True)
+        other, why = solve(contact, scene, *effect["entries"])
         if other is None:
+            yield Comparison(effect, why=why)
             continue
-        true = {probe["name"]: probe["value"] - values[probe["name"]]
-                for probe in other["probes"]}
-        for name, value in values.items():
-            estimated = effect["changes"].get(name)
-            for accepted, found in verdicts.items():
-                limit = accepted * abs(value)
-                said = None if estimated is None else verdict(
-                    estimated, effect["uncertainties"][name], limit)
-                found.append(None if said is None else
-                             said == (abs(true[name]) > limit))
-            if abs(true[name]) <= 1e-3 * abs(value):
+        for probe in other["probes"]:
+            name = probe["name"]
+            yield Comparison(effect, name, values[name],
+                             probe["value"] - values[name])
+
+
+def main():
+    contact = pathlib.Path(sys.argv[1]).resolve()
+    ratios, comparisons = [], []
+    print("| scene | effect | here | probe | estimated | true | "
+          "estimated / true |")
+    print("|---|---|---|---|---|---|---|")
+    for scene in sys.argv[2:] or SCENES:
+        base, why = solve(contact, scene, "Solution/Estimate effects=true")
+        if base is None:
+            sys.exit(f"{scene}: {why}")
+        for row in compare(contact, scene, base):
+            comparisons.append(row)
+            here = "on" if row.effect["on"] else "off"
+            start = (f"| {pathlib.Path(scene).stem} | {row.effect['effect']} | "
+                     f"{here} | {row.probe} |")
+            if row.true is None:
+                print(f"{start} {row.effect['unknown'] or '-'} | {row.why} | |",
+                      flush=True)
+            elif abs(row.true) <= 1e-3 * abs(row.value):
                 continue
-            if estimated is None:
-                print(f"{start}{name} | - | {true[name]:.3g} | |")
-                continue
-            ratio = estimated / true[name]
-            ratios.append(ratio)
-            print(f"{start}{name} | {estimated:.3g} +- "
-                  f"{abs(effect['uncertainties'][name]):.1g} | "
-                  f"{true[name]:.3g} | {ratio:.2f} |", flush=True)
-good = sum(0.5 <= ratio <= 2 for ratio in ratios)
-print(f"\nWithin [0.5, 2]: {good} of {len(ratios)}.")
-for accepted, found in verdicts.items():
-    print(f"Verdicts at {accepted:.1%}: {found.count(True)} right, "
-          f"{found.count(False)} wrong, {found.count(None)} not given.")
+            elif row.estimated is None:
+                print(f"{start} {row.effect['unknown']} | {row.true:.3g} | |",
+                      flush=True)
+            else:
+                ratios.append(row.estimated / row.true)
+                uncertainty = abs(row.effect["uncertainties"][row.probe])
+                print(f"{start} {row.estimated:.3g} +- {uncertainty:.1g} | "
+                      f"{row.true:.3g} | {ratios[-1]:.2f} |", flush=True)
+    good = sum(0.5 <= ratio <= 2 for ratio in ratios)
+    print(f"\nWithin [0.5, 2]: {good} of {len(ratios)}.")
+    for accuracy in (0.01, 0.001):
+        right = [row.verdict_is_right(accuracy) for row in comparisons]
+        print(f"Verdicts at {accuracy:.1%}: {right.count(True)} right, "
+              f"{right.count(False)} wrong, {right.count(None)} not given.")
+
+
+if __name__ == "__main__":
+    main()

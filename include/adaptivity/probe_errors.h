@@ -1,0 +1,26 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_probe_errors_h
+#define contact_probe_errors_h
+
+#include <map>
+#include <string>
+
+namespace Contact
+{
+  /// The errors of the probes on a mesh, with sign, in the units of the probes:
+  /// what is to be added for the true value.
+  struct ProbeErrors
+  {
+    /// Of the discretization, by probe.
+    std::map<std::string, double> mesh;
+
+    /// What each loop has left, by probe and loop.
+    std::map<std::string, std::map<std::string, double>> loops;
+  };
+} // namespace Contact
+
+#endif
