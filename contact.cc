@@ -793,6 +793,7 @@ namespace Contact
   {
     if (!parameters.solution.estimate_effects)
       return;
+    report.record(strain_range(*model.discretization, state.solution));
     EffectEstimates effects(parameters, model, state, report.timer);
     try
       {

@@ -50,6 +50,7 @@ namespace Contact
       unsigned int n_status_changes = 0;
 
     private:
+      bool has_new_shear(const ContactModel &scene) const;
       void take_surfaces(const ContactInterface &from,
                          const Vector<double>   &solution);
       void take_multipliers(const ContactInterface &from,
@@ -91,9 +92,7 @@ namespace Contact
       std::copy_n(from.solution.begin(),
                   model.n_displacements(),
                   state.solution.begin());
-      const bool friction_is_new =
-        model.has_friction() && !scene.has_friction();
-      if (!friction_is_new)
+      if (!has_new_shear(scene))
         std::copy_n(from.start.begin(),
                     model.n_displacements(),
                     state.start.begin());
@@ -120,6 +119,22 @@ namespace Contact
       if (!rigid_body_modes(*model.discretization, model.interface.get())
              .empty())
         throw NotConverged("nothing holds a body");
+    }
+
+
+
+    // Shear that the scene does not have would have acted since the beginning,
+    // not only in the last increment.
+    bool Variant::has_new_shear(const ContactModel &scene) const
+    {
+      if (model.interface)
+        for (const auto &now : model.interface->pairs)
+          for (const auto &known : scene.interface->pairs)
+            if (known->name == now->name &&
+                (known->tied != now->tied ||
+                 known->law.is_frictionless() != now->law.is_frictionless()))
+              return true;
+      return false;
     }
 
 

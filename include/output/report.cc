@@ -334,6 +334,20 @@ namespace Contact
 
 
 
+  void Report::record(const StrainRange &range)
+  {
+    summary.strain_range = range;
+    screen << "Largest strain " << range.strain << ", largest rotation "
+           << range.rotation << " rad" << std::endl;
+    const std::string note =
+      beyond_range(range,
+                   parameters.solids.kinematics == Parameters::Strains::small);
+    if (!note.empty())
+      print_error(": note: " + note);
+  }
+
+
+
   void Report::record(const std::vector<EffectEstimate>   &effects,
                       const std::map<std::string, double> &loop_errors)
   {

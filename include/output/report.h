@@ -89,6 +89,10 @@ namespace Contact
     /// the standard error.
     void record(const Invariants &found);
 
+    /// The strains and rotations; a note if they are beyond the range of the
+    /// kinematics.
+    void record(const StrainRange &range);
+
     /// The estimated effects, and by probe what the loops leave.
     void record(const std::vector<EffectEstimate>   &effects,
                 const std::map<std::string, double> &loop_errors);

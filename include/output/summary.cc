@@ -240,6 +240,9 @@ namespace Contact
       add_pairs(summary.contact, json);
       for (const auto &[effect, value] : summary.effects)
         json["effects"][effect] = value;
+      if (summary.strain_range)
+        json["largest"] = {{"strain", summary.strain_range->strain},
+                           {"rotation", summary.strain_range->rotation}};
       for (const EffectEstimate &estimate : summary.effect_estimates)
         json["estimated_effects"].push_back(to_json(estimate, summary.probes));
       return json;

@@ -16,6 +16,7 @@
 
 #include "adaptivity/effect_estimate.h"
 #include "adaptivity/probe_errors.h"
+#include "solid/strain_range.h"
 
 namespace Contact
 {
@@ -164,6 +165,9 @@ namespace Contact
     /// The effects that the case switches on, for instance "friction" ->
     /// "Coulomb 0.1".
     std::map<std::string, std::string> effects;
+
+    /// Where effects are estimated.
+    std::optional<StrainRange> strain_range;
 
     /// What effects do to the probes, see EffectEstimates.
     std::vector<EffectEstimate> effect_estimates;

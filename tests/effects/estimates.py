@@ -24,7 +24,7 @@ SCENES = ["ssnp154_a", "ssnp154_b", "ssnp154_c", "ssnp154_d",
           "verification/hertz_friction", "verification/punch",
           "verification/punch_friction", "verification/stack",
           "verification/sphere_on_plane", "hard/pin_friction",
-          "hard/unload"]
+          "hard/triangles", "nested_friction"]
 
 
 def solve(contact, scene, *settings):
