@@ -42,10 +42,11 @@ namespace Contact
    * Contact is part of all of them: gaps and slips weigh with the multipliers
    * of the dual solution, forces of contact with its displacements.
    *
-   * The error that the mesh refined once leaves is taken from the order of the
-   * functional: errors fall by 4^-p (p the degree of the elements) from mesh to
-   * mesh where solution and dual solution are smooth, and the change is divided
-   * by 1 - 4^-p.
+   * The error that the mesh refined once leaves is taken from the order q of
+   * the functional: errors fall by 2^-q from mesh to mesh, and the change is
+   * divided by 1 - 2^-q. Where solution and dual solution are smooth q is 2p, p
+   * the degree of the elements; of pressures and of stresses on
+   * boundaries p.
    *
    * Not seen: a contact area that ends elsewhere on a finer mesh, beyond what
    * the transfer of the surfaces extrapolates; the history of friction before
@@ -99,6 +100,7 @@ namespace Contact
                            Vector<double>     &vector) const;
     void   impose_contact(const Vector<double> &functional,
                           Vector<double>       &dual) const;
+    double order(const Definition &probe) const;
     double change_of_recovery(const Definition &probe) const;
 
     const Parameters::All                  &parameters;

@@ -63,34 +63,39 @@ def cheapest(levels, probe, limit, error):
     return "-", None
 
 
-print("| case | probe | asked | true | unknowns | s | uniform: unknowns | s |"
-      " energy: unknowns | s |")
-print("|---|---|---|---|---|---|---|---|---|---|")
-with tempfile.TemporaryDirectory() as directory:
-    for case, (probes, requests, n_levels) in cases.items():
-        fine = solve(case, directory, f"Refinement/Levels={n_levels}",
-                     "Probes/Dual weighted residuals=true")["levels"]
-        uniform = solve(case, directory,
-                        f"Refinement/Levels={n_levels}")["levels"]
-        energy = solve(case, directory, f"Refinement/Levels={3 * n_levels}",
-                       "Refinement/Strategy=adaptive")["levels"]
-        for probe in probes:
-            last, limit = (level["probes"][probe] +
-                           level["estimated_errors"][probe]
-                           for level in fine[-2:])
-            known = 100 * abs(limit / last - 1)
-            for percent in requests:
-                run = solve(case, directory, "Refinement/Levels=0",
-                            f"Probes/Accuracy={probe}: {percent} %")
-                levels = run["levels"]
-                true = 100 * abs(levels[-1]["probes"][probe] / limit - 1)
-                line = [case.split("/")[-1], probe, f"{percent:g} %",
-                        f"{true:.2g} % +-{known:.1g}" +
-                        (", not reached" if run["accuracy_missed"] else ""),
-                        str(levels[-1]["displacements"]),
-                        f"{seconds(levels):.2f}"]
-                for others in (uniform, energy):
-                    unknowns, time = cheapest(others, probe, limit,
-                                              percent / 100)
-                    line += [unknowns, "-" if time is None else f"{time:.2f}"]
-                print("| " + " | ".join(line) + " |", flush=True)
+def main():
+    print("| case | probe | asked | true | unknowns | s | uniform: unknowns | s |"
+          " energy: unknowns | s |")
+    print("|---|---|---|---|---|---|---|---|---|---|")
+    with tempfile.TemporaryDirectory() as directory:
+        for case, (probes, requests, n_levels) in cases.items():
+            fine = solve(case, directory, f"Refinement/Levels={n_levels}",
+                         "Probes/Dual weighted residuals=true")["levels"]
+            uniform = solve(case, directory,
+                            f"Refinement/Levels={n_levels}")["levels"]
+            energy = solve(case, directory, f"Refinement/Levels={3 * n_levels}",
+                           "Refinement/Strategy=adaptive")["levels"]
+            for probe in probes:
+                last, limit = (level["probes"][probe] +
+                               level["estimated_errors"][probe]
+                               for level in fine[-2:])
+                known = 100 * abs(limit / last - 1)
+                for percent in requests:
+                    run = solve(case, directory, "Refinement/Levels=0",
+                                f"Probes/Accuracy={probe}: {percent} %")
+                    levels = run["levels"]
+                    true = 100 * abs(levels[-1]["probes"][probe] / limit - 1)
+                    line = [case.split("/")[-1], probe, f"{percent:g} %",
+                            f"{true:.2g} % +-{known:.1g}" +
+                            (", not reached" if run["accuracy_missed"] else ""),
+                            str(levels[-1]["displacements"]),
+                            f"{seconds(levels):.2f}"]
+                    for others in (uniform, energy):
+                        unknowns, time = cheapest(others, probe, limit,
+                                                  percent / 100)
+                        line += [unknowns, "-" if time is None else f"{time:.2f}"]
+                    print("| " + " | ".join(line) + " |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
