@@ -15,6 +15,6 @@ export PYTHONDONTWRITEBYTECODE
 python3 "$study/test_report.py"
 "$study/study.py" --quick --output study --parameters "$2" "$1"
 "$study/report.py" "$study/results" --check-readme "$study/../.."
-for file in study.csv study.md ssnp154_dy_error_wall.svg rings_orders.png; do
+for file in study.csv study.md ssnp154_dy_front.svg rings_orders.png; do
   [ -s "study/$file" ] || { echo "study/$file is missing or empty" >&2; exit 1; }
 done

@@ -124,11 +124,12 @@ def main():
                 print(f"{start} {row.estimated:.3g} +- {uncertainty:.1g} | "
                       f"{row.true:.3g} | {ratios[-1]:.2f} |", flush=True)
     good = sum(0.5 <= ratio <= 2 for ratio in ratios)
-    print(f"\nWithin [0.5, 2]: {good} of {len(ratios)}.")
+    print("\n| of all rows and effects | |\n|---|---|")
+    print(f"| estimated / true within [0.5, 2] | {good} of {len(ratios)} |")
     for accuracy in (0.01, 0.001):
         right = [row.verdict_is_right(accuracy) for row in comparisons]
-        print(f"Verdicts at {accuracy:.1%}: {right.count(True)} right, "
-              f"{right.count(False)} wrong, {right.count(None)} not given.")
+        print(f"| verdicts at {accuracy:.1%} | {right.count(True)} right, "
+              f"{right.count(False)} wrong, {right.count(None)} not given |")
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@ import tempfile
 from requests import solve  # the one beside this file
 
 ELEMENTS = {
-    "linear": ["Element/Degree=1"],
+    "linear": ["Element/Degree=1", "Element/Centre node=serendipity"],
     "q8": ["Element/Degree=2", "Element/Centre node=serendipity"],
     "q9": ["Element/Degree=2", "Element/Centre node=free"],
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pictures with gnuplot: one panel an element, one curve a method.
+"""Pictures with gnuplot: curves with their names, and fronts of many methods.
 
 Names stand beside the ends of the curves, joined to them by a thin line, and
 are moved apart where they would overlap. Curves differ in dashes and in points,
@@ -43,7 +43,26 @@ class Figure:
     x: str
     y: str
     panels: list[Panel]
-    logarithmic_y: bool = True
+    falling_x: bool = False
+
+
+@dataclass
+class Front:
+    """Curves in grey, and in colour those of the points (x, y, group, name)
+    that no other one is below and left of."""
+    name: str
+    title: str
+    x: str
+    y: str
+    curves: list[list[tuple[float, float]]]
+    points: list[tuple[float, float, str, str]]
+
+    def best(self) -> list[tuple[float, float, str, str]]:
+        found = []
+        for point in sorted(self.points):
+            if not found or point[1] < found[-1][1]:
+                found.append(point)
+        return found
 
 
 def spread(heights: list[float], spacing: float) -> list[float]:
@@ -73,10 +92,8 @@ def around(values: list[float]) -> tuple[float, float]:
             min(s for s in STEPS if s >= 0.999 * max(values)))
 
 
-def bounds(values: list[float], logarithmic: bool) -> tuple[float, float]:
-    """Of an axis: whole decades, or from 0."""
-    if not logarithmic:
-        return 0.0, 1.08 * max(values)
+def bounds(values: list[float]) -> tuple[float, float]:
+    """Of an axis: whole decades."""
     low, high = math.log10(min(values)), math.log10(max(values))
     low, high = math.floor(low + 0.02), math.ceil(high - 0.02)
     return 10.0 ** low, 10.0 ** max(high, low + 1)
@@ -86,9 +103,7 @@ def panel_script(figure: Figure, panel: Panel, number: int, x_range, y_range):
     """Gnuplot commands for one panel, and its data blocks."""
     def fraction(y):
         low, high = y_range
-        if figure.logarithmic_y:
-            y, low, high = math.log(y), math.log(low), math.log(high)
-        return (y - low) / (high - low)
+        return math.log(y / low) / math.log(high / low)
 
     lines = ["unset label", "unset arrow", f'set title "{panel.title}"']
     heights = spread([fraction(c.points[-1][1]) for c in panel.curves], SPACING)
@@ -116,9 +131,12 @@ def script(figure: Figure, terminal: str, path: Path) -> str:
     points = [p for panel in figure.panels for c in panel.curves
               for p in c.points]
     x_range = around([p[0] for p in points])
-    y_range = bounds([p[1] for p in points], figure.logarithmic_y)
+    y_range = bounds([p[1] for p in points])
+    if figure.falling_x:
+        x_range = x_range[::-1]
     longest = max(len(c.name) for p in figure.panels for c in p.curves)
-    width = (PLOT + 7 * longest) * len(figure.panels)
+    n_panels = len(figure.panels)
+    width = max(800, (PLOT + 7 * longest) * n_panels) if n_panels > 1 else 800
     lines = [
         f'set terminal {terminal} size {width},{HEIGHT} font "DejaVu Sans,11" '
         'background "white"',
@@ -130,12 +148,11 @@ def script(figure: Figure, terminal: str, path: Path) -> str:
         f"set xrange [{x_range[0]:g}:{x_range[1]:g}]",
         f"set yrange [{y_range[0]:g}:{y_range[1]:g}]",
         f'set xlabel "{figure.x}"', f'set ylabel "{figure.y}"']
-    if x_range[1] < 50 * x_range[0]:  # decades alone would be too few
-        ticks = [s for s in STEPS if x_range[0] <= s <= x_range[1]]
+    if max(x_range) < 50 * min(x_range):  # decades alone would be too few
+        ticks = [s for s in STEPS if min(x_range) <= s <= max(x_range)]
         lines.append("set xtics (" + ", ".join(f'"{t:g}" {t:g}' for t in ticks)
                      + ")")
-    if figure.logarithmic_y:
-        lines += ["set logscale y 10", 'set format y "10^{%T}"']
+    lines += ["set logscale y 10", 'set format y "10^{%T}"']
     lines.append(f"set multiplot layout 1,{len(figure.panels)} "
                  f'title "{figure.title}"')
     for number, panel in enumerate(figure.panels):
@@ -144,20 +161,59 @@ def script(figure: Figure, terminal: str, path: Path) -> str:
     return "\n".join(lines + ["unset multiplot", ""])
 
 
-def draw(figures: list[Figure], directory: Path) -> list[str]:
+def front_script(front: Front, terminal: str, path: Path) -> str:
+    """The whole of it for gnuplot. A method is named where it comes first."""
+    best = front.best()
+    groups = list(dict.fromkeys(group for _, _, group, _ in best))
+    low, high = bounds([y for curve in front.curves for _, y in curve])
+    lines = [f'set terminal {terminal} size 800,500 font "DejaVu Sans,11" '
+             'background "white"', f'set output "{path}"', "set encoding utf8",
+             "unset key", "set border 3", "set tics nomirror", "set rmargin 3",
+             f'set title "{front.title}"', f'set xlabel "{front.x}"',
+             f'set ylabel "{front.y}"', "set logscale xy 10",
+             'set format x "10^{%T}"', 'set format y "10^{%T}"',
+             f"set yrange [{low:g}:{high:g}]", "set xrange [{:g}:{:g}]".format(
+                 *around([x for curve in front.curves for x, _ in curve]))]
+    plots = []
+    for i, curve in enumerate(front.curves):
+        lines += [f"$grey{i} << EOD", *(f"{x:.8g} {y:.8g}" for x, y in curve),
+                  "EOD"]
+        plots.append(f"$grey{i} with lines lw 1 lc rgb '#cccccc'")
+    lines += ["$front << EOD", *(f"{x:.8g} {y:.8g}" for x, y, _, _ in best),
+              "EOD"]
+    plots.append("$front with lines lw 1.5 dt (4,4) lc rgb '#444444'")
+    named: list[tuple[float, str]] = []  # height and method
+    for i, (x, y, group, name) in enumerate(best):
+        colour = COLOURS[1 + groups.index(group) % (len(COLOURS) - 1)]
+        lines += [f"$point{i} << EOD", f"{x:.8g} {y:.8g}", "EOD"]
+        plots.append(f"$point{i} with points pt 7 ps 1 lc rgb '{colour}'")
+        height = math.log(y / low) / math.log(high / low)
+        if all(name != other and abs(height - h) > SPACING
+               for h, other in named):
+            named.append((height, name))
+            lines.append(f'set label "{name}" at {x:.8g},{y:.8g} left offset '
+                         f"0.8,0.5 front tc rgb '{colour}' font ',10'")
+    return "\n".join(lines + ["plot " + ", \\\n  ".join(plots), ""])
+
+
+def draw(figures: list, directory: Path) -> list[str]:
     """SVG and PNG of all that have a curve; the names of those."""
     if not shutil.which("gnuplot"):
         print("No pictures: gnuplot is missing (Debian: gnuplot-nox).")
         return []
     drawn = []
     for figure in figures:
-        figure.panels = [p for p in figure.panels if p.curves]
-        if not figure.panels:
+        if isinstance(figure, Front):
+            make, empty = front_script, not figure.points
+        else:
+            figure.panels = [p for p in figure.panels if p.curves]
+            make, empty = script, not figure.panels
+        if empty:
             continue
         for terminal, suffix in (("svg", "svg"), ("pngcairo", "png")):
             path = directory / f"{figure.name}.{suffix}"
             outcome = subprocess.run(
-                ["gnuplot"], input=script(figure, terminal, path), text=True,
+                ["gnuplot"], input=make(figure, terminal, path), text=True,
                 capture_output=True)
             if outcome.returncode != 0 or outcome.stderr:
                 print(f"gnuplot, {path.name}: {outcome.stderr.strip()[:500]}")

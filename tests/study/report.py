@@ -16,7 +16,6 @@ only the rows that match the regular expression.
 from __future__ import annotations
 
 import argparse
-import math
 import re
 import sys
 from pathlib import Path
@@ -29,55 +28,57 @@ from tables import SSNP, TABLES, all_tables
 
 # ------------------------------------------------------------------- pictures
 
-def digits_per_second(e: float, r: dict) -> tuple[float, float]:
-    return r["seconds"], max(-math.log10(e), 0) / r["seconds"]
+QUANTITIES = ("dy", "max_pressure")
 
 
-PICTURES = {  # of a sequence: name, title, x, y, point of an error and a run
-    "error_wall": ("wall time [s]", "relative error of {}",
-                   lambda e, r: (r["seconds"], e)),
-    "error_unknowns": ("unknowns", "relative error of {}",
-                       lambda e, r: (r["unknowns"], e)),
-    "digits": ("wall time [s]", "digits of {} per second", digits_per_second),
-}
-
-
-def ssnp_panels(rows, problem, quantity, point) -> list[plots.Panel]:
-    """A panel an element. Points that the reference cannot judge are left
-    out, and a method has the same style in all panels."""
-    found = analysis.reference(rows, problem, quantity)
-    sequences = analysis.sequences(rows, problem)
-    names = list(dict.fromkeys(name for _, name in sequences))
-    panels = {element: plots.Panel(element) for element in matrix.ELEMENTS}
-    for (element, name), runs in sequences.items():
-        points = []
-        for r in runs:
-            e = abs(r[quantity] / found[0] - 1) if found else 1
-            if found and e < 2 * found[1]:
-                continue
-            points.append(point(e, r))
-        if points:
-            panels[element].curves.append(
-                plots.Curve(name, points, names.index(name)))
-    return list(panels.values())
-
-
-def ssnp_figures(rows) -> list[plots.Figure]:
+def front_figures(rows) -> list[plots.Front]:
+    """Error against time: all methods in grey, and the runs than which none is
+    faster and as accurate. The error of a run is the largest from its mesh on:
+    a change of sign is no accuracy. What the reference cannot judge is left
+    out."""
     figures = []
     for problem, title in SSNP.items():
-        for quantity in ("dy", "max_pressure"):
-            if not analysis.reference(rows, problem, quantity):
+        for quantity in QUANTITIES:
+            found = analysis.reference(rows, problem, quantity)
+            if not found:
                 continue
-            value = analysis.NAMES[quantity]
-            for name, (x, y, point) in PICTURES.items():
+            curves, points = [], []
+            for (element, name), runs in \
+                    analysis.sequences(rows, problem).items():
+                largest = analysis.envelope(
+                    analysis.errors(rows, runs, quantity))
+                curve = [(r["seconds"], e) for r, e in zip(runs, largest)
+                         if e > 2 * found[1]]
+                curves.append(curve)
+                points += [(x, e, element, f"{element}, {name}")
+                           for x, e in curve]
+            figures.append(plots.Front(
+                f"{problem}_{quantity}_front", title, "wall time [s]",
+                f"relative error of {analysis.NAMES[quantity]}",
+                [curve for curve in curves if curve], points))
+    return figures
+
+
+def digit_figures(rows) -> list[plots.Figure]:
+    """The time of the cheapest run for each digit, a curve an element."""
+    figures = []
+    for problem, title in SSNP.items():
+        for quantity in QUANTITIES:
+            curves = []
+            for style, element in enumerate(matrix.ELEMENTS):
+                picks = [(target, analysis.decision(rows, problem, quantity,
+                                                    target, [element]))
+                         for target in matrix.TARGETS]
+                points = [(target, pick["seconds"]) for target, pick in picks
+                          if pick]
+                if len(points) > 1:
+                    curves.append(plots.Curve(element, points, style))
+            if curves:
                 figures.append(plots.Figure(
-                    f"{problem}_{quantity}_{name}", title, x, y.format(value),
-                    ssnp_panels(rows, problem, quantity, point),
-                    name != "digits"))
-        figures.append(plots.Figure(
-            f"{problem}_time_unknowns", title, "unknowns", "wall time [s]",
-            ssnp_panels(rows, problem, "",
-                        lambda _, r: (r["unknowns"], r["seconds"]))))
+                    f"{problem}_{quantity}_time_of_digits", title,
+                    f"error of {analysis.NAMES[quantity]} that is asked for",
+                    "wall time of the cheapest run [s]",
+                    [plots.Panel("", curves)], falling_x=True))
     return figures
 
 
@@ -116,7 +117,8 @@ def write_all(directory: Path) -> None:
     for title, make in TABLES.values():
         if text := make(rows):
             parts.append(f"## {title}\n\n{text}\n")
-    drawn = plots.draw(ssnp_figures(rows) + order_figures(rows), directory)
+    drawn = plots.draw(front_figures(rows) + digit_figures(rows) +
+                       order_figures(rows), directory)
     parts += [f"![{name}]({name}.svg)\n" for name in drawn]
     (directory / "study.md").write_text("\n".join(parts))
 

@@ -43,8 +43,10 @@ def solve(case, directory, *settings):
                     "Output/Profile=false", "Probes/References=",
                     "Probes/Tolerances=", *settings):
         command += ["--set", setting]
-    subprocess.run(command, capture_output=True, check=False)
+    ended = subprocess.run(command, capture_output=True, text=True, check=False)
     name = pathlib.Path(case).name
+    if ended.returncode not in (0, 1):
+        sys.exit(f"{case}: {ended.stderr}")
     return json.loads((pathlib.Path(directory) / name / "summary.json")
                       .read_text())
 
