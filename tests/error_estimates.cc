@@ -30,8 +30,8 @@ namespace
         level.probes          = {{"A", value}, {"B", -10 * value}};
         summary.levels.push_back(level);
       }
-    summary.probes = {{"A", true, value, {}, {}, {}, {}},
-                      {"B", false, -10 * value, {}, {}, {}, {}}};
+    summary.probes = {{"A", "mm", true, value},
+                      {"B", "MPa", false, -10 * value}};
     return summary;
   }
 

@@ -178,7 +178,7 @@ namespace
     probes.probes["name"] = probe;
     try
       {
-        probes.check();
+        probes.check(Parameters::Symmetry::plane_strain);
         std::cout << "  accepted" << std::endl;
       }
     catch (const EntryError &error)

@@ -5,10 +5,11 @@
 Proves that
 
 - the estimate of each level, less what it adds for finer meshes than the next
-  one (1 / (1 - 2^-q), q the order), is the change of the probe on the next level, which is
-  computed without it: displacements, stresses at points and pressures of
-  contact, at degrees 1 and 2, axisymmetric and plane, with meshes that match and
-  that do not, at large displacement and with friction;
+  one (1 / (1 - 2^-q), q the order), is the change of the probe on the next
+  level, which is computed without it: displacements, stresses at points,
+  pressures and forces of contact, reactions; at degrees 1 and 2, axisymmetric
+  and plane, with meshes that match and that do not, at large displacement and
+  with friction;
 - where errors fall at their rate, the forecast of the next level's is right to a
   factor of two;
 - the estimates do not change the values;
@@ -41,6 +42,10 @@ cases = {
     "verification/nested_cylinders_quadratic": (2, 2, 0.06),
     "verification/nested_cylinders_plane_quadratic": (2, 2, 0.21),
     "verification/nested_spheres_quadratic": (2, 2, 0.08),
+    "verification/sphere_on_plane":
+        (1, 2, 0.05, "Element/Degree=1", "Element/Centre node=serendipity",
+         "Probes/Probes=force: contact force y, Surface; "
+         "reaction: reaction y, Top"),
     "nested": (2, 3, 0.15),
     "nested_large": (2, 1, 0.2),
     "nested_friction": (2, 2, 0.22),
@@ -49,11 +54,15 @@ cases = {
 asymptotic = ["verification/nested_cylinders",
               "verification/nested_cylinders_quadratic",
               "verification/nested_spheres_quadratic"]
-for case, (degree, n_levels, tolerance) in cases.items():
-    status, said, summary = run(case, n_levels, estimate)
-    _, _, without = run(case, n_levels)
+for case, (degree, n_levels, tolerance, *more) in cases.items():
+    status, said, summary = run(case, n_levels, estimate, *more)
+    _, _, without = run(case, n_levels, *more)
     check(f"{case}: runs", status in (0, 1), said)
     levels = summary["levels"]
+    if "force" in levels[0]["probes"]:
+        check("contact carries what the supports do",
+              all(abs(level["probes"]["force"] / level["probes"]["reaction"] + 1)
+                  < 1e-8 for level in levels))
     for name in levels[0]["probes"]:
         values = [level["probes"][name] for level in levels]
         check(f"{name} is unchanged", values ==

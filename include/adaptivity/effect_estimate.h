@@ -22,17 +22,17 @@ namespace Contact
     std::vector<std::string> entries;       // of the variant
 
     /// By probe [mm or MPa], and how far the estimate may be off.
-    std::map<std::string, double> changes, uncertainties;
+    std::map<std::string, double> changes = {}, uncertainties = {};
 
     /// The points of contact that open, close, begin or cease to slip.
     unsigned int n_status_changes = 0;
 
     /// Why there is no estimate, or nothing.
-    std::string unknown;
+    std::string unknown = {};
 
     /// The wall time of a Newton step of the variant, by that of the scene [-];
     /// none if it was not made.
-    std::optional<double> price;
+    std::optional<double> price = {};
   };
 } // namespace Contact
 

@@ -305,7 +305,7 @@ namespace Contact
   {
     std::map<std::string, double> values;
     for (const auto &[name, probe] : probes)
-      values[name] = probe_value(probe, other.model, other.state.solution);
+      values[name] = probe_value(probe, other.model, other.state);
     return values;
   }
 
@@ -319,7 +319,7 @@ namespace Contact
     const double       seconds = converge(scene);
     const auto         values  = probes_of(scene);
     for (const auto &[name, probe] : probes)
-      left[name] = values.at(name) - probe_value(probe, model, state.solution);
+      left[name] = values.at(name) - probe_value(probe, model, state);
 
     std::vector<EffectEstimate> estimates;
     for (const SceneVariant &variant : scene_variants(parameters))

@@ -10,7 +10,6 @@
 
 #include "adaptivity/patch_recovery.h"
 #include "adaptivity/refined_system.h"
-#include "adaptivity/refinement.h"
 #include "contact/probes.h"
 #include "solvers/saddle_point_system.h"
 
@@ -34,15 +33,45 @@ namespace Contact
 
 
 
+  namespace
+  {
+    /// Add what the test function of a resultant is at the boundary, times
+    /// @p factor: its dual solution z has the derivative K^T v on the right, so
+    /// z - v is as smooth as that of a displaced boundary, and z is not.
+    void add_lift(const Parameters::Probes::Definition &probe,
+                  const double                          factor,
+                  const ContactModel                   &model,
+                  Vector<double>                       &dual)
+    {
+      if (!is_force(probe.quantity))
+        return;
+      double sign = factor;
+      for (const std::string &place : probe.places)
+        {
+          for (const auto dof :
+               resultant(probe.quantity, place, model).unknowns)
+            dual[dof] += sign;
+          sign = -sign;
+        }
+    }
+  } // namespace
+
+
+
   ProbeErrors GoalErrors::estimate()
   {
     TimerOutput::Scope          scope(timer, "estimate");
     ProbeErrors                 errors;
     std::vector<Vector<double>> duals = solve_dual_problems(errors);
     const PatchRecovery         recovery(*model.discretization, duals);
-    refine(duals);
+    refined                       = std::make_unique<RefinedState>(parameters,
+                                             model,
+                                             state,
+                                             linearization,
+                                             duals);
+    const ContactModel &fine      = refined->model;
     const auto          recovered = recovery.values(*fine.discretization);
-    const RefinedSystem system(fine, fine_state, linearization);
+    RefinedSystem       system(fine, refined->state, linearization);
     Vector<double>      residual = system.negative_residual();
     const auto          requests = parameters.probes.requests();
     Vector<float>       missed(model.mesh->triangulation.n_active_cells());
@@ -58,12 +87,15 @@ namespace Contact
         Vector<double>      &dual        = duals[k];
         Vector<double>       transferred = dual;
         const Vector<double> functional =
-          probe_derivative(probe, fine, fine_state.solution);
+          probe_derivative(probe, fine, refined->state.solution);
         std::copy(recovered[k].begin(), recovered[k].end(), dual.begin());
+        add_lift(probe, 1, fine, dual);
+        add_lift(probe, 1, fine, transferred);
         impose_contact(functional, dual);
         std::vector<unsigned int> vertices;
-        for (const std::string &point : probe.points)
-          vertices.push_back(model.mesh->point(point, "Probes/Probes"));
+        if (!is_force(probe.quantity))
+          for (const std::string &point : probe.places)
+            vertices.push_back(model.mesh->point(point, "Probes/Probes"));
         system.solve_dual_around(vertices, functional, dual);
         fine.discretization->constrain_homogeneously(dual);
         errors.mesh[name] =
@@ -71,8 +103,8 @@ namespace Contact
           (1 - std::pow(2., -order(probe)));
         if (const auto request = requests.find(name); request != requests.end())
           {
-            const double accepted = request->second.error_of(
-              probe_value(probe, model, state.solution));
+            const double accepted =
+              request->second.error_of(probe_value(probe, model, state));
             transferred -= dual;
             add_indicators(system.negative_residual(),
                            transferred,
@@ -95,8 +127,9 @@ namespace Contact
                                   const double          scale,
                                   Vector<float>        &indicators) const
   {
-    const auto    &dof_handler = fine.discretization->dof_handler;
-    Vector<double> shares(fine.n_displacements());
+    const ContactModel &fine        = refined->model;
+    const auto         &dof_handler = fine.discretization->dof_handler;
+    Vector<double>      shares(fine.n_displacements());
     for (unsigned int i = 0; i < shares.size(); ++i)
       shares[i] = residual[i] * weight[i];
     if (fine.interface)
@@ -246,127 +279,11 @@ namespace Contact
             errors.loops[name][loop] = so_far - before;
             before                   = so_far;
           }
+        add_lift(probe, -1, model, duals.back());
       }
     if (model.interface)
       model.interface->set_points(points);
     return duals;
-  }
-
-
-
-  void GoalErrors::refine(std::vector<Vector<double>> &duals)
-  {
-    fine.mesh = std::make_unique<Mesh>(*model.mesh);
-    fine.discretization =
-      std::make_unique<Discretization>(*fine.mesh, parameters);
-
-    std::vector<std::vector<SurfaceState>> surfaces;
-    if (model.interface)
-      for (const Vector<double> &dual : duals)
-        surfaces.push_back(save_surfaces(*model.interface, dual));
-
-    std::vector<Vector<double>> transferred = duals;
-    transferred.push_back(state.solution);
-    transferred.push_back(state.start);
-    flag_all_cells(*fine.mesh);
-    refine_and_transfer(*fine.mesh, *fine.discretization, transferred);
-
-    fine.elasticity =
-      Elasticity::create(*fine.discretization, parameters.solids);
-    if (model.interface)
-      {
-        auto pairs = parameters.pairs();
-        for (unsigned int z = 0; z < pairs.size(); ++z)
-          pairs[z].ends_are_corners = model.interface->pairs[z]->sees_ends();
-        fine.interface =
-          std::make_unique<ContactInterface>(*fine.discretization,
-                                             *fine.elasticity,
-                                             pairs);
-      }
-    for (Vector<double> &vector : transferred)
-      vector.grow_or_shrink(fine.n_unknowns());
-
-    fine_state.load_factor = state.load_factor;
-    fine_state.start       = transferred.back();
-    transferred.pop_back();
-    fine_state.solution = transferred.back();
-    transferred.pop_back();
-    duals.swap(transferred);
-    fine.discretization->prescribe(fine_state.solution, state.load_factor);
-    if (fine.interface)
-      transfer_contact(surfaces, duals);
-  }
-
-
-
-  // Statuses follow the pressures of the state: it comes last.
-  void GoalErrors::transfer_contact(
-    const std::vector<std::vector<SurfaceState>> &duals_on_surfaces,
-    std::vector<Vector<double>>                  &duals)
-  {
-    PairingMode mode;
-    mode.with_derivatives = linearization.moving_geometry;
-    fine.interface->pair(linearization.moving_geometry
-                           ? fine_state.solution
-                           : Vector<double>(fine_state.solution.size()),
-                         mode);
-    fine.interface->set_support_motion(
-      fine.discretization->support_motion(fine_state.start, state.load_factor));
-    for (unsigned int k = 0; k < duals.size(); ++k)
-      restore_surfaces(duals_on_surfaces[k], *fine.interface, duals[k]);
-    restore_surfaces(save_surfaces(*model.interface, state.solution),
-                     *fine.interface,
-                     fine_state.solution);
-    update_statuses();
-    for (const ContactPoint &point : fine.interface->points())
-      if (point.status.kind == Status::open)
-        for (Vector<double> &dual : duals)
-          set_multipliers(point, 0., dual);
-  }
-
-
-
-  // At the end of the contact a point is part of it if what presses it is more
-  // than what its gap takes to close: the pressure against the stiffness E/h.
-  void GoalErrors::update_statuses()
-  {
-    std::vector<ContactPoint> points = fine.interface->points();
-    for (ContactPoint &point : points)
-      {
-        if (!point.facing || fine.interface->contact_pair(point).tied)
-          continue;
-        const ContactState now =
-          fine.interface->state(point, fine_state.solution, fine_state.start);
-        const double p_trial =
-          now.lambda_n -
-          fine.interface->contact_pair(point).stiffness(point) * now.gap;
-        const bool is_open = point.status.kind == Status::open;
-        if (is_open != (p_trial <= 0))
-          point.status =
-            fine.interface->updated_status(point,
-                                           PointStatus(),
-                                           p_trial,
-                                           now.lambda_t,
-                                           linearization.moving_bound);
-        if (point.status.kind == Status::open)
-          set_multipliers(point, 0., fine_state.solution);
-      }
-    fine.interface->set_points(points);
-  }
-
-
-
-  void GoalErrors::set_multipliers(const ContactPoint &point,
-                                   const double        value,
-                                   Vector<double>     &vector) const
-  {
-    for (unsigned int k = 0; k < point.n_multipliers; ++k)
-      {
-        vector[fine.interface->normal_index(point.multipliers[k])] = value;
-        if (fine.interface->has_friction(point))
-          vector[fine.interface->tangential_index(point.multipliers[k])] =
-            value;
-      }
   }
 
 
@@ -380,7 +297,8 @@ namespace Contact
   void GoalErrors::impose_contact(const Vector<double> &functional,
                                   Vector<double>       &dual) const
   {
-    const auto &constraints = fine.discretization->constraints;
+    const ContactModel &fine        = refined->model;
+    const auto         &constraints = fine.discretization->constraints;
     fine.discretization->constrain_homogeneously(dual);
     if (!fine.interface)
       return;
@@ -402,7 +320,7 @@ namespace Contact
                                    ? functional[interface.tangential_index(k)]
                                    : 0.;
         const ContactState now =
-          interface.state(point, fine_state.solution, fine_state.start);
+          interface.state(point, refined->state.solution, refined->state.start);
         const Traction traction =
           interface.traction(point,
                              point.status,
@@ -444,7 +362,7 @@ namespace Contact
     if (!is_stress(probe.quantity))
       return 2 * p;
     const StressRecovery recovery(*model.discretization);
-    for (const std::string &point : probe.points)
+    for (const std::string &point : probe.places)
       for (const auto &cell :
            recovery.cells_at(model.mesh->point(point, "Probes/Probes")))
         if (cell->at_boundary())
@@ -456,9 +374,9 @@ namespace Contact
 
   double GoalErrors::change_of_recovery(const Definition &probe) const
   {
-    return is_stress(probe.quantity)
-             ? probe_value(probe, fine, fine_state.solution) -
-                 probe_value(probe, model, state.solution)
+    return is_stress(probe.quantity) || is_force(probe.quantity)
+             ? probe_value(probe, refined->model, refined->state) -
+                 probe_value(probe, model, state)
              : 0.;
   }
 } // namespace Contact

@@ -9,9 +9,7 @@
 #include <deal.II/base/timer.h>
 
 #include "adaptivity/probe_errors.h"
-#include "contact/contact_kernel.h"
-#include "contact/increment_state.h"
-#include "contact/surface_transfer.h"
+#include "adaptivity/refined_state.h"
 #include "solid/stress_recovery.h"
 
 namespace Contact
@@ -90,17 +88,9 @@ namespace Contact
     Vector<double>              negative_residual() const;
     Residuals                   pair_anew() const;
     void                        forget_excess() const;
-    void                        refine(std::vector<Vector<double>> &duals);
-    void                        transfer_contact(
-                             const std::vector<std::vector<SurfaceState>> &duals_on_surfaces,
-                             std::vector<Vector<double>>                  &duals);
-    void   update_statuses();
-    void   set_multipliers(const ContactPoint &point,
-                           const double        value,
-                           Vector<double>     &vector) const;
-    void   impose_contact(const Vector<double> &functional,
-                          Vector<double>       &dual) const;
-    double order(const Definition &probe) const;
+    void                        impose_contact(const Vector<double> &functional,
+                                               Vector<double>       &dual) const;
+    double                      order(const Definition &probe) const;
     double change_of_recovery(const Definition &probe) const;
 
     const Parameters::All                  &parameters;
@@ -112,9 +102,8 @@ namespace Contact
 
     Vector<float> cell_indicators;
 
-    /// The same state on the mesh refined once.
-    ContactModel   fine;
-    IncrementState fine_state;
+    /// The state on the mesh refined once, from estimate() on.
+    std::unique_ptr<const RefinedState> refined;
   };
 } // namespace Contact
 

@@ -243,18 +243,32 @@ namespace Contact
 
 
 
+  const RefinedSystem::Block &
+  RefinedSystem::block_around(const std::vector<unsigned int> &vertices)
+  {
+    const auto [found, is_new] =
+      around.try_emplace(vertices, model.discretization->counters);
+    if (is_new)
+      {
+        Unknowns unknowns = unknowns_around(vertices);
+        if (model.interface)
+          add_multipliers(unknowns);
+        if (!unknowns.empty())
+          factorize(unknowns, found->second);
+      }
+    return found->second;
+  }
+
+
+
   void
   RefinedSystem::solve_dual_around(const std::vector<unsigned int> &vertices,
                                    const Vector<double>            &functional,
-                                   Vector<double>                  &dual) const
+                                   Vector<double>                  &dual)
   {
-    Unknowns unknowns = unknowns_around(vertices);
-    if (model.interface)
-      add_multipliers(unknowns);
-    if (unknowns.empty())
+    const Block &block = block_around(vertices);
+    if (block.unknowns.empty())
       return;
-    Block block(model.discretization->counters);
-    factorize(unknowns, block);
 
     Vector<double> missing = functional;
     Vector<double> product(dual.size());

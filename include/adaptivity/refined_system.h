@@ -6,6 +6,7 @@
 #ifndef contact_refined_system_h
 #define contact_refined_system_h
 
+#include <map>
 #include <set>
 #include <vector>
 
@@ -54,7 +55,7 @@ namespace Contact
      */
     void solve_dual_around(const std::vector<unsigned int> &vertices,
                            const Vector<double>            &functional,
-                           Vector<double>                  &dual) const;
+                           Vector<double>                  &dual);
 
   private:
     using Unknowns = std::set<types::global_dof_index>;
@@ -77,6 +78,7 @@ namespace Contact
     void     remove_fixed(Unknowns &unknowns) const;
     void     add_multipliers(Unknowns &unknowns) const;
     void     factorize(const Unknowns &unknowns, Block &block) const;
+    const Block &block_around(const std::vector<unsigned int> &vertices);
 
     const ContactModel   &model;
     const IncrementState &state;
@@ -85,7 +87,10 @@ namespace Contact
     SparseMatrix<double> matrix;
     Vector<double>       rhs;
     Block                contact; // its nodes and multipliers
-    std::vector<bool>    relaxes; // by row: neither there nor fixed
+
+    /// Those around the vertices of probes; several may be of the same point.
+    std::map<std::vector<unsigned int>, Block> around;
+    std::vector<bool> relaxes; // by row: neither there nor fixed
 
     /// The cells at each vertex, and the vertices that each point couples.
     std::vector<std::set<Triangulation<2>::active_cell_iterator>> cells_at;

@@ -36,7 +36,8 @@ namespace Contact
 
   bool is_stress(const Quantity quantity)
   {
-    return !is_displacement(quantity) && !is_contact_traction(quantity);
+    return !is_displacement(quantity) && !is_contact_traction(quantity) &&
+           !is_force(quantity);
   }
 
 
@@ -176,6 +177,10 @@ namespace Contact
         case Quantity::displacement_y:
         case Quantity::pressure:
         case Quantity::shear:
+        case Quantity::reaction_x:
+        case Quantity::reaction_y:
+        case Quantity::contact_force_x:
+        case Quantity::contact_force_y:
           break;
       }
     AssertThrow(false, ExcInternalError());
@@ -280,38 +285,49 @@ namespace Contact
 
 
 
+  namespace
+  {
+    double value_at(const Quantity        quantity,
+                    const std::string    &place,
+                    const ContactModel   &model,
+                    const IncrementState &state)
+    {
+      if (is_force(quantity))
+        return resultant(quantity, place, model)
+          .value(state.solution, state.load_factor);
+      const unsigned int vertex = model.mesh->point(place, "Probes/Probes");
+      if (is_contact_traction(quantity))
+        return contact_traction(quantity,
+                                vertex,
+                                model.interface.get(),
+                                *model.discretization,
+                                state.solution);
+      if (is_displacement(quantity))
+        return probe_value(quantity,
+                           vertex,
+                           *model.discretization,
+                           {},
+                           state.solution);
+      const StressRecovery recovery(*model.discretization);
+      return stress_component(quantity,
+                              recovery.stress_at(vertex,
+                                                 recovery.cells_at(vertex),
+                                                 *model.elasticity,
+                                                 state.solution));
+    }
+  } // namespace
+
+
+
   double probe_value(const Parameters::Probes::Definition &probe,
                      const ContactModel                   &model,
-                     const Vector<double>                 &solution)
+                     const IncrementState                 &state)
   {
     double value  = 0;
     double factor = 1;
-    for (const std::string &point : probe.points)
+    for (const std::string &place : probe.places)
       {
-        const unsigned int vertex = model.mesh->point(point, "Probes/Probes");
-        if (is_contact_traction(probe.quantity))
-          value += factor * contact_traction(probe.quantity,
-                                             vertex,
-                                             model.interface.get(),
-                                             *model.discretization,
-                                             solution);
-        else if (is_displacement(probe.quantity))
-          value += factor * probe_value(probe.quantity,
-                                        vertex,
-                                        *model.discretization,
-                                        {},
-                                        solution);
-        else
-          {
-            const StressRecovery recovery(*model.discretization);
-            value +=
-              factor *
-              stress_component(probe.quantity,
-                               recovery.stress_at(vertex,
-                                                  recovery.cells_at(vertex),
-                                                  *model.elasticity,
-                                                  solution));
-          }
+        value += factor * value_at(probe.quantity, place, model, state);
         factor = -1;
       }
     return value;
@@ -325,9 +341,16 @@ namespace Contact
   {
     Vector<double> derivative(model.n_unknowns());
     double         factor = 1;
-    for (const std::string &point : probe.points)
+    for (const std::string &place : probe.places)
       {
-        const unsigned int vertex = model.mesh->point(point, "Probes/Probes");
+        if (is_force(probe.quantity))
+          {
+            resultant(probe.quantity, place, model)
+              .add_derivative(solution, factor, derivative);
+            factor = -1;
+            continue;
+          }
+        const unsigned int vertex = model.mesh->point(place, "Probes/Probes");
         if (is_displacement(probe.quantity))
           add_derivative_of_displacement(probe.quantity,
                                          vertex,

@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "contact/contact_model.h"
+#include "contact/force_probes.h"
+#include "contact/increment_state.h"
 
 namespace Contact
 {
@@ -53,10 +54,11 @@ namespace Contact
                      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                      const Vector<double>                     &u);
 
-  /// A probe in a state [mm or MPa], by the cells around its points alone.
+  /// A probe in a state [mm, MPa, or N per mm of thickness], by the cells
+  /// around its points alone.
   double probe_value(const Parameters::Probes::Definition &probe,
                      const ContactModel                   &model,
-                     const Vector<double>                 &solution);
+                     const IncrementState                 &state);
 
   /// The derivative of a probe with respect to all unknowns, in a state: of
   /// tractions without the forces of corners of the master.

@@ -123,31 +123,50 @@ namespace Contact
 
   namespace
   {
-    /// The estimated error of a probe, or how far its value on a fine mesh, as
-    /// estimated on one level, is from that of the level before.
+    /// The value of a probe on a fine mesh, as a level estimates it.
+    double limit(const LevelRecord &level, const std::string &probe)
+    {
+      return level.probes.at(probe) + level.errors.mesh.at(probe);
+    }
+
+
+
+    /// Whether a level and the one before it estimate the same limit, as far as
+    /// the error of this level can tell.
+    bool agrees_with_last(const std::vector<LevelRecord> &levels,
+                          const unsigned int              number,
+                          const std::string              &probe)
+    {
+      return number > 0 && std::abs(limit(levels[number], probe) -
+                                    limit(levels[number - 1], probe)) <=
+                             2 * std::abs(levels[number].errors.mesh.at(probe));
+    }
+
+
+
+    /// Twice the estimated error of a probe, which is trusted to that factor
+    /// and mostly much better; or how far its value on a fine mesh, as
+    /// estimated on one level, is from that of the level before, which was less
+    /// accurate.
     double uncertainty(const std::vector<LevelRecord> &levels,
                        const std::string              &probe)
     {
-      const auto limit = [&](const LevelRecord &level) {
-        return level.probes.at(probe) + level.errors.mesh.at(probe);
-      };
       if (levels.size() < 2)
         return std::numeric_limits<double>::infinity();
-      return std::max(std::abs(levels.back().errors.mesh.at(probe)),
-                      std::abs(limit(levels.back()) -
-                               limit(levels[levels.size() - 2])));
+      return std::max(2 * std::abs(levels.back().errors.mesh.at(probe)),
+                      std::abs(limit(levels.back(), probe) -
+                               limit(levels[levels.size() - 2], probe)));
     }
   } // namespace
 
 
 
-  // Estimates are trusted to a factor of two; mostly they are much better.
   std::string Levels::inaccurate(const std::vector<LevelRecord> &levels) const
   {
     std::string inaccurate;
     for (const auto &[name, request] : parameters.probes.requests())
       {
-        const double error    = 2 * uncertainty(levels, name);
+        const double error    = uncertainty(levels, name);
         const double accepted = request.error_of(levels.back().probes.at(name));
         if (!(error <= accepted))
           inaccurate += (inaccurate.empty() ? "" : "; ") + name + " to " +
@@ -212,19 +231,28 @@ namespace Contact
     out << "Accuracy and its price:\n";
     for (const ProbeResult &probe : summary.probes)
       {
-        out << "  " << probe.name << " [" << probe.unit() << "]\n"
+        out << "  " << probe.name << " [" << probe.unit << "]\n"
             << "    unknowns           value  est. error  seconds so far\n";
-        double so_far = 0;
-        for (const LevelRecord &level : summary.levels)
+        double so_far       = 0;
+        bool   is_confirmed = true;
+        for (unsigned int k = 0; k < summary.levels.size(); ++k)
           {
+            const LevelRecord &level = summary.levels[k];
+            const bool known = agrees_with_last(summary.levels, k, probe.name);
+            is_confirmed     = is_confirmed && known;
             so_far += seconds(level);
             out << std::setw(12) << level.n_displacements << ' '
                 << std::setw(15) << std::setprecision(8)
                 << level.probes.at(probe.name) << "  " << std::setw(10)
                 << std::scientific << std::setprecision(1)
-                << level.errors.mesh.at(probe.name) << std::defaultfloat << "  "
-                << std::setw(14) << std::setprecision(3) << so_far << '\n';
+                << level.errors.mesh.at(probe.name) << std::defaultfloat
+                << (known ? "  " : "? ") << std::setw(14)
+                << std::setprecision(3) << so_far << '\n';
           }
+        if (!is_confirmed)
+          out
+            << "    ?: value and error lead elsewhere than on the mesh before, by "
+               "more than twice\n       this error, or there is none before\n";
         out << "    error by source: "
             << budget(summary.levels.back(), probe.name) << '\n';
         const std::string next = next_digit(summary.levels, probe.name);

@@ -81,9 +81,9 @@ namespace Contact
            "added; price: time of a Newton step by that of the scene\n";
     for (const ProbeResult &probe : summary.probes)
       {
-        out << "  " << probe.name << " = " << probe.value << ' ' << probe.unit()
+        out << "  " << probe.name << " = " << probe.value << ' ' << probe.unit
             << ", asked for to " << brief(*probe.accepted_error) << ' '
-            << probe.unit() << "; its loops and solvers leave "
+            << probe.unit << "; its loops and solvers leave "
             << brief(*probe.loop_error) << '\n'
             << "    effect" << std::string(32, ' ') << "     change"
             << std::string(16, ' ') << "price  verdict\n";

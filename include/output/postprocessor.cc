@@ -25,8 +25,13 @@ namespace Contact
   void Postprocessor::check_probes() const
   {
     for (const auto &[name, probe] : parameters.probes.definitions())
-      for (const std::string &point : probe.points)
+      for (const std::string &point : probe.places)
         {
+          if (is_force(probe.quantity))
+            {
+              check_force(name, probe.quantity, point, model);
+              continue;
+            }
           model.mesh->point(point, "Probes/Probes");
           if (is_contact_traction(probe.quantity))
             check_contact_traction(name,
@@ -208,10 +213,10 @@ namespace Contact
   // The difference between two points, if there are two.
   double Postprocessor::probe(const Parameters::Probes::Definition &definition)
   {
-    const double first = value(definition.quantity, definition.points[0]);
-    return definition.points.size() == 1
+    const double first = value(definition.quantity, definition.places[0]);
+    return definition.places.size() == 1
              ? first
-             : first - value(definition.quantity, definition.points[1]);
+             : first - value(definition.quantity, definition.places[1]);
   }
 
 
@@ -219,6 +224,9 @@ namespace Contact
   double Postprocessor::value(const Parameters::Quantity quantity,
                               const std::string         &point)
   {
+    if (is_force(quantity))
+      return resultant(quantity, point, model)
+        .value(state.solution, state.load_factor);
     const unsigned int vertex = model.mesh->point(point, "Probes/Probes");
     if (is_contact_traction(quantity))
       return contact_traction(quantity,
@@ -243,7 +251,8 @@ namespace Contact
         ProbeResult result;
         result.name            = name;
         result.is_displacement = is_displacement(definition.quantity);
-        result.value           = report.summary.levels.back().probes.at(name);
+        result.unit  = unit_of(definition.quantity, parameters.solids.symmetry);
+        result.value = report.summary.levels.back().probes.at(name);
         if (parameters.probes.references.count(name) > 0)
           {
             result.reference = parameters.probes.references.at(name);

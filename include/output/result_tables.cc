@@ -64,7 +64,7 @@ namespace Contact
     {
       Line line{summary.case_name,
                 std::filesystem::path(summary.mesh_file).stem().string(),
-                probe.name + " [" + probe.unit() + "]",
+                probe.name + " [" + probe.unit + "]",
                 format_value(probe, probe.value),
                 probe.error ? format("%.1e", *probe.error) : "-",
                 "-",

@@ -24,28 +24,24 @@ namespace Contact
   struct ProbeResult
   {
     std::string name;
-    bool        is_displacement = false; // [mm]; else a stress [MPa]
+    std::string unit;
+    bool        is_displacement = false;
     double      value           = 0;
 
     // Both or none; the tolerance is relative to the reference, which is
     // not zero.
-    std::optional<double> reference;
-    std::optional<double> tolerance;
+    std::optional<double> reference = {};
+    std::optional<double> tolerance = {};
 
     /// The estimated discretization error, in the unit of the value, and what
     /// estimates it.
-    std::optional<double> error;
-    std::string           estimator;
+    std::optional<double> error     = {};
+    std::string           estimator = {};
 
     /// Where effects are estimated, in the unit of the value: the error that
     /// is accepted, 1 % unless an accuracy is asked for, and what the loops
     /// and the linear solver leave.
-    std::optional<double> accepted_error, loop_error;
-
-    const char *unit() const
-    {
-      return is_displacement ? "mm" : "MPa";
-    }
+    std::optional<double> accepted_error = {}, loop_error = {};
 
     /// value/reference - 1, if there is a reference.
     std::optional<double> relative_deviation() const;

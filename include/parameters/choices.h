@@ -223,7 +223,11 @@ namespace Contact
       stress_xy,
       von_mises,
       pressure,
-      shear
+      shear,
+      reaction_x,
+      reaction_y,
+      contact_force_x,
+      contact_force_y
     };
 
     inline NamedValues<Quantity> named_values(const Quantity)
@@ -236,7 +240,37 @@ namespace Contact
               {"stress xy", Quantity::stress_xy},
               {"von Mises", Quantity::von_mises},
               {"pressure", Quantity::pressure},
-              {"shear", Quantity::shear}};
+              {"shear", Quantity::shear},
+              {"reaction x", Quantity::reaction_x},
+              {"reaction y", Quantity::reaction_y},
+              {"contact force x", Quantity::contact_force_x},
+              {"contact force y", Quantity::contact_force_y}};
+    }
+
+    /// The unit of a quantity.
+    inline std::string unit_of(const Quantity quantity, const Symmetry symmetry)
+    {
+      switch (quantity)
+        {
+          case Quantity::displacement_x:
+          case Quantity::displacement_y:
+            return "mm";
+          case Quantity::stress_xx:
+          case Quantity::stress_yy:
+          case Quantity::stress_zz:
+          case Quantity::stress_xy:
+          case Quantity::von_mises:
+          case Quantity::pressure:
+          case Quantity::shear:
+            return "MPa";
+          case Quantity::reaction_x:
+          case Quantity::reaction_y:
+          case Quantity::contact_force_x:
+          case Quantity::contact_force_y:
+            return symmetry == Symmetry::plane_strain ? "N/mm" : "N";
+        }
+      AssertThrow(false, ExcInternalError());
+      return "";
     }
 
 

@@ -293,11 +293,11 @@ namespace Contact
 
 
 
-    void Probes::check() const
+    void Probes::check(const Symmetry symmetry) const
     {
       check_quantities();
       check_references();
-      check_accuracy();
+      check_accuracy(symmetry);
       const std::string cylinders = "Probes/Concentric cylinders";
       if (hertz.size() > 2 ||
           std::any_of(hertz.begin(), hertz.end(), [](const double value) {
@@ -366,16 +366,14 @@ namespace Contact
 
 
 
-    void Probes::check_accuracy() const
+    void Probes::check_accuracy(const Symmetry symmetry) const
     {
       const std::string entry = "Probes/Accuracy";
       check_keys(accuracy, entry, probes, "Probes/Probes");
       for (const auto &[name, request] : requests())
         {
-          const auto quantity        = definitions().at(name).quantity;
-          const bool is_displacement = quantity == Quantity::displacement_x ||
-                                       quantity == Quantity::displacement_y;
-          const std::string unit = is_displacement ? "mm" : "MPa";
+          const std::string unit =
+            unit_of(definitions().at(name).quantity, symmetry);
           if (!(request.value > 0) ||
               (request.unit != "%" && request.unit != unit))
             throw EntryError("The accuracy of " + in_quotes(name) + ", " +

@@ -33,7 +33,7 @@ namespace Contact
         further.second.check();
       solution.check();
       refinement.check();
-      probes.check();
+      probes.check(solids.symmetry);
 
       check_theory();
       if (solution.geometry == GeometryLoop::undeformed &&

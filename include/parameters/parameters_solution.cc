@@ -166,16 +166,21 @@ namespace Contact
     void Probes::add_parameters(ParameterHandler &prm)
     {
       prm.enter_subsection("Probes");
-      prm.add_parameter("Probes",
-                        probes,
-                        "Values to report: 'name: quantity, point', separated "
-                        "by ';'; with a second point group, as in 'name: "
-                        "quantity, point, point', the value at the first minus "
-                        "the value at the second. One of: " +
-                          Choice<Quantity>::names(", ") +
-                          " [displacements: mm, stresses: MPa]; pressure "
-                          "and shear are those of contact, at points of a "
-                          "slave.");
+      prm.add_parameter(
+        "Probes",
+        probes,
+        "Values to report: 'name: quantity, point', separated "
+        "by ';'; with a second point group, as in 'name: "
+        "quantity, point, point', the value at the first minus "
+        "the value at the second. One of: " +
+          Choice<Quantity>::names(", ") +
+          " [displacements: mm, stresses: MPa, forces: N per "
+          "mm of thickness, in rings N]; pressure and shear "
+          "are those of contact, at points of a slave; reactions "
+          "and contact forces those on the body at a boundary "
+          "group, named as the point: of the nodes that "
+          "supports hold in that direction, and of the "
+          "others.");
       prm.add_parameter("References",
                         references,
                         "'name: value', separated by ','; what a probe is "

@@ -110,11 +110,12 @@ namespace Contact
       /// group}; see the entry's documentation.
       std::map<std::string, std::vector<std::string>> probes;
 
-      /// A quantity at a point, or its difference between two points.
+      /// A quantity at a point group, for forces a boundary group, or its
+      /// difference between two of them.
       struct Definition
       {
         Choice<Quantity>         quantity;
-        std::vector<std::string> points;
+        std::vector<std::string> places;
       };
 
       /// The probes by their names. They have been checked.
@@ -164,14 +165,16 @@ namespace Contact
       std::map<std::string, Request> requests() const;
 
       void add_parameters(ParameterHandler &prm);
-      void check() const;
+
+      /// Units depend on the symmetry of the scene.
+      void check(const Symmetry symmetry) const;
 
     private:
       void add_theory(ParameterHandler &prm);
       void add_errors(ParameterHandler &prm);
       void check_quantities() const;
       void check_references() const;
-      void check_accuracy() const;
+      void check_accuracy(const Symmetry symmetry) const;
     };
 
 

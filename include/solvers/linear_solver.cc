@@ -86,6 +86,12 @@ namespace Contact
         status == UMFPACK_WARNING_singular_matrix
           ? "the matrix is singular: a body can move without resistance, or "
             "supports and contact hold a node twice"
+        : status == UMFPACK_ERROR_out_of_memory
+          ? "UMFPACK lacks memory for the factors of " +
+              std::to_string(columns.size()) +
+              " entries: fewer levels, or without multipliers and errors of "
+              "probes (Solution/System = condensed, Probes/Dual weighted "
+              "residuals = false)"
           : "UMFPACK failed with status " + std::to_string(status));
   }
 

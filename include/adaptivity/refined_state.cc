@@ -1,0 +1,140 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "adaptivity/refined_state.h"
+
+#include "adaptivity/refinement.h"
+
+namespace Contact
+{
+  RefinedState::RefinedState(const Parameters::All              &parameters,
+                             const ContactModel                 &coarse,
+                             const IncrementState               &coarse_state,
+                             const ContactKernel::Linearization &linearization,
+                             std::vector<Vector<double>>        &duals)
+    : linearization(linearization)
+  {
+    model.mesh = std::make_unique<Mesh>(*coarse.mesh);
+    model.discretization =
+      std::make_unique<Discretization>(*model.mesh, parameters);
+
+    SurfaceStates duals_on_surfaces;
+    if (coarse.interface)
+      for (const Vector<double> &dual : duals)
+        duals_on_surfaces.push_back(save_surfaces(*coarse.interface, dual));
+
+    std::vector<Vector<double>> transferred = duals;
+    transferred.push_back(coarse_state.solution);
+    transferred.push_back(coarse_state.start);
+    flag_all_cells(*model.mesh);
+    refine_and_transfer(*model.mesh, *model.discretization, transferred);
+
+    model.elasticity =
+      Elasticity::create(*model.discretization, parameters.solids);
+    if (coarse.interface)
+      make_interface(parameters, *coarse.interface);
+    for (Vector<double> &vector : transferred)
+      vector.grow_or_shrink(model.n_unknowns());
+
+    state.load_factor = coarse_state.load_factor;
+    state.start       = transferred.back();
+    transferred.pop_back();
+    state.solution = transferred.back();
+    transferred.pop_back();
+    duals.swap(transferred);
+    model.discretization->prescribe(state.solution, state.load_factor);
+    if (coarse.interface)
+      transfer_contact(*coarse.interface,
+                       coarse_state.solution,
+                       duals_on_surfaces,
+                       duals);
+  }
+
+
+
+  void RefinedState::make_interface(const Parameters::All  &parameters,
+                                    const ContactInterface &coarse)
+  {
+    auto pairs = parameters.pairs();
+    for (unsigned int z = 0; z < pairs.size(); ++z)
+      pairs[z].ends_are_corners = coarse.pairs[z]->sees_ends();
+    model.interface = std::make_unique<ContactInterface>(*model.discretization,
+                                                         *model.elasticity,
+                                                         pairs);
+  }
+
+
+
+  // Statuses follow the pressures of the state: it comes last.
+  void RefinedState::transfer_contact(const ContactInterface &coarse,
+                                      const Vector<double>   &coarse_solution,
+                                      const SurfaceStates    &duals_on_surfaces,
+                                      std::vector<Vector<double>> &duals)
+  {
+    PairingMode mode;
+    mode.with_derivatives = linearization.moving_geometry;
+    model.interface->pair(linearization.moving_geometry
+                            ? state.solution
+                            : Vector<double>(state.solution.size()),
+                          mode);
+    model.interface->set_support_motion(
+      model.discretization->support_motion(state.start, state.load_factor));
+    for (unsigned int k = 0; k < duals.size(); ++k)
+      restore_surfaces(duals_on_surfaces[k], *model.interface, duals[k]);
+    restore_surfaces(save_surfaces(coarse, coarse_solution),
+                     *model.interface,
+                     state.solution);
+    update_statuses();
+    for (const ContactPoint &point : model.interface->points())
+      if (point.status.kind == Status::open)
+        for (Vector<double> &dual : duals)
+          set_multipliers(point, 0., dual);
+  }
+
+
+
+  // At the end of the contact a point is part of it if what presses it is more
+  // than what its gap takes to close: the pressure against the stiffness E/h.
+  void RefinedState::update_statuses()
+  {
+    const ContactInterface   &interface = *model.interface;
+    std::vector<ContactPoint> points    = interface.points();
+    for (ContactPoint &point : points)
+      {
+        if (!point.facing || interface.contact_pair(point).tied)
+          continue;
+        const ContactState now =
+          interface.state(point, state.solution, state.start);
+        const double p_trial =
+          now.lambda_n -
+          interface.contact_pair(point).stiffness(point) * now.gap;
+        const bool is_open = point.status.kind == Status::open;
+        if (is_open != (p_trial <= 0))
+          point.status = interface.updated_status(point,
+                                                  PointStatus(),
+                                                  p_trial,
+                                                  now.lambda_t,
+                                                  linearization.moving_bound);
+        if (point.status.kind == Status::open)
+          set_multipliers(point, 0., state.solution);
+      }
+    model.interface->set_points(points);
+  }
+
+
+
+  void RefinedState::set_multipliers(const ContactPoint &point,
+                                     const double        value,
+                                     Vector<double>     &vector) const
+  {
+    const ContactInterface &interface = *model.interface;
+    for (unsigned int k = 0; k < point.n_multipliers; ++k)
+      {
+        vector[interface.normal_index(point.multipliers[k])] = value;
+        if (interface.has_friction(point))
+          vector[interface.tangential_index(point.multipliers[k])] = value;
+      }
+  }
+} // namespace Contact

@@ -1,0 +1,56 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_refined_state_h
+#define contact_refined_state_h
+
+#include <vector>
+
+#include "contact/contact_kernel.h"
+#include "contact/increment_state.h"
+#include "contact/surface_transfer.h"
+#include "parameters/parameters.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * A converged state on the mesh refined once, where it is not solved: the
+   * same displacements and multipliers, and the statuses that follow from them.
+   */
+  class RefinedState
+  {
+  public:
+    /// Refine the mesh of the @p state; the @p duals, solutions of transposed
+    /// problems on that mesh, are transferred with it.
+    RefinedState(const Parameters::All              &parameters,
+                 const ContactModel                 &coarse,
+                 const IncrementState               &state,
+                 const ContactKernel::Linearization &linearization,
+                 std::vector<Vector<double>>        &duals);
+
+    ContactModel   model;
+    IncrementState state;
+
+  private:
+    using SurfaceStates = std::vector<std::vector<SurfaceState>>;
+
+    void make_interface(const Parameters::All  &parameters,
+                        const ContactInterface &coarse);
+    void transfer_contact(const ContactInterface      &coarse,
+                          const Vector<double>        &coarse_solution,
+                          const SurfaceStates         &duals_on_surfaces,
+                          std::vector<Vector<double>> &duals);
+    void update_statuses();
+    void set_multipliers(const ContactPoint &point,
+                         const double        value,
+                         Vector<double>     &vector) const;
+
+    const ContactKernel::Linearization linearization;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,95 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/force_probes.h"
+
+#include <algorithm>
+
+#include "base/errors.h"
+
+namespace Contact
+{
+  using Parameters::Choice;
+  using Parameters::Quantity;
+
+  bool is_reaction(const Quantity quantity)
+  {
+    return quantity == Quantity::reaction_x || quantity == Quantity::reaction_y;
+  }
+
+
+
+  bool is_force(const Quantity quantity)
+  {
+    return is_reaction(quantity) || quantity == Quantity::contact_force_x ||
+           quantity == Quantity::contact_force_y;
+  }
+
+
+
+  Resultant resultant(const Quantity      quantity,
+                      const std::string  &boundary,
+                      const ContactModel &model)
+  {
+    return Resultant(*model.elasticity,
+                     *model.discretization,
+                     model.mesh->boundary(boundary, "Probes/Probes"),
+                     quantity == Quantity::reaction_y ||
+                       quantity == Quantity::contact_force_y,
+                     is_reaction(quantity));
+  }
+
+
+
+  namespace
+  {
+    /// Whether one of these unknowns is on a slave or a master.
+    bool is_on_contact(const IndexSet         &unknowns,
+                       const ContactInterface *interface)
+    {
+      const auto has_one = [&](const Surface &surface) {
+        return std::any_of(surface.nodes.begin(),
+                           surface.nodes.end(),
+                           [&](const auto &node) {
+                             return unknowns.is_element(node.dofs[0]) ||
+                                    unknowns.is_element(node.dofs[1]);
+                           });
+      };
+      return interface != nullptr &&
+             std::any_of(interface->pairs.begin(),
+                         interface->pairs.end(),
+                         [&](const auto &contact_pair) {
+                           return has_one(contact_pair->slave) ||
+                                  (contact_pair->master &&
+                                   has_one(*contact_pair->master));
+                         });
+    }
+  } // namespace
+
+
+
+  void check_force(const std::string  &probe,
+                   const Quantity      quantity,
+                   const std::string  &boundary,
+                   const ContactModel &model)
+  {
+    const IndexSet unknowns = resultant(quantity, boundary, model).unknowns;
+    const bool     is_known = is_reaction(quantity)
+                                ? unknowns.n_elements() > 0
+                                : is_on_contact(unknowns, model.interface.get());
+    if (Utilities::MPI::max(static_cast<int>(is_known),
+                            model.discretization->communicator) == 0)
+      throw InputError(
+        "there is no " + Choice<Quantity>(quantity).name() +
+          " at the boundary '" + boundary + "': " +
+          (is_reaction(quantity) ? "no support holds it in this direction"
+                                 : "it is part of no slave and no master"),
+        "Probes/Probes, '" + probe + "'",
+        is_reaction(quantity)
+          ? "name a boundary of 'Boundary conditions/Displacement', or ask for a "
+            "contact force"
+          : "name a boundary of 'Contact', or ask for a reaction");
+  }
+} // namespace Contact

@@ -1,0 +1,56 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_resultant_h
+#define contact_resultant_h
+
+#include <deal.II/base/index_set.h>
+
+#include <set>
+
+#include "solid/elasticity.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The resultant of the forces that supports, or contact, exert on a body at a
+   * boundary, in direction i:
+   *   R_i = sum_a f_ai,
+   * f the internal forces minus the loads, a the nodes of that boundary that
+   * supports hold in that direction, or those that they do not [N per mm of
+   * thickness; rings: N].
+   */
+  class Resultant
+  {
+  public:
+    Resultant(const Elasticity                   &elasticity,
+              const Discretization               &discretization,
+              const std::set<types::boundary_id> &boundary,
+              const unsigned int                  direction,
+              const bool                          of_supports);
+
+    /// Collective.
+    double value(const Vector<double> &solution,
+                 const double          load_factor) const;
+
+    /// Add the derivative with respect to the displacements, times @p factor,
+    /// to the @p derivative: K^T v, v one at the unknowns of the boundary. On
+    /// one rank.
+    void add_derivative(const Vector<double> &solution,
+                        const double          factor,
+                        Vector<double>       &derivative) const;
+
+    /// The displacement unknowns of these nodes, on this rank.
+    const IndexSet unknowns;
+
+  private:
+    const Elasticity     &elasticity;
+    const Discretization &discretization;
+  };
+} // namespace Contact
+
+#endif
