@@ -328,11 +328,13 @@ namespace Contact
         try
           {
             Variant other(variant.parameters, scene.model, scene.state, timer);
-            const auto begin = Clock::now();
-            other.make_step();
-            estimate.price   = seconds_since(begin) / seconds;
-            const auto first = probes_of(other);
-            other.make_step();
+            const auto   begin = Clock::now();
+            const double step  = other.make_step();
+            estimate.price     = seconds_since(begin) / seconds;
+            const auto first   = probes_of(other);
+            if (other.make_step() > step / 2)
+              throw NotConverged("the steps do not become shorter: it is far "
+                                 "from here, or nothing holds a body");
             const auto second         = probes_of(other);
             estimate.changes          = difference(second, values);
             estimate.uncertainties    = difference(second, first);

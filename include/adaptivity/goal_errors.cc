@@ -48,9 +48,10 @@ namespace Contact
       double sign = factor;
       for (const std::string &place : probe.places)
         {
-          for (const auto dof :
-               resultant(probe.quantity, place, model).unknowns)
-            dual[dof] += sign;
+          const Vector<double> v =
+            resultant(probe.quantity, place, model).test_function();
+          for (unsigned int i = 0; i < v.size(); ++i)
+            dual[i] += sign * v[i];
           sign = -sign;
         }
     }

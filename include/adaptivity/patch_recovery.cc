@@ -186,6 +186,7 @@ namespace Contact
   {
     const Tensor<1, 2>  s = (X - patch.center) / patch.size;
     std::vector<double> values{1.};
+    values.reserve(10); // of degree three
     // Of each degree: those of the one before times x, and the power of y.
     for (unsigned int d = 1; d <= discretization.degree + 1; ++d)
       {
@@ -199,6 +200,26 @@ namespace Contact
 
 
 
+  void PatchRecovery::add_values(const Point<2>              &X,
+                                 const Patch                 &patch,
+                                 const double                 factor,
+                                 const NodeDoFs              &node,
+                                 std::vector<Vector<double>> &values) const
+  {
+    const auto shapes = monomials(X, patch);
+    for (unsigned int k = 0; k < n_fields; ++k)
+      for (unsigned int c = 0; c < 2; ++c)
+        values[k][node[c]] +=
+          factor * std::inner_product(shapes.begin(),
+                                      shapes.end(),
+                                      patch.coefficients[2 * k + c].begin(),
+                                      0.);
+  }
+
+
+
+  // Polynomials of neighbours are blended continuously: a node that cells share
+  // has the same value from all of them.
   std::vector<Vector<double>>
   PatchRecovery::values(const Discretization &refined) const
   {
@@ -210,8 +231,8 @@ namespace Contact
     std::vector<Vector<double>>          values(n_fields,
                                        Vector<double>(
                                          refined.dof_handler.n_dofs()));
+    std::vector<bool>                    is_known(X.size(), false);
     std::vector<types::global_dof_index> dofs;
-    std::vector<double>                  at_node(n_fields);
     for (const auto &cell : refined.dof_handler.active_cell_iterators())
       {
         const auto  &fe     = cell->get_fe();
@@ -219,28 +240,24 @@ namespace Contact
         unsigned int child  = 0;
         while (parent->child(child) != cell)
           ++child;
+        std::vector<const Patch *> around;
+        for (const unsigned int v : parent->vertex_indices())
+          around.push_back(
+            &patches.at({cell->material_id(), parent->vertex_index(v)}));
         dofs.resize(fe.dofs_per_cell);
         cell->get_dof_indices(dofs);
-        for (unsigned int i = 0; i < dofs.size(); ++i)
+        for (unsigned int n = 0; n < fe.base_element(0).dofs_per_cell; ++n)
           {
-            const unsigned int c   = fe.system_to_component_index(i).first;
+            const unsigned int i   = fe.component_to_system_index(0, n);
+            const auto         x   = dofs[i];
+            const auto         y   = dofs[fe.component_to_system_index(1, n)];
             const auto        &hat = hats[cell->active_fe_index()][child][i];
-            std::fill(at_node.begin(), at_node.end(), 0.);
-            for (const unsigned int v : parent->vertex_indices())
-              {
-                const Patch &patch =
-                  patches.at({cell->material_id(), parent->vertex_index(v)});
-                const auto shapes = monomials(X[dofs[i]], patch);
-                for (unsigned int k = 0; k < n_fields; ++k)
-                  at_node[k] +=
-                    hat[v] *
-                    std::inner_product(shapes.begin(),
-                                       shapes.end(),
-                                       patch.coefficients[2 * k + c].begin(),
-                                       0.);
-              }
-            for (unsigned int k = 0; k < n_fields; ++k)
-              values[k][dofs[i]] = at_node[k];
+            if (is_known[x])
+              continue;
+            is_known[x] = true;
+            for (unsigned int v = 0; v < around.size(); ++v)
+              if (hat[v] != 0)
+                add_values(X[x], *around[v], hat[v], {{x, y}}, values);
           }
       }
     return values;

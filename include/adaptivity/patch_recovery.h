@@ -59,6 +59,11 @@ namespace Contact
                              const Cells                       &cells,
                              const std::vector<Point<2>>       &X,
                              const std::vector<Vector<double>> &fields) const;
+    void                 add_values(const Point<2>              &X,
+                                    const Patch                 &patch,
+                                    const double                 factor,
+                                    const NodeDoFs              &node,
+                                    std::vector<Vector<double>> &values) const;
     std::vector<double>  monomials(const Point<2> &X, const Patch &patch) const;
 
     const Discretization &discretization;

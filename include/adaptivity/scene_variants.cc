@@ -68,6 +68,18 @@ namespace Contact
 
 
 
+    /// One of formulas, which have commas of their own.
+    std::string entry_of(const std::string                        &name,
+                         const std::map<std::string, std::string> &formulas)
+    {
+      std::string entry = name + "=";
+      for (const auto &[key, formula] : formulas)
+        entry += (entry.back() == '=' ? "" : "; ") + key + ": " + formula;
+      return entry;
+    }
+
+
+
     /// The contact pair of a section in another scene.
     Parameters::Contact &pair_of(All &scene, const std::string &name)
     {

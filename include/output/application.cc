@@ -23,14 +23,52 @@ namespace Contact
 {
   namespace
   {
-    // The same case on the mesh refined once, by which errors are estimated.
+    // Further runs of a case, by which errors are estimated, leave no files but
+    // their summaries.
+    Parameters::All further_case(const Parameters::All &first,
+                                 const std::string     &suffix)
+    {
+      Parameters::All further = first;
+      further.name += suffix;
+      further.output.vtu = further.output.profile = false;
+      return further;
+    }
+
+
+
     Parameters::All refined_case(const Parameters::All &coarse)
     {
-      Parameters::All finer = coarse;
-      finer.name += "_refined";
+      Parameters::All finer = further_case(coarse, "_refined");
       finer.mesh.refinements += 1;
-      finer.output.vtu = finer.output.profile = false;
       return finer;
+    }
+
+
+
+    Parameters::All halved_case(const Parameters::All &coarse)
+    {
+      Parameters::All finer = further_case(coarse, "_halved");
+      finer.solution.n_increments *= 2;
+      return finer;
+    }
+
+
+
+    /// The further cases that a case asks for: each, and how its values tell
+    /// errors of the first one.
+    using Estimate =
+      std::function<void(RunSummary &, const std::vector<ProbeResult> &)>;
+    std::vector<std::pair<Parameters::All, Estimate>>
+    further_cases(const Parameters::All &first)
+    {
+      std::vector<std::pair<Parameters::All, Estimate>> cases;
+      if (first.probes.estimate_errors && !first.has_levels())
+        cases.emplace_back(refined_case(first), [](auto &summary, auto &finer) {
+          estimate_errors(summary, finer);
+        });
+      if (first.probes.halve_increments)
+        cases.emplace_back(halved_case(first), estimate_increment_errors);
+      return cases;
     }
 
 
@@ -67,42 +105,39 @@ namespace Contact
 
 
 
-    // The discretization error of a run on one mesh is asked for by another one
-    // on the mesh refined once, which leaves no files but its summary: the
-    // parameters are those of the first.
+    // The parameters in the directories of further cases would be those of the
+    // first.
     RunSummary run_case(const Parameters::All  &parameters,
                         const ParameterHandler &prm,
                         const bool              verbose,
                         const SolveCase        &solve)
     {
       RunSummary summary = solve_robustly(parameters, prm, verbose, solve);
-      if (!parameters.probes.estimate_errors || !summary.converged ||
-          parameters.has_levels())
-        return summary;
-
-      const Parameters::All finer = refined_case(parameters);
-      const RunSummary refined    = solve_robustly(finer, prm, verbose, solve);
-      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      for (const auto &[further, estimate] : further_cases(parameters))
         {
-          std::error_code error;
-          std::filesystem::remove(finer.directory() / "parameters.prm", error);
-        }
-      summary.interrupted = refined.interrupted;
-      if (refined.converged)
-        {
-          estimate_errors(summary, refined.probes);
+          if (!summary.converged || summary.interrupted)
+            break;
+          const RunSummary other = solve_robustly(further, prm, verbose, solve);
+          if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+            {
+              std::error_code error;
+              std::filesystem::remove(further.directory() / "parameters.prm",
+                                      error);
+            }
+          summary.interrupted = other.interrupted;
+          if (other.converged)
+            estimate(summary, other.probes);
+          else if (!other.interrupted)
+            std::cerr << parameters.name
+                      << ": no error estimate, because the case '"
+                      << further.name
+                      << "' does not converge: " << other.message << std::endl;
           write_on_first_rank(MPI_COMM_WORLD,
                               parameters.directory() / "summary.json",
                               [&](std::ostream &out) {
                                 write_summary(summary, out);
                               });
         }
-      else if (!refined.interrupted)
-        std::cerr
-          << parameters.name
-          << ": no error estimate, because the case does not converge on "
-             "the mesh refined once: "
-          << refined.message << std::endl;
       return summary;
     }
 
@@ -170,15 +205,19 @@ namespace Contact
 
       std::set<std::filesystem::path> directories;
       for (const Parameters::All &a_case : cases)
-        if (!directories.insert(a_case.directory()).second ||
-            (a_case.probes.estimate_errors &&
-             !directories.insert(refined_case(a_case).directory()).second))
-          throw InputError(
-            "two cases have the name '" + a_case.name +
-              "', and the same directory for their results",
-            "command line",
-            "rename one of the files, or run them one by one with "
-            "another Output/Directory");
+        {
+          bool is_new = directories.insert(a_case.directory()).second;
+          for (const auto &further : further_cases(a_case))
+            is_new =
+              is_new && directories.insert(further.first.directory()).second;
+          if (!is_new)
+            throw InputError(
+              "two cases have the name '" + a_case.name +
+                "', and the same directory for their results",
+              "command line",
+              "rename one of the files, or run them one by one with "
+              "another Output/Directory");
+        }
 
       std::vector<RunSummary> summaries;
       for (unsigned int i = 0; i < cases.size(); ++i)

@@ -25,6 +25,7 @@ namespace Contact
                       "probe",
                       "computed",
                       "error est.",
+                      "of increments",
                       "reference",
                       "deviation",
                       "tolerance",
@@ -67,16 +68,18 @@ namespace Contact
                 probe.name + " [" + probe.unit + "]",
                 format_value(probe, probe.value),
                 probe.error ? format("%.1e", *probe.error) : "-",
+                probe.increment_error ? format("%+.1e", *probe.increment_error)
+                                      : "-",
                 "-",
                 "-",
                 "-",
                 "-"};
       if (probe.reference && probe.tolerance)
         {
-          line[5] = format_value(probe, *probe.reference);
-          line[6] = format_deviation(*probe.relative_deviation());
-          line[7] = format("%g %%", 100 * *probe.tolerance);
-          line[8] = probe.within() ? "yes" : "NO";
+          line[6] = format_value(probe, *probe.reference);
+          line[7] = format_deviation(*probe.relative_deviation());
+          line[8] = format("%g %%", 100 * *probe.tolerance);
+          line[9] = probe.within() ? "yes" : "NO";
         }
       return line;
     }
@@ -124,16 +127,13 @@ namespace Contact
         for (const ProbeResult &probe : summary.probes)
           lines.push_back(make_line(summary, probe));
       else
-        lines.push_back(
-          {summary.case_name,
-           std::filesystem::path(summary.mesh_file).stem().string(),
-           "-",
-           "-",
-           "-",
-           "-",
-           "-",
-           "-",
-           "NO"});
+        {
+          Line line(header.size(), "-");
+          line[0] = summary.case_name;
+          line[1] = std::filesystem::path(summary.mesh_file).stem().string();
+          line.back() = "NO";
+          lines.push_back(line);
+        }
       return lines;
     }
   } // namespace
@@ -199,15 +199,15 @@ namespace Contact
         lines.push_back(line);
 
     // Nothing was estimated: no column for it.
-    const unsigned int column = 4;
-    if (std::all_of(lines.begin() + 1, lines.end(), [&](const Line &line) {
-          return line[column] == "-";
-        }))
-      for (Line &line : lines)
-        line[column].clear();
+    for (const unsigned int column : {4u, 5u})
+      if (std::all_of(lines.begin() + 1, lines.end(), [&](const Line &line) {
+            return line[column] == "-";
+          }))
+        for (Line &line : lines)
+          line[column].clear();
 
     // Names to the left, numbers to the right.
-    print_lines(out, lines, {3, 4, 5, 6, 7});
+    print_lines(out, lines, {3, 4, 5, 6, 7, 8});
 
     for (const RunSummary &summary : summaries)
       if (!summary.converged)

@@ -232,6 +232,11 @@ namespace Contact
                         "With several levels that costs nothing and is always "
                         "done; without, the case is solved once more on the "
                         "mesh refined once.");
+      prm.add_parameter("Halve increments",
+                        halve_increments,
+                        "Estimate the error that the load increments leave in "
+                        "the probes, with friction [-]: the case is solved "
+                        "once more with twice as many.");
       prm.add_parameter(
         "Accuracy",
         accuracy,

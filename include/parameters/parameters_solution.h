@@ -142,6 +142,9 @@ namespace Contact
       /// Estimate the discretization error of the probes on a refined mesh.
       bool estimate_errors = false;
 
+      /// Estimate the error of the load increments by a run with twice as many.
+      bool halve_increments = false;
+
       /// Estimate it by dual weighted residuals, see GoalErrors.
       bool dual_weighted_residuals = false;
 

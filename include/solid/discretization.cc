@@ -22,6 +22,7 @@
 #include "base/errors.h"
 #include "base/string_utilities.h"
 #include "parameters/formula.h"
+#include "solid/followers.h"
 
 namespace Contact
 {
@@ -415,32 +416,8 @@ namespace Contact
         constraints.add_entry(dof, partner, 1.);
       }
     if (serendipity)
-      bind_centres();
+      bind_centres(dof_handler, constraints);
     constraints.close();
   }
 
-
-
-  void Discretization::bind_centres()
-  {
-    // FE_Q(2) numbers the corners 0-3, the mid-sides 4-7, the centre 8.
-    std::vector<types::global_dof_index> dofs;
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (!cell->is_artificial() && cell->reference_cell().is_hyper_cube())
-        {
-          dofs.resize(cell->get_fe().n_dofs_per_cell());
-          cell->get_dof_indices(dofs);
-          for (unsigned int c = 0; c < 2; ++c)
-            {
-              const auto dof = [&](const unsigned int node) {
-                return dofs[cell->get_fe().component_to_system_index(c, node)];
-              };
-              constraints.add_line(dof(8));
-              for (unsigned int node = 0; node < 4; ++node)
-                constraints.add_entry(dof(8), dof(node), -0.25);
-              for (unsigned int node = 4; node < 8; ++node)
-                constraints.add_entry(dof(8), dof(node), 0.5);
-            }
-        }
-  }
 } // namespace Contact

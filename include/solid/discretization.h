@@ -233,7 +233,6 @@ namespace Contact
     void collect_ties();
     void
     make_constraints(const std::map<types::global_dof_index, double> &updates);
-    void bind_centres();
 
     using History = std::function<double(const Point<1> &)>;
 

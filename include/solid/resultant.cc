@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+#include "solid/followers.h"
+
 namespace Contact
 {
   namespace
@@ -50,8 +52,9 @@ namespace Contact
   double Resultant::value(const Vector<double> &solution,
                           const double          load_factor) const
   {
-    const Vector<double> forces = elasticity.forces(solution, load_factor);
-    double               sum    = 0;
+    Vector<double> forces = elasticity.forces(solution, load_factor);
+    hand_over_from_followers(discretization, forces);
+    double sum = 0;
     for (const auto dof : discretization.dof_handler.locally_owned_dofs())
       if (unknowns.is_element(dof))
         sum += forces[dof];
@@ -60,18 +63,29 @@ namespace Contact
 
 
 
+  Vector<double> Resultant::test_function() const
+  {
+    Vector<double> v(discretization.dof_handler.n_dofs());
+    for (const auto dof : unknowns)
+      v[dof] = 1;
+    followers(discretization).distribute(v);
+    return v;
+  }
+
+
+
   void Resultant::add_derivative(const Vector<double> &solution,
                                  const double          factor,
                                  Vector<double>       &derivative) const
   {
-    const auto is_at_boundary = [&](const types::global_dof_index dof) {
-      return unknowns.is_element(dof);
-    };
+    const Vector<double>      v = test_function();
     std::vector<unsigned int> chosen;
     for (unsigned int c = 0; c < elasticity.n_cells(); ++c)
       {
         const auto &dofs = elasticity.dofs_of_cell(c);
-        if (std::any_of(dofs.begin(), dofs.end(), is_at_boundary))
+        if (std::any_of(dofs.begin(), dofs.end(), [&](const auto dof) {
+              return v[dof] != 0;
+            }))
           chosen.push_back(c);
       }
     elasticity.visit_cells(solution,
@@ -81,10 +95,9 @@ namespace Contact
                                const FullMatrix<double> &tangent,
                                const Vector<double> &) {
                              for (unsigned int i = 0; i < dofs.size(); ++i)
-                               if (is_at_boundary(dofs[i]))
-                                 for (unsigned int j = 0; j < dofs.size(); ++j)
-                                   derivative[dofs[j]] +=
-                                     factor * tangent(i, j);
+                               for (unsigned int j = 0; j < dofs.size(); ++j)
+                                 derivative[dofs[j]] +=
+                                   factor * v[dofs[i]] * tangent(i, j);
                            });
   }
 } // namespace Contact

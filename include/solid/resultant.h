@@ -22,7 +22,8 @@ namespace Contact
    *   R_i = sum_a f_ai,
    * f the internal forces minus the loads, a the nodes of that boundary that
    * supports hold in that direction, or those that they do not [N per mm of
-   * thickness; rings: N].
+   * thickness; rings: N]. Hanging nodes and bound centres have handed over
+   * their forces.
    */
   class Resultant
   {
@@ -38,11 +39,14 @@ namespace Contact
                  const double          load_factor) const;
 
     /// Add the derivative with respect to the displacements, times @p factor,
-    /// to the @p derivative: K^T v, v one at the unknowns of the boundary. On
-    /// one rank.
+    /// to the @p derivative: K^T v, v the test function. On one rank.
     void add_derivative(const Vector<double> &solution,
                         const double          factor,
                         Vector<double>       &derivative) const;
+
+    /// One at these nodes, and what follows from that at those that follow
+    /// them: R_i = v . f. On one rank.
+    Vector<double> test_function() const;
 
     /// The displacement unknowns of these nodes, on this rank.
     const IndexSet unknowns;

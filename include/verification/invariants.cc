@@ -6,10 +6,11 @@
 #include "verification/invariants.h"
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/dofs/dof_tools.h>
 
 #include <cmath>
 #include <limits>
+
+#include "solid/followers.h"
 
 namespace Contact
 {
@@ -156,7 +157,7 @@ namespace Contact
     Vector<double> left = elasticity.forces(end.displacement, load_factor);
     for (const auto *forces : {&end.pressures, &end.shears, &end.holds})
       left -= *forces;
-    hand_over_from_followers(left);
+    hand_over_from_followers(discretization, left);
 
     const auto    &constraints  = discretization.constraints;
     const MPI_Comm communicator = discretization.communicator;
@@ -177,39 +178,6 @@ namespace Contact
     end.external += reactions;
     add_up(reactions, found);
     judge_balance(residual.l2_norm(), slack, hold_forces != nullptr, found);
-  }
-
-
-
-  // Hanging nodes hand over to their neighbors, and what is tied to what it
-  // follows. Of those that a support fixes the constraints of an update know
-  // nothing any longer.
-  void InvariantCheck::hand_over_from_followers(Vector<double> &left) const
-  {
-    const auto &dof_handler = discretization.dof_handler;
-    const bool  has_hanging =
-      discretization.mesh.triangulation.has_hanging_nodes();
-    if (!has_hanging && discretization.tied().empty())
-      return;
-    AffineConstraints<double> followers;
-    if (has_hanging)
-      DoFTools::make_hanging_node_constraints(dof_handler, followers);
-    for (const auto &[dof, leader] : discretization.tied())
-      {
-        followers.add_line(dof);
-        followers.add_entry(dof, leader, 1.);
-      }
-    followers.close();
-    Vector<double> handed_over(left.size());
-    for (const auto &line : followers.get_lines())
-      if (dof_handler.locally_owned_dofs().is_element(line.index))
-        {
-          handed_over[line.index] -= left[line.index];
-          for (const auto &[other, coefficient] : line.entries)
-            handed_over[other] += coefficient * left[line.index];
-        }
-    Utilities::MPI::sum(handed_over, discretization.communicator, handed_over);
-    left += handed_over;
   }
 
 

@@ -163,7 +163,6 @@ namespace Contact
                         const Slack          &slack,
                         const Vector<double> *hold_forces,
                         Invariants           &found);
-    void hand_over_from_followers(Vector<double> &left) const;
     void judge_balance(const double residual,
                        const Slack &slack,
                        const bool   is_held,
