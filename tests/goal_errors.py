@@ -13,7 +13,9 @@ Proves that
 - where errors fall at their rate, the forecast of the next level's is right to a
   factor of two;
 - the estimates do not change the values;
-- they are refused where there are none.
+- reactions and forces of contact balance the loads where nodes hang, and with
+  body forces on 8-node elements;
+- estimates are refused where there are none.
 
 Usage: goal_errors.py CONTACT PARAMETERS MESHES
 """
@@ -82,6 +84,18 @@ for case, (degree, n_levels, tolerance, *more) in cases.items():
         check("  says how", probe["estimator"] == "dual weighted residuals" and
               probe["estimated_error"] ==
               abs(levels[-1]["estimated_errors"][probe["name"]]))
+
+status, said, summary = run(
+    "nested", 3, "Refinement/Strategy=adaptive",
+    "Element/Centre node=serendipity", "Boundary conditions/Body force y=Block: -1",
+    "Probes/Probes=base: reaction y, Encast; slave: contact force y, Bottom_C; "
+    "master: contact force y, Top_B")
+values = summary["levels"][-1]["probes"]
+load, weight = 17500, 20000
+check("loads are balanced", status == 0 and all(
+    abs(values[name] / force - 1) < 1e-6 for name, force in
+    {"base": load + weight, "slave": load, "master": -load}.items()),
+    f"{values}")
 
 status, said, _ = run("nested", 0, estimate, "Contact/Discretization=Gauss")
 check("Gauss points: refused", status == 2 and "dual problems" in said, said)
