@@ -7,7 +7,7 @@ Proves that
 - the estimate of each level, less what it adds for finer meshes than the next
   one (1 / (1 - 2^-q), q the order), is the change of the probe on the next
   level, which is computed without it: displacements, stresses at points,
-  pressures and forces of contact, reactions; at degrees 1 and 2, axisymmetric
+  pressures and forces of contact, reactions, strain energies; at degrees 1 and 2, axisymmetric
   and plane, with meshes that match and that do not, at large displacement and
   with friction;
 - where errors fall at their rate, the forecast of the next level's is right to a
@@ -44,6 +44,10 @@ cases = {
     "verification/nested_cylinders_quadratic": (2, 2, 0.06),
     "verification/nested_cylinders_plane_quadratic": (2, 2, 0.21),
     "verification/nested_spheres_quadratic": (2, 2, 0.08),
+    "verification/nested_cylinders_plane":
+        (2, 2, 0.03, "Element/Degree=2",
+         "Probes/Probes=inner: strain energy, Inner; "
+         "both: strain energy, Outer, Inner"),
     "verification/sphere_on_plane":
         (1, 2, 0.05, "Element/Degree=1", "Element/Centre node=serendipity",
          "Probes/Probes=force: contact force y, Surface; "

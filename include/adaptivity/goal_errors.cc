@@ -35,6 +35,14 @@ namespace Contact
 
   namespace
   {
+    /// Whether a probe is no value at a point.
+    bool is_integral(const Parameters::Quantity quantity)
+    {
+      return is_force(quantity) || is_energy(quantity);
+    }
+
+
+
     /// Add what the test function of a resultant is at the boundary, times
     /// @p factor: its dual solution z has the derivative K^T v on the right, so
     /// z - v is as smooth as that of a displaced boundary, and z is not.
@@ -94,13 +102,13 @@ namespace Contact
         add_lift(probe, 1, fine, transferred);
         impose_contact(functional, dual);
         std::vector<unsigned int> vertices;
-        if (!is_force(probe.quantity))
+        if (!is_integral(probe.quantity))
           for (const std::string &point : probe.places)
             vertices.push_back(model.mesh->point(point, "Probes/Probes"));
         system.solve_dual_around(vertices, functional, dual);
         fine.discretization->constrain_homogeneously(dual);
         errors.mesh[name] =
-          (functional * relaxed + residual * dual + change_of_recovery(probe)) /
+          (change_of_probe(probe, functional, relaxed) + residual * dual) /
           (1 - std::pow(2., -order(probe)));
         if (const auto request = requests.find(name); request != requests.end())
           {
@@ -373,11 +381,24 @@ namespace Contact
 
 
 
-  double GoalErrors::change_of_recovery(const Definition &probe) const
+  // J(x_h + e) - J_h(x_h). An energy is quadratic, and where the supports are
+  // at rest its error is that of second order.
+  double GoalErrors::change_of_probe(const Definition     &probe,
+                                     const Vector<double> &functional,
+                                     const Vector<double> &relaxed) const
   {
-    return is_stress(probe.quantity) || is_force(probe.quantity)
-             ? probe_value(probe, refined->model, refined->state) -
-                 probe_value(probe, model, state)
-             : 0.;
+    if (is_energy(probe.quantity))
+      {
+        IncrementState better = refined->state;
+        better.solution += relaxed;
+        return probe_value(probe, refined->model, better) -
+               probe_value(probe, model, state);
+      }
+    const bool is_recovered =
+      is_stress(probe.quantity) || is_force(probe.quantity);
+    return functional * relaxed +
+           (is_recovered ? probe_value(probe, refined->model, refined->state) -
+                             probe_value(probe, model, state)
+                         : 0.);
   }
 } // namespace Contact

@@ -91,7 +91,9 @@ namespace Contact
     void                        impose_contact(const Vector<double> &functional,
                                                Vector<double>       &dual) const;
     double                      order(const Definition &probe) const;
-    double change_of_recovery(const Definition &probe) const;
+    double                      change_of_probe(const Definition     &probe,
+                                                const Vector<double> &functional,
+                                                const Vector<double> &relaxed) const;
 
     const Parameters::All                  &parameters;
     ContactModel                           &model;

@@ -34,10 +34,17 @@ namespace Contact
 
 
 
+  bool is_energy(const Quantity quantity)
+  {
+    return quantity == Quantity::strain_energy;
+  }
+
+
+
   bool is_stress(const Quantity quantity)
   {
     return !is_displacement(quantity) && !is_contact_traction(quantity) &&
-           !is_force(quantity);
+           !is_force(quantity) && !is_energy(quantity);
   }
 
 
@@ -181,10 +188,22 @@ namespace Contact
         case Quantity::reaction_y:
         case Quantity::contact_force_x:
         case Quantity::contact_force_y:
+        case Quantity::strain_energy:
           break;
       }
     AssertThrow(false, ExcInternalError());
     return 0;
+  }
+
+
+
+  double body_energy(const std::string    &body,
+                     const ContactModel   &model,
+                     const Vector<double> &u)
+  {
+    return model.elasticity->strain_energy(model.mesh->body(body,
+                                                            "Probes/Probes"),
+                                           u);
   }
 
 
@@ -281,6 +300,32 @@ namespace Contact
                             stress_with(dof, solution[dof] - step)) /
                            (2 * step);
     }
+
+
+
+    void add_derivative_at(const Quantity        quantity,
+                           const unsigned int    vertex,
+                           const double          factor,
+                           const ContactModel   &model,
+                           const Vector<double> &solution,
+                           Vector<double>       &derivative)
+    {
+      if (is_displacement(quantity))
+        add_derivative_of_displacement(quantity,
+                                       vertex,
+                                       factor,
+                                       model,
+                                       derivative);
+      else if (is_contact_traction(quantity))
+        add_derivative_of_traction(quantity, vertex, factor, model, derivative);
+      else
+        add_derivative_of_stress(quantity,
+                                 vertex,
+                                 factor,
+                                 model,
+                                 solution,
+                                 derivative);
+    }
   } // namespace
 
 
@@ -295,6 +340,8 @@ namespace Contact
       if (is_force(quantity))
         return resultant(quantity, place, model)
           .value(state.solution, state.load_factor);
+      if (is_energy(quantity))
+        return body_energy(place, model, state.solution);
       const unsigned int vertex = model.mesh->point(place, "Probes/Probes");
       if (is_contact_traction(quantity))
         return contact_traction(quantity,
@@ -344,32 +391,21 @@ namespace Contact
     for (const std::string &place : probe.places)
       {
         if (is_force(probe.quantity))
-          {
-            resultant(probe.quantity, place, model)
-              .add_derivative(solution, factor, derivative);
-            factor = -1;
-            continue;
-          }
-        const unsigned int vertex = model.mesh->point(place, "Probes/Probes");
-        if (is_displacement(probe.quantity))
-          add_derivative_of_displacement(probe.quantity,
-                                         vertex,
-                                         factor,
-                                         model,
-                                         derivative);
-        else if (is_contact_traction(probe.quantity))
-          add_derivative_of_traction(probe.quantity,
-                                     vertex,
-                                     factor,
-                                     model,
-                                     derivative);
+          resultant(probe.quantity, place, model)
+            .add_derivative(solution, factor, derivative);
+        else if (is_energy(probe.quantity))
+          model.elasticity->add_internal_forces(
+            model.mesh->body(place, "Probes/Probes"),
+            factor,
+            solution,
+            derivative);
         else
-          add_derivative_of_stress(probe.quantity,
-                                   vertex,
-                                   factor,
-                                   model,
-                                   solution,
-                                   derivative);
+          add_derivative_at(probe.quantity,
+                            model.mesh->point(place, "Probes/Probes"),
+                            factor,
+                            model,
+                            solution,
+                            derivative);
         factor = -1;
       }
     return derivative;

@@ -22,6 +22,9 @@ namespace Contact
   /// Whether a quantity is a traction of contact.
   bool is_contact_traction(const Parameters::Quantity quantity);
 
+  /// Whether a quantity is an energy of a body.
+  bool is_energy(const Parameters::Quantity quantity);
+
   /// Whether a quantity is a stress in a body.
   bool is_stress(const Parameters::Quantity quantity);
 
@@ -54,8 +57,13 @@ namespace Contact
                      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                      const Vector<double>                     &u);
 
-  /// A probe in a state [mm, MPa, or N per mm of thickness], by the cells
-  /// around its points alone.
+  /// The energy [N mm per mm of thickness] of a named body. Collective.
+  double body_energy(const std::string    &body,
+                     const ContactModel   &model,
+                     const Vector<double> &u);
+
+  /// A probe in a state [mm, MPa, N or N mm per mm of thickness]; at points by
+  /// the cells around them alone.
   double probe_value(const Parameters::Probes::Definition &probe,
                      const ContactModel                   &model,
                      const IncrementState                 &state);

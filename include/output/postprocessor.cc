@@ -32,6 +32,11 @@ namespace Contact
               check_force(name, probe.quantity, point, model);
               continue;
             }
+          if (is_energy(probe.quantity))
+            {
+              model.mesh->body(point, "Probes/Probes");
+              continue;
+            }
           model.mesh->point(point, "Probes/Probes");
           if (is_contact_traction(probe.quantity))
             check_contact_traction(name,
@@ -227,6 +232,8 @@ namespace Contact
     if (is_force(quantity))
       return resultant(quantity, point, model)
         .value(state.solution, state.load_factor);
+    if (is_energy(quantity))
+      return body_energy(point, model, state.solution);
     const unsigned int vertex = model.mesh->point(point, "Probes/Probes");
     if (is_contact_traction(quantity))
       return contact_traction(quantity,

@@ -227,7 +227,8 @@ namespace Contact
       reaction_x,
       reaction_y,
       contact_force_x,
-      contact_force_y
+      contact_force_y,
+      strain_energy
     };
 
     inline NamedValues<Quantity> named_values(const Quantity)
@@ -244,7 +245,8 @@ namespace Contact
               {"reaction x", Quantity::reaction_x},
               {"reaction y", Quantity::reaction_y},
               {"contact force x", Quantity::contact_force_x},
-              {"contact force y", Quantity::contact_force_y}};
+              {"contact force y", Quantity::contact_force_y},
+              {"strain energy", Quantity::strain_energy}};
     }
 
     /// The unit of a quantity.
@@ -268,6 +270,8 @@ namespace Contact
           case Quantity::contact_force_x:
           case Quantity::contact_force_y:
             return symmetry == Symmetry::plane_strain ? "N/mm" : "N";
+          case Quantity::strain_energy:
+            return symmetry == Symmetry::plane_strain ? "N mm/mm" : "N mm";
         }
       AssertThrow(false, ExcInternalError());
       return "";

@@ -180,7 +180,8 @@ namespace Contact
           "and contact forces those on the body at a boundary "
           "group, named as the point: of the nodes that "
           "supports hold in that direction, and of the "
-          "others.");
+          "others; the strain energy is that of a body, named as "
+          "the point [N mm per mm of thickness, in rings N mm].");
       prm.add_parameter("References",
                         references,
                         "'name: value', separated by ','; what a probe is "

@@ -110,8 +110,8 @@ namespace Contact
       /// group}; see the entry's documentation.
       std::map<std::string, std::vector<std::string>> probes;
 
-      /// A quantity at a point group, for forces a boundary group, or its
-      /// difference between two of them.
+      /// A quantity at a point group, for forces a boundary group and for
+      /// energies a body, or its difference between two of them.
       struct Definition
       {
         Choice<Quantity>         quantity;

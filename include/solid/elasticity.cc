@@ -244,6 +244,36 @@ namespace Contact
 
 
 
+  double Elasticity::strain_energy(const types::material_id body,
+                                   const Vector<double>    &u) const
+  {
+    double energy = 0;
+    for (const CellTable &cell : tables.own)
+      if (cell.body == body)
+        energy += cell_energy(cell, u);
+    return Utilities::MPI::sum(energy, discretization.communicator);
+  }
+
+
+
+  void Elasticity::add_internal_forces(const types::material_id body,
+                                       const double             factor,
+                                       const Vector<double>    &u,
+                                       Vector<double>          &forces) const
+  {
+    Vector<double> of_cell;
+    for (const CellTable &cell : tables.own)
+      if (cell.body == body)
+        {
+          of_cell.reinit(cell.dofs.size());
+          cell_forces(cell, u, StressStiffness::with, nullptr, of_cell);
+          for (unsigned int i = 0; i < cell.dofs.size(); ++i)
+            forces[cell.dofs[i]] += factor * of_cell[i];
+        }
+  }
+
+
+
   void Elasticity::add_couplings(DynamicSparsityPattern &pattern) const
   {
     for (const CellTable &cell : tables.own)

@@ -151,6 +151,17 @@ namespace Contact
      */
     double strain_energy(const Vector<double> &u) const;
 
+    /// That of one body. Collective.
+    double strain_energy(const types::material_id body,
+                         const Vector<double>    &u) const;
+
+    /// Add the derivative of the energy of a body, its internal forces, times
+    /// @p factor. Of several ranks each adds its own part.
+    void add_internal_forces(const types::material_id body,
+                             const double             factor,
+                             const Vector<double>    &u,
+                             Vector<double>          &forces) const;
+
     /// Grows whenever the tangent becomes another one under the same u: with
     /// the stabilization.
     unsigned int tangent_version() const
