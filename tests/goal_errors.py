@@ -45,7 +45,7 @@ cases = {
     "verification/nested_cylinders_plane_quadratic": (2, 2, 0.21),
     "verification/nested_spheres_quadratic": (2, 2, 0.08),
     "verification/nested_cylinders_plane":
-        (2, 2, 0.03, "Element/Degree=2",
+        (2, 2, 0.06, "Element/Degree=2",
          "Probes/Probes=inner: strain energy, Inner; "
          "both: strain energy, Outer, Inner"),
     "verification/sphere_on_plane":
