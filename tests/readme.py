@@ -46,6 +46,8 @@ SHORT = {
     "./run benchmark": "REPETITIONS=1 ./run benchmark",
     "./run effects": "./run effects tied --repetitions 1",
     "./run estimates": "./run estimates verification/hertz",
+    "./run requests": "./run requests verification/nested_spheres_quadratic",
+    "./run effectivity": "./run effectivity ring",
     "./run yardstick":
         "./run yardstick CHOLMOD --repetitions 1 --refinements 2",
     "./run scaling": "./run scaling 2000",

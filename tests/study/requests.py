@@ -9,7 +9,7 @@ of the finest one added, which is accurate to the figure behind +-: the change o
 that sum from the mesh before. Times are wall times of all levels together, of
 one run each, in seconds.
 
-Usage: requests.py CONTACT
+Usage: requests.py CONTACT [CASE...]
 """
 
 import json
@@ -70,7 +70,8 @@ def main():
           " energy: unknowns | s |")
     print("|---|---|---|---|---|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as directory:
-        for case, (probes, requests, n_levels) in cases.items():
+        for case in sys.argv[2:] or cases:
+            probes, requests, n_levels = cases[case]
             fine = solve(case, directory, f"Refinement/Levels={n_levels}",
                          "Probes/Dual weighted residuals=true")["levels"]
             uniform = solve(case, directory,
