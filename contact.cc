@@ -266,8 +266,9 @@ namespace Contact
   {
     {
       TimerOutput::Scope scope(report.timer, "setup");
-      model.mesh = std::make_unique<Mesh>(parameters.mesh, report.communicator);
-      if (parameters.refines_adaptively(model.mesh->is_all_quadrilateral()))
+      model.mesh =
+        std::make_unique<Mesh<2>>(parameters.mesh, report.communicator);
+      if (parameters.refines_adaptively(model.mesh->has_only_hypercubes()))
         check_adaptive(*model.mesh);
       model.discretization =
         std::make_unique<Discretization>(*model.mesh,
@@ -817,7 +818,7 @@ namespace Contact
   // The old matrices go first: two meshes at a time would take their memory.
   void ContactProblem::refine()
   {
-    if (!parameters.refines_adaptively(model.mesh->is_all_quadrilateral()))
+    if (!parameters.refines_adaptively(model.mesh->has_only_hypercubes()))
       flag_all_cells(*model.mesh);
     else if (parameters.asks_for_accuracy())
       flag_by_indicators(model, parameters, coarser.indicators);

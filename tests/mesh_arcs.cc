@@ -88,7 +88,7 @@ void test_arcs()
     {
       auto parameters = parameters_for(half_disc(6), refinements);
       parameters.arcs = {{"Arc", {center[0], center[1], 2}}};
-      const Mesh mesh(parameters);
+      const Mesh<2> mesh(parameters);
 
       const Roundness found = roundness(mesh.triangulation,
                                         mesh.boundary("Arc", "a test"),

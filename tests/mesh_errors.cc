@@ -47,18 +47,18 @@ void test_file_errors()
 {
   std::cout << "Errors in files" << std::endl;
   const auto read = [](const std::string &content) {
-    first_line([&] { Mesh mesh(parameters_for(content)); });
+    first_line([&] { Mesh<2> mesh(parameters_for(content)); });
   };
 
   first_line([] {
     Parameters::Mesh parameters;
     parameters.file = "a_mesh_which_is_not_there.msh";
-    Mesh mesh(parameters);
+    Mesh<2> mesh(parameters);
   });
   first_line([] {
     Parameters::Mesh parameters;
     parameters.file = ".";
-    Mesh mesh(parameters);
+    Mesh<2> mesh(parameters);
   });
   read("");
   read("solid by another program\n");
@@ -98,7 +98,7 @@ void test_group_errors()
 {
   std::cout << "Errors in groups" << std::endl;
   const auto read = [](const std::string &content) {
-    first_line([&] { Mesh mesh(parameters_for(content)); });
+    first_line([&] { Mesh<2> mesh(parameters_for(content)); });
   };
 
   // Bodies: none, a cell of none, cells of two (in each format).
@@ -124,7 +124,7 @@ void test_group_errors()
   read(replaced(msh_22, "11 1 2 8 3 5 4", "11 1 2 8 3 6 4"));
 
   // Groups asked for: what there is not, and what is of no use.
-  const Mesh mesh(parameters_for(msh_22));
+  const Mesh<2> mesh(parameters_for(msh_22));
   first_line([&] { mesh.body("Middle", "an entry"); });
   first_line([&] { mesh.boundary("Top", "an entry"); });
   first_line([&] { mesh.boundary("Inside", "an entry"); });
@@ -144,7 +144,7 @@ void test_group_errors()
     }
   try
     {
-      Mesh damaged(parameters_for(replaced(msh_22, "5 1 1 0", "5 1 1")));
+      Mesh<2> damaged(parameters_for(replaced(msh_22, "5 1 1 0", "5 1 1")));
     }
   catch (const InputError &error)
     {
@@ -156,7 +156,7 @@ void test_group_errors()
     first_line([&] {
       auto parameters = parameters_for(msh_22);
       parameters.arcs = {{group, {1, 0, 1}}};
-      Mesh with_arc(parameters);
+      Mesh<2> with_arc(parameters);
     });
 }
 

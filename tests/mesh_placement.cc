@@ -49,8 +49,9 @@ $EndElements
 
 
   template<typename Place>
-  double
-  largest_distance(const Mesh &mesh, const Mesh &plain, const Place &place)
+  double largest_distance(const Mesh<2> &mesh,
+                          const Mesh<2> &plain,
+                          const Place   &place)
   {
     double distance = 0;
     auto   other    = plain.triangulation.begin_active();
@@ -74,15 +75,15 @@ $EndElements
     headline("placement");
     auto parameters = parameters_for(two_arcs, 3);
     parameters.arcs = {{"Arcs", {0, 0, 1}}};
-    const Mesh  plain(parameters);
-    const auto &right = plain.body("Right", "a test");
+    const Mesh<2> plain(parameters);
+    const auto   &right = plain.body("Right", "a test");
 
     parameters.move     = {{"Right", {0.5, 0.25}}};
     parameters.scale    = 2;
-    parameters.rotation = 30;
+    parameters.rotation = {30};
     parameters.shift    = {10, -20};
-    const Mesh   mesh(parameters);
-    const double c = std::sqrt(3.) / 2, s = 0.5;
+    const Mesh<2> mesh(parameters);
+    const double  c = std::sqrt(3.) / 2, s = 0.5;
     check_small("as moved by hand",
                 largest_distance(
                   mesh,
@@ -113,11 +114,11 @@ $EndElements
     headline("scales");
     auto parameters = parameters_for(two_arcs, 3);
     parameters.arcs = {{"Arcs", {0, 0, 1}}};
-    const Mesh plain(parameters);
+    const Mesh<2> plain(parameters);
     for (const double scale : {1., 0x1p-20, 0x1p20})
       {
         parameters.scale = scale;
-        const Mesh mesh(parameters);
+        const Mesh<2> mesh(parameters);
         check("scale " + std::to_string(scale),
               largest_distance(mesh,
                                plain,
@@ -135,7 +136,7 @@ $EndElements
     try
       {
         parameters.check();
-        Mesh mesh(parameters);
+        Mesh<2> mesh(parameters);
         std::cout << "  accepted" << std::endl;
       }
     catch (const InputError &error)

@@ -15,7 +15,7 @@
 using namespace Contact;
 
 /// All that a mesh knows, in a few lines.
-std::string describe(const Mesh &mesh)
+std::string describe(const Mesh<2> &mesh)
 {
   std::ostringstream      out;
   const Triangulation<2> &triangulation = mesh.triangulation;
@@ -55,22 +55,22 @@ std::string describe(const Mesh &mesh)
 void test_formats()
 {
   std::cout << "Format 2.2" << std::endl;
-  const std::string from_22 = describe(Mesh(parameters_for(msh_22)));
+  const std::string from_22 = describe(Mesh<2>(parameters_for(msh_22)));
   std::cout << from_22;
 
   std::cout << "Format 4.1" << std::endl;
-  const std::string from_41 = describe(Mesh(parameters_for(msh_41)));
+  const std::string from_41 = describe(Mesh<2>(parameters_for(msh_41)));
   std::cout << (from_41 == from_22 ? "the same\n" : from_41);
 
   std::cout << "Line ends of Windows" << std::endl;
   std::string windows;
   for (const char c : msh_22)
     windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
-  const std::string from_windows = describe(Mesh(parameters_for(windows)));
+  const std::string from_windows = describe(Mesh<2>(parameters_for(windows)));
   std::cout << (from_windows == from_22 ? "the same\n" : from_windows);
 
   std::cout << "Refined twice" << std::endl
-            << describe(Mesh(parameters_for(msh_22, 2)));
+            << describe(Mesh<2>(parameters_for(msh_22, 2)));
 }
 
 
@@ -91,7 +91,7 @@ void test_second_order()
       << "4 16 2 2 1 1 3 17 15 2 10 16 8\n"
       << "5 10 2 2 1 3 5 19 17 4 12 18 10 11\n"
       << "6 9 2 2 1 5 7 19 6 13 12\n$EndElements\n";
-  std::cout << describe(Mesh(parameters_for(msh.str())));
+  std::cout << describe(Mesh<2>(parameters_for(msh.str())));
 }
 
 
@@ -134,7 +134,7 @@ void test_order()
   msh << "$EndNodes\n$Elements\n"
       << n_cells << '\n'
       << cells.str() << "$EndElements\n";
-  std::cout << describe(Mesh(parameters_for(msh.str(), 2)));
+  std::cout << describe(Mesh<2>(parameters_for(msh.str(), 2)));
 }
 
 

@@ -33,13 +33,13 @@ int main()
         parameters.file        = directory / ("ssnp154-" + name + ".msh");
         parameters.refinements = refinements;
         parameters.arcs        = {{arc, {center[0], center[1], radius}}};
-        const Mesh   mesh(parameters);
-        const auto  &triangulation = mesh.triangulation;
-        const auto   found         = roundness(triangulation,
+        const Mesh<2> mesh(parameters);
+        const auto   &triangulation = mesh.triangulation;
+        const auto    found         = roundness(triangulation,
                                      mesh.boundary(arc, "a test"),
                                      center,
                                      radius);
-        unsigned int n_triangles   = 0;
+        unsigned int  n_triangles   = 0;
         for (const auto &cell : triangulation.active_cell_iterators())
           n_triangles += is_triangle(cell);
 

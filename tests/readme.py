@@ -102,6 +102,8 @@ ELSEWHERE = {
     "tests/fuzz/fuzz.py --scenes 60 --damaged 200 --limit 300 "
     "build/sanitize/contact": "nothing: it takes that build",
     "./run study": "program/quick_study",
+    "./run study --peers": "nothing: it installs other programs",
+    "./run study --peers --quick": "nothing: it installs other programs",
     "./run study --quick": "program/quick_study",
     "./run study --problem hertz": "program/quick_study",
     "meshes/convert.py [--bodies NAME,NAME] IN OUT.msh": "program/convert",

@@ -245,6 +245,16 @@ namespace
     for (const auto &cell : triangulation.active_cell_iterators())
       n += static_cast<bool>(cell->refine_flag_set());
     check("all cells flagged", n == triangulation.n_active_cells());
+
+    // Alike, all cells are refined; one that has all of the error by itself.
+    indicators = 1;
+    check("toward an accuracy: all of equal cells",
+          cheapest_fraction(indicators, 1) > 1 - 1e-12);
+    indicators    = 1e-6;
+    indicators[7] = 10;
+    check("of one cell that has all of the error: that",
+          cheapest_fraction(indicators, 2) < 1 &&
+            cheapest_fraction(indicators, 2) > 0.99);
   }
 
 

@@ -35,7 +35,7 @@ namespace
 
 
   // The first piece of a body.
-  unsigned int piece_of(const Mesh &mesh, const std::string &body)
+  unsigned int piece_of(const Mesh<2> &mesh, const std::string &body)
   {
     unsigned int piece = 0;
     while (mesh.pieces[piece].body != mesh.bodies.at(body))
@@ -174,7 +174,7 @@ namespace
     mesh.block("body", 2, 2, rectangle({0, 0}, {1, 1}));
     mesh.block("body", 2, 1, rectangle({3, 0}, {5, 1}));
     const Bodies bodies(make_parameters(mesh, {"body"}, 1, "small strain"));
-    const MeshPieces &pieces = bodies.mesh.pieces;
+    const MeshPieces<2> &pieces = bodies.mesh.pieces;
     check("two pieces", pieces.size() == 2);
     check("neither is the whole body",
           !pieces.is_whole_body(0) && !pieces.is_whole_body(1));

@@ -304,7 +304,7 @@ namespace Tests
       return u;
     }
 
-    Mesh                        mesh;
+    Mesh<2>                     mesh;
     Discretization              discretization;
     std::unique_ptr<Elasticity> elasticity;
   };

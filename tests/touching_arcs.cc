@@ -112,7 +112,7 @@ namespace
     parameters.refinements = 2;
     parameters.arcs        = {{"lower top", {0, -radius, radius}},
                               {"upper bottom", {0, radius, radius}}};
-    const Mesh mesh(parameters);
+    const Mesh<2> mesh(parameters);
     for (const bool upper : {false, true})
       {
         const std::string name  = upper ? "upper bottom" : "lower top";

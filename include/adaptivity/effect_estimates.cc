@@ -71,7 +71,7 @@ namespace Contact
                      const IncrementState  &from,
                      TimerOutput           &timer)
     {
-      model.mesh = std::make_unique<Mesh>(*scene.mesh);
+      model.mesh = std::make_unique<Mesh<2>>(*scene.mesh);
       model.discretization =
         std::make_unique<Discretization>(*model.mesh, parameters);
       model.elasticity =

@@ -18,7 +18,7 @@ namespace Contact
   namespace
   {
     /// All boundary ids of the triangulation.
-    std::set<types::boundary_id> all_boundaries(const Mesh &mesh)
+    std::set<types::boundary_id> all_boundaries(const Mesh<2> &mesh)
     {
       const auto ids = mesh.triangulation.get_boundary_ids();
       return {ids.begin(), ids.end()};

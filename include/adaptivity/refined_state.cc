@@ -16,7 +16,7 @@ namespace Contact
                              std::vector<Vector<double>>        &duals)
     : linearization(linearization)
   {
-    model.mesh = std::make_unique<Mesh>(*coarse.mesh);
+    model.mesh = std::make_unique<Mesh<2>>(*coarse.mesh);
     model.discretization =
       std::make_unique<Discretization>(*model.mesh, parameters);
 

@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <boost/serialization/utility.hpp>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 #include "base/deal_ii_versions.h"
@@ -26,7 +28,7 @@ namespace Contact
 
 
     /// On a mesh of which every rank has all cells.
-    void transfer_complete(Mesh                        &mesh,
+    void transfer_complete(Mesh<2>                     &mesh,
                            Discretization              &discretization,
                            std::vector<Vector<double>> &solutions)
     {
@@ -51,7 +53,7 @@ namespace Contact
 
 
     /// On a mesh of which a rank has a part.
-    void transfer_distributed(Mesh                        &mesh,
+    void transfer_distributed(Mesh<2>                     &mesh,
                               Discretization              &discretization,
                               std::vector<Vector<double>> &solutions)
     {
@@ -102,9 +104,9 @@ namespace Contact
 
 
 
-  void check_adaptive(const Mesh &mesh)
+  void check_adaptive(const Mesh<2> &mesh)
   {
-    if (!mesh.is_all_quadrilateral())
+    if (!mesh.has_only_hypercubes())
       throw InputError("the mesh has triangles, and can not be refined "
                        "adaptively",
                        "entry 'Refinement/Strategy'",
@@ -117,8 +119,9 @@ namespace Contact
   // deal.II's GridRefinement knows this marking, but the one of distributed
   // meshes marks other cells than the one of a single process: results would
   // depend on the number of processes.
-  void
-  flag_cells(Mesh &mesh, const Vector<float> &indicators, const double fraction)
+  void flag_cells(Mesh<2>             &mesh,
+                  const Vector<float> &indicators,
+                  const double         fraction)
   {
     const auto        &triangulation = mesh.triangulation;
     std::vector<float> own, all;
@@ -145,7 +148,7 @@ namespace Contact
 
 
 
-  void flag_slave_like_master(Mesh                               &mesh,
+  void flag_slave_like_master(Mesh<2>                            &mesh,
                               const std::set<types::boundary_id> &slave,
                               const std::set<types::boundary_id> &master)
   {
@@ -179,12 +182,49 @@ namespace Contact
 
 
 
+  double cheapest_fraction(const Vector<float> &indicators,
+                           const unsigned int   degree)
+  {
+    std::vector<double> sorted(indicators.begin(), indicators.end());
+    std::sort(sorted.begin(), sorted.end(), std::greater<double>());
+    const double sum   = std::accumulate(sorted.begin(), sorted.end(), 0.);
+    const double to_go = std::log(std::max(2., 2 * sum));
+    double       least = std::numeric_limits<double>::infinity();
+    double       best  = 1;
+    double       share = 0;
+    for (unsigned int k = 0; k < sorted.size(); ++k)
+      {
+        share += sorted[k] / sum;
+        const double growth = 1 + 3. * (k + 1) / sorted.size();
+        const double left   = 1 - share * (1 - std::pow(2., -2. * degree));
+        const double levels = std::max(1., to_go / -std::log(left));
+        const double work =
+          growth * (std::pow(growth, levels) - 1) / (growth - 1);
+        if (work < least)
+          {
+            least = work;
+            best  = share;
+          }
+      }
+    return std::max(0.8, std::min(1., best));
+  }
+
+
+
   void flag_by_indicators(const ContactModel    &model,
                           const Parameters::All &parameters,
                           const Vector<float>   &indicators)
   {
-    Mesh &mesh = *model.mesh;
-    flag_cells(mesh, indicators, parameters.refined_fraction());
+    Mesh<2>     &mesh = *model.mesh;
+    const double automatic =
+      parameters.asks_for_accuracy()
+        ? cheapest_fraction(indicators, parameters.element.degree)
+        : 0.5;
+    flag_cells(mesh,
+               indicators,
+               parameters.refinement.fraction > 0
+                 ? parameters.refinement.fraction
+                 : automatic);
     for (const auto &contact_pair : parameters.pairs())
       if (contact_pair.discretization ==
             Parameters::ContactDiscretization::nodal &&
@@ -198,14 +238,14 @@ namespace Contact
 
 
 
-  void flag_all_cells(Mesh &mesh)
+  void flag_all_cells(Mesh<2> &mesh)
   {
     mesh.triangulation.set_all_refine_flags();
   }
 
 
 
-  void refine_and_transfer(Mesh                        &mesh,
+  void refine_and_transfer(Mesh<2>                     &mesh,
                            Discretization              &discretization,
                            std::vector<Vector<double>> &solutions)
   {

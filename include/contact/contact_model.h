@@ -22,7 +22,7 @@ namespace Contact
    */
   struct ContactModel
   {
-    std::unique_ptr<Mesh>             mesh;
+    std::unique_ptr<Mesh<2>>          mesh;
     std::unique_ptr<Discretization>   discretization;
     std::unique_ptr<Elasticity>       elasticity;
     std::unique_ptr<ContactInterface> interface; // none without contact

@@ -6,8 +6,10 @@
 #include "mesh/coarse_mesh.h"
 
 #include <deal.II/base/patterns.h>
+#include <deal.II/base/tensor.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/errors.h"
@@ -19,22 +21,64 @@ namespace Contact
     /// Number of a node in the file -> our number of the vertex.
     using Vertices = std::map<long, unsigned int>;
 
-    /// An edge by its vertices, the smaller one first.
-    using Edge = std::pair<unsigned int, unsigned int>;
+    /// A face of a cell by its vertices, in ascending order: an edge in the
+    /// plane, a quadrangle in space.
+    using Face = std::vector<unsigned int>;
 
-    Edge edge(const unsigned int a, const unsigned int b)
+    using Corners = decltype(CellData<2>::vertices);
+
+
+
+    /// The faces of a cell whose corners are in gmsh's order.
+    template<int dim>
+    std::vector<Face> faces_of(const Corners &corners);
+
+    template<>
+    std::vector<Face> faces_of<2>(const Corners &corners)
     {
-      return std::minmax({a, b});
+      std::vector<Face> faces;
+      for (unsigned int i = 0; i < corners.size(); ++i)
+        faces.push_back({corners[i], corners[(i + 1) % corners.size()]});
+      return faces;
     }
+
+    template<>
+    std::vector<Face> faces_of<3>(const Corners &c)
+    {
+      std::vector<Face> faces = {{c[0], c[1], c[2], c[3]},
+                                 {c[4], c[5], c[6], c[7]}};
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          const unsigned int j = (i + 1) % 4;
+          faces.push_back({c[i], c[j], c[j + 4], c[i + 4]});
+        }
+      return faces;
+    }
+
+
+
+    /// The words for faces in messages.
+    template<int dim>
+    constexpr const char *face_name = dim == 2 ? "edge" : "face";
+
+    template<int dim>
+    constexpr const char *element_name = dim == 2 ? "line" : "surface element";
+
+    template<int dim>
+    constexpr const char *body_name = dim == 2 ? "surface" : "volume";
+
+    template<int dim>
+    constexpr const char *body_keyword = dim == 2 ? "Surface" : "Volume";
 
 
 
     /// Number the nodes that are corners of cells, in the order of the file's
     /// numbers. The others (mid-sides, centres of circles) are no vertices.
+    template<int dim>
     Vertices number_vertices(const MshFile &msh)
     {
       Vertices vertices;
-      for (const auto &cell : msh.elements[2])
+      for (const auto &cell : msh.elements[dim])
         for (const long node : cell.nodes)
           vertices[node];
 
@@ -46,29 +90,34 @@ namespace Contact
 
 
 
-    std::vector<Point<2>> vertex_points(const MshFile  &msh,
-                                        const Vertices &vertices)
+    template<int dim>
+    std::vector<Point<dim>> vertex_points(const MshFile  &msh,
+                                          const Vertices &vertices)
     {
-      std::vector<Point<2>> points;
+      std::vector<Point<dim>> points;
       for (const auto &vertex : vertices)
         {
           const Point<3> &p = msh.nodes.at(vertex.first);
-          points.emplace_back(p[0], p[1]);
+          Point<dim>      q;
+          for (unsigned int d = 0; d < dim; ++d)
+            q[d] = p[d];
+          points.push_back(q);
         }
       return points;
     }
 
 
 
-    /**
-     * Turn a cell round if it is clockwise. The two edges that meet at a
-     * corner span an area, and that of all corners has the same sign, or the
-     * cell is tangled: its Jacobian determinant changes sign inside.
-     */
-    void make_anticlockwise(const std::vector<Point<2>>     &points,
-                            const MshFile::Element          &element,
-                            const MshFile                   &msh,
-                            decltype(CellData<2>::vertices) &corners)
+    /// The volumes (areas) that the edges of a cell span at its corners, by the
+    /// power dim of the longest of these edges; a cell whose Jacobian
+    /// determinant changes sign in a corner has some of either sign.
+    template<int dim>
+    std::vector<double> corner_volumes(const std::vector<Point<dim>> &points,
+                                       const Corners                 &corners);
+
+    template<>
+    std::vector<double> corner_volumes<2>(const std::vector<Point<2>> &points,
+                                          const Corners               &corners)
     {
       const unsigned int  n = corners.size();
       std::vector<double> areas;
@@ -81,53 +130,112 @@ namespace Contact
           areas.push_back(next[0] * last[1] - next[1] * last[0]);
           scale = std::max(scale, next.norm_square());
         }
+      for (double &area : areas)
+        area /= scale;
+      return areas;
+    }
 
-      const auto [low, high] = std::minmax_element(areas.begin(), areas.end());
-      if (*high < -1e-12 * scale)
+    template<>
+    std::vector<double> corner_volumes<3>(const std::vector<Point<3>> &points,
+                                          const Corners               &corners)
+    {
+      std::vector<double> volumes;
+      double              scale = 0;
+      for (unsigned int i = 0; i < 8; ++i)
+        {
+          const unsigned int layer  = i / 4 * 4;
+          const Point<3>    &corner = points[corners[i]];
+          const auto         to     = [&](const unsigned int j) {
+            return points[corners[j]] - corner;
+          };
+          const Tensor<1, 3> next = to(layer + (i + 1) % 4);
+          const Tensor<1, 3> last = to(layer + (i + 3) % 4);
+          const Tensor<1, 3> up   = to((i + 4) % 8);
+          volumes.push_back((layer == 0 ? 1 : -1) *
+                            (cross_product_3d(next, last) * up));
+          scale = std::max({scale, next.norm_square(), up.norm_square()});
+        }
+      for (double &volume : volumes)
+        volume /= std::pow(scale, 1.5);
+      return volumes;
+    }
+
+
+
+    /// Turn a cell of the other orientation round: its corners in the opposite
+    /// sense, or its top for its bottom.
+    template<int dim>
+    void turn_round(Corners &corners)
+    {
+      if constexpr (dim == 2)
         std::reverse(corners.begin(), corners.end());
-      else if (*low < 1e-12 * scale)
+      else
+        std::rotate(corners.begin(), corners.begin() + 4, corners.end());
+    }
+
+
+
+    /// Turn a cell round if it is left-handed (clockwise). A tangled one, whose
+    /// Jacobian determinant changes sign inside, is refused.
+    template<int dim>
+    void make_right_handed(const std::vector<Point<dim>> &points,
+                           const MshFile::Element        &element,
+                           const MshFile                 &msh,
+                           Corners                       &corners)
+    {
+      const auto volumes = corner_volumes<dim>(points, corners);
+      const auto [low, high] =
+        std::minmax_element(volumes.begin(), volumes.end());
+      if (*high < -1e-12)
+        turn_round<dim>(corners);
+      else if (*low < 1e-12)
         {
           std::string places;
           for (const unsigned int corner : corners)
             places += " " + to_string(points[corner]);
-          throw InputError("element " + std::to_string(element.number) +
-                             " is tangled or flat, its corners are" + places,
-                           msh.where(element),
-                           "quadrangles have to be convex with four corners, "
-                           "triangles need an area");
+          throw InputError(
+            "element " + std::to_string(element.number) +
+              " is tangled or flat, its corners are" + places,
+            msh.where(element),
+            dim == 2 ? "quadrangles have to be convex with four corners, "
+                       "triangles need an area"
+                     : "at each corner of a hexahedron the three edges have to "
+                       "span a volume, of one orientation");
         }
     }
 
 
 
-    /// The cells with corners in cyclic order, anticlockwise.
-    std::vector<CellData<2>>
+    /// The cells with corners in gmsh's order, right-handed.
+    template<int dim>
+    std::vector<CellData<dim>>
     make_cells(const MshFile                                   &msh,
                const Vertices                                  &vertices,
-               const std::vector<Point<2>>                     &points,
+               const std::vector<Point<dim>>                   &points,
                const std::map<std::string, types::material_id> &bodies)
     {
-      std::vector<CellData<2>> cells;
-      for (const auto &element : msh.elements[2])
+      std::vector<CellData<dim>> cells;
+      for (const auto &element : msh.elements[dim])
         {
           const auto &groups = element.groups;
           if (groups.size() != 1)
             throw InputError(
               groups.empty()
-                ? "a cell belongs to no physical surface with a name"
+                ? std::string("a cell belongs to no physical ") +
+                    body_name<dim> + " with a name"
                 : "a cell belongs to two bodies, '" + *groups.begin() +
                     "' and '" + *groups.rbegin() + "'",
               msh.where(element),
-              "every cell needs one body: Physical Surface(\"...\") = {...}; "
-              "in the .geo file");
+              std::string("every cell needs one body: Physical ") +
+                body_keyword<dim> + "(\"...\") = {...}; in the .geo file");
 
-          CellData<2> cell(element.nodes.size());
+          CellData<dim> cell(element.nodes.size());
           cell.material_id = bodies.at(*groups.begin());
           std::transform(element.nodes.begin(),
                          element.nodes.end(),
                          cell.vertices.begin(),
                          [&](const long node) { return vertices.at(node); });
-          make_anticlockwise(points, element, msh, cell.vertices);
+          make_right_handed(points, element, msh, cell.vertices);
           cells.push_back(cell);
         }
       return cells;
@@ -135,89 +243,123 @@ namespace Contact
 
 
 
-    /// The edges of all cells, and how many cells each has.
-    using Edges = std::map<Edge, unsigned int>;
+    /// The faces of all cells, and how many cells each has.
+    using Faces = std::map<Face, unsigned int>;
 
-    Edges count_edges(const std::vector<CellData<2>> &cells,
-                      const std::vector<Point<2>>    &points,
-                      const MshFile                  &msh)
+    template<int dim>
+    Faces count_faces(const std::vector<CellData<dim>> &cells,
+                      const std::vector<Point<dim>>    &points,
+                      const MshFile                    &msh)
     {
-      Edges edges;
+      Faces faces;
       for (const auto &cell : cells)
-        for (unsigned int i = 0; i < cell.vertices.size(); ++i)
+        for (const Face &corners : faces_of<dim>(cell.vertices))
           {
-            const auto a = cell.vertices[i];
-            const auto b = cell.vertices[(i + 1) % cell.vertices.size()];
-            if (++edges[edge(a, b)] > 2)
-              throw InputError("three cells share the edge from " +
-                                 to_string(points[a]) + " to " +
-                                 to_string(points[b]),
+            Face face = corners;
+            std::sort(face.begin(), face.end());
+            if (++faces[face] > 2)
+              throw InputError(std::string("three cells share the ") +
+                                 face_name<dim> + " from " +
+                                 to_string(points[corners[0]]) + " to " +
+                                 to_string(points[corners[dim == 2 ? 1 : 2]]),
                                msh.name,
-                               "surfaces must not overlap");
+                               std::string(body_name<dim>) +
+                                 "s must not overlap");
           }
-      return edges;
+      return faces;
     }
 
 
 
-    /// The edge that a line of the file is.
-    Edges::const_iterator find_edge(const MshFile::Element &line,
+    /// The face that an element of the file is.
+    template<int dim>
+    Faces::const_iterator find_face(const MshFile::Element &element,
                                     const MshFile          &msh,
                                     const Vertices         &vertices,
-                                    const Edges            &edges)
+                                    const Faces            &faces)
     {
-      const auto a = vertices.find(line.nodes[0]);
-      const auto b = vertices.find(line.nodes[1]);
-      if (a != vertices.end() && b != vertices.end())
-        if (const auto found = edges.find(edge(a->second, b->second));
-            found != edges.end())
-          return found;
+      Face face;
+      for (const long node : element.nodes)
+        if (const auto vertex = vertices.find(node); vertex != vertices.end())
+          face.push_back(vertex->second);
+      std::sort(face.begin(), face.end());
+      if (const auto found = faces.find(face); found != faces.end())
+        return found;
 
-      throw InputError("a line of the physical group '" + *line.groups.begin() +
-                         "' is no edge of a cell",
-                       msh.where(line),
-                       "mesh the line and the surface together, give the "
-                       "surface a physical group, or take the line out of "
-                       "its own");
+      throw InputError(std::string("a ") + element_name<dim> +
+                         " of the physical group '" + *element.groups.begin() +
+                         "' is no " + face_name<dim> + " of a cell",
+                       msh.where(element),
+                       std::string("mesh the ") +
+                         (dim == 2 ? "line" : "surface") + " and the " +
+                         body_name<dim> + " together, give the " +
+                         body_name<dim> + " a physical group, or take the " +
+                         (dim == 2 ? "line" : "surface") + " out of its own");
+    }
+
+
+
+    /// Those of the boundary in the form that deal.II takes.
+    template<int dim>
+    auto &boundary_faces(SubCellData &faces)
+    {
+      if constexpr (dim == 2)
+        return faces.boundary_lines;
+      else
+        return faces.boundary_quads;
+    }
+
+
+
+    /// The corners of an element of the boundary, as deal.II numbers them.
+    template<int dim>
+    std::vector<unsigned int> corners_of(const MshFile::Element &element,
+                                         const Vertices         &vertices)
+    {
+      std::vector<unsigned int> corners;
+      for (const long node : element.nodes)
+        corners.push_back(vertices.at(node));
+      if constexpr (dim == 2)
+        std::sort(corners.begin(), corners.end());
+      else
+        std::swap(corners[2], corners[3]);
+      return corners;
     }
 
 
 
     /// Number the combinations of groups, and tell each group its numbers.
-    SubCellData number_boundaries(
-      const MshFile                                       &msh,
-      const Vertices                                      &vertices,
-      const Edges                                         &edges,
-      std::map<std::string, std::set<types::boundary_id>> &boundaries,
-      std::set<std::string>                               &with_inner_lines)
+    template<int dim>
+    void number_boundaries(const MshFile   &msh,
+                           const Vertices  &vertices,
+                           const Faces     &faces,
+                           CoarseMesh<dim> &coarse)
     {
-      SubCellData                                         subcelldata;
       std::map<std::set<std::string>, types::boundary_id> ids;
-      for (const auto &line : msh.elements[1])
-        if (!line.groups.empty())
+      for (const auto &element : msh.elements[dim - 1])
+        if (!element.groups.empty())
           {
-            // A group of lines inside of a body is known, but empty: deal.II
+            // A group of faces inside of a body is known, but empty: deal.II
             // wants no ids there.
-            const auto edge     = find_edge(line, msh, vertices, edges);
-            const bool is_inner = edge->second == 2;
-            for (const std::string &group : line.groups)
+            const bool is_inner =
+              find_face<dim>(element, msh, vertices, faces)->second == 2;
+            for (const std::string &group : element.groups)
               {
-                boundaries[group];
+                coarse.boundaries[group];
                 if (is_inner)
-                  with_inner_lines.insert(group);
+                  coarse.with_inner_faces.insert(group);
               }
             if (is_inner)
               continue;
 
-            CellData<1> data;
-            data.vertices = {edge->first.first, edge->first.second};
+            CellData<dim - 1> data;
+            data.vertices = corners_of<dim>(element, vertices);
             data.boundary_id =
-              ids.emplace(line.groups, ids.size() + 1).first->second;
-            subcelldata.boundary_lines.push_back(data);
-            for (const std::string &group : line.groups)
-              boundaries[group].insert(data.boundary_id);
+              ids.emplace(element.groups, ids.size() + 1).first->second;
+            boundary_faces<dim>(coarse.faces).push_back(data);
+            for (const std::string &group : element.groups)
+              coarse.boundaries[group].insert(data.boundary_id);
           }
-      return subcelldata;
     }
 
 
@@ -238,28 +380,37 @@ namespace Contact
 
 
 
-  CoarseMesh
+  template<int dim>
+  CoarseMesh<dim>
   make_coarse_mesh(const MshFile                                   &msh,
                    const std::map<std::string, types::material_id> &bodies)
   {
-    CoarseMesh coarse;
-    const auto vertices = number_vertices(msh);
-    coarse.vertices     = vertex_points(msh, vertices);
-    coarse.cells        = make_cells(msh, vertices, coarse.vertices, bodies);
-    const auto edges    = count_edges(coarse.cells, coarse.vertices, msh);
-    coarse.lines        = number_boundaries(msh,
-                                     vertices,
-                                     edges,
-                                     coarse.boundaries,
-                                     coarse.with_inner_lines);
-    coarse.points       = find_points(msh, vertices);
+    CoarseMesh<dim> coarse;
+    const auto      vertices = number_vertices<dim>(msh);
+    coarse.vertices          = vertex_points<dim>(msh, vertices);
+    coarse.cells     = make_cells(msh, vertices, coarse.vertices, bodies);
+    const auto faces = count_faces(coarse.cells, coarse.vertices, msh);
+    number_boundaries(msh, vertices, faces, coarse);
+    coarse.points = find_points(msh, vertices);
     return coarse;
   }
 
 
 
-  std::string to_string(const Point<2> &p)
+  template<int dim>
+  std::string to_string(const Point<dim> &p)
   {
     return "(" + Patterns::Tools::to_string(p) + ")";
   }
+
+
+
+  template CoarseMesh<2>
+  make_coarse_mesh<2>(const MshFile &,
+                      const std::map<std::string, types::material_id> &);
+  template CoarseMesh<3>
+                       make_coarse_mesh<3>(const MshFile &,
+                      const std::map<std::string, types::material_id> &);
+  template std::string to_string(const Point<2> &);
+  template std::string to_string(const Point<3> &);
 } // namespace Contact

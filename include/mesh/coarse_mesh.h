@@ -21,30 +21,33 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * The elements of a gmsh file as cells, lines and points, still where the
+   * The elements of a gmsh file as cells, faces and points, still where the
    * file has them. The names are those of class Mesh.
    */
+  template<int dim>
   struct CoarseMesh
   {
-    std::vector<Point<2>>    vertices;
-    std::vector<CellData<2>> cells; // corners in cyclic order, anticlockwise
-    SubCellData              lines; // with boundary ids
+    std::vector<Point<dim>>    vertices;
+    std::vector<CellData<dim>> cells; // corners in gmsh's order, right-handed
+    SubCellData                faces; // with boundary ids
 
     std::map<std::string, std::set<types::boundary_id>> boundaries;
     std::map<std::string, unsigned int>                 points;
 
-    /// The groups that have lines inside of bodies.
-    std::set<std::string> with_inner_lines;
+    /// The groups that have faces inside of bodies.
+    std::set<std::string> with_inner_faces;
   };
 
   /// Throws InputError, where cells are tangled, overlap or have no body, or
-  /// where lines with a name are no edges of cells.
-  CoarseMesh
+  /// where faces with a name are no faces of cells.
+  template<int dim>
+  CoarseMesh<dim>
   make_coarse_mesh(const MshFile                                   &msh,
                    const std::map<std::string, types::material_id> &bodies);
 
   /// A place in a message.
-  std::string to_string(const Point<2> &p);
+  template<int dim>
+  std::string to_string(const Point<dim> &p);
 } // namespace Contact
 
 #endif

@@ -27,22 +27,24 @@ namespace Contact
   /**
    * The triangulation of all bodies and the names of its parts: bodies are
    * material ids (0, 1, ... in the order of gmsh's tags), boundaries are sets
-   * of boundary ids (a line may belong to several groups: each combination of
+   * of boundary ids (a face may belong to several groups: each combination of
    * groups has an id of its own; what is in no named group has the id 0),
    * points are vertices.
    *
    * Two nodes of the file stay two vertices even if they lie at the same
    * place, as those of two bodies that touch in a point do.
    */
+  template<int dim>
   class Mesh
   {
   public:
     /**
      * Read a gmsh file in MSH format 2.2 or 4.1, ASCII, with physical names.
-     * Quadrangles and triangles may be mixed; of elements of second order only
-     * the corners are used; clockwise cells are turned round; lines inside a
-     * body are ignored. Bodies are moved and the whole is placed, arcs get
-     * their manifold, then the mesh is refined.
+     * Quadrangles and triangles may be mixed, in space there are hexahedra; of
+     * elements of second order only the corners are used; left-handed cells are
+     * turned round; faces inside a body are ignored. Bodies are moved and the
+     * whole is placed, round boundaries get their manifold, then the mesh is
+     * refined.
      * Throws InputError.
      */
     explicit Mesh(const Parameters::Mesh &parameters,
@@ -56,28 +58,28 @@ namespace Contact
 
   private:
     // Before the reference to it.
-    std::unique_ptr<Triangulation<2>> owned_triangulation;
+    std::unique_ptr<Triangulation<dim>> owned_triangulation;
 
   public:
     /**
-     * On one rank a Triangulation. On several, quadrangles alone make a
-     * parallel::distributed one (p4est), of which a rank has its own cells and
-     * their neighbors; a mesh with triangles a parallel::shared one, of which
-     * every rank has all cells.
+     * On one rank a Triangulation. On several, quadrangles (hexahedra) alone
+     * make a parallel::distributed one (p4est), of which a rank has its own
+     * cells and their neighbors; a mesh with triangles a parallel::shared one,
+     * of which every rank has all cells.
      */
-    Triangulation<2>                                   &triangulation;
+    Triangulation<dim>                                 &triangulation;
     std::map<std::string, types::material_id>           bodies;
     std::map<std::string, std::set<types::boundary_id>> boundaries;
 
-    /// The groups of lines that bound bodies in part only.
-    std::set<std::string> with_inner_lines;
+    /// The groups of faces that bound bodies in part only.
+    std::set<std::string> with_inner_faces;
 
     /// A group of several points is numbers::invalid_unsigned_int; points
     /// which are no corners of cells are left out.
     std::map<std::string, unsigned int> points;
 
     /// The pieces, each of which can move as a rigid body.
-    MeshPieces pieces;
+    MeshPieces<dim> pieces;
 
     /// The groups above, or an InputError which says what there is instead.
     /// @p entry is the entry of the parameters that names the group.
@@ -88,7 +90,7 @@ namespace Contact
     unsigned int point(const std::string &name, const std::string &entry) const;
 
     /// Whether there are no triangles, so that cells can be refined one by one.
-    bool is_all_quadrilateral() const;
+    bool has_only_hypercubes() const;
 
     /// Whether this rank has the whole mesh.
     bool is_complete() const;
@@ -99,11 +101,12 @@ namespace Contact
     /// The name of a piece in messages, see MeshPieces::describe().
     std::string piece_name(const unsigned int piece) const;
 
-  private:
+    /// Of the mesh @p msh, which has cells of this dimension.
     Mesh(const Parameters::Mesh &parameters,
          const MshFile          &msh,
          const MPI_Comm          communicator);
 
+  private:
     /// Refine all cells n times.
     void refine(const unsigned int n);
   };

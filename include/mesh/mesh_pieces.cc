@@ -11,7 +11,8 @@
 
 namespace Contact
 {
-  void MeshPieces::find(const Triangulation<2> &triangulation)
+  template<int dim>
+  void MeshPieces<dim>::find(const Triangulation<dim> &triangulation)
   {
     pieces.clear();
     by_coarse_cell.assign(triangulation.n_cells(0),
@@ -23,9 +24,10 @@ namespace Contact
 
         // From neighbor to neighbor through all cells of the piece.
         const unsigned int number = pieces.size();
-        pieces.push_back({seed->material_id(),
-                          BoundingBox<2>({seed->vertex(0), seed->vertex(0)})});
-        std::vector<Triangulation<2>::cell_iterator> to_visit{seed};
+        pieces.push_back(
+          {seed->material_id(),
+           BoundingBox<dim>({seed->vertex(0), seed->vertex(0)})});
+        std::vector<typename Triangulation<dim>::cell_iterator> to_visit{seed};
         by_coarse_cell[seed->index()] = number;
         while (!to_visit.empty())
           {
@@ -33,7 +35,7 @@ namespace Contact
             to_visit.pop_back();
             for (const unsigned int v : cell->vertex_indices())
               pieces[number].box.merge_with(
-                BoundingBox<2>({cell->vertex(v), cell->vertex(v)}));
+                BoundingBox<dim>({cell->vertex(v), cell->vertex(v)}));
             for (const unsigned int f : cell->face_indices())
               if (!cell->at_boundary(f))
                 if (const auto neighbor = cell->neighbor(f);
@@ -51,7 +53,8 @@ namespace Contact
 
 
 
-  void MeshPieces::find_joints(const Triangulation<2> &triangulation)
+  template<int dim>
+  void MeshPieces<dim>::find_joints(const Triangulation<dim> &triangulation)
   {
     by_vertex.clear();
     all_joints.clear();
@@ -71,8 +74,9 @@ namespace Contact
 
 
 
-  unsigned int
-  MeshPieces::of_cell(const Triangulation<2>::cell_iterator &cell) const
+  template<int dim>
+  unsigned int MeshPieces<dim>::of_cell(
+    const typename Triangulation<dim>::cell_iterator &cell) const
   {
     auto ancestor = cell;
     while (ancestor->level() > 0)
@@ -82,24 +86,35 @@ namespace Contact
 
 
 
-  bool MeshPieces::is_whole_body(const unsigned int piece) const
+  template<int dim>
+  bool MeshPieces<dim>::is_whole_body(const unsigned int piece) const
   {
-    return std::count_if(pieces.begin(), pieces.end(), [&](const Piece &other) {
+    return std::count_if(pieces.begin(), pieces.end(), [&](const auto &other) {
              return other.body == pieces[piece].body;
            }) == 1;
   }
 
 
 
-  std::string MeshPieces::describe(const unsigned int piece,
-                                   const std::string &body) const
+  template<int dim>
+  std::string MeshPieces<dim>::describe(const unsigned int piece,
+                                        const std::string &body) const
   {
     if (is_whole_body(piece))
       return "the body '" + body + "'";
     const auto &[low, high] = pieces[piece].box.get_boundary_points();
-    std::ostringstream text;
-    text << "the piece of the body '" << body << "' from (" << low[0] << ", "
-         << low[1] << ") to (" << high[0] << ", " << high[1] << ") mm";
-    return text.str();
+    const auto place        = [](const Point<dim> &p) {
+      std::ostringstream text;
+      for (unsigned int d = 0; d < dim; ++d)
+        text << (d == 0 ? "(" : ", ") << p[d];
+      return text.str() + ")";
+    };
+    return "the piece of the body '" + body + "' from " + place(low) + " to " +
+           place(high) + " mm";
   }
+
+
+
+  template class MeshPieces<2>;
+  template class MeshPieces<3>;
 } // namespace Contact

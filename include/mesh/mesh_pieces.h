@@ -21,18 +21,19 @@ namespace Contact
 
   /**
    * The pieces that the bodies of a mesh consist of: cells of one body that
-   * are connected through common edges. Such a piece moves as one rigid body,
-   * whatever the other pieces of its body do. They are found on the coarse
-   * mesh, which all ranks have; a cell belongs to the piece of its coarse
-   * ancestor.
+   * are connected through common edges, in space common faces. Such a piece
+   * moves as one rigid body, whatever the other pieces of its body do. They are
+   * found on the coarse mesh, which all ranks have; a cell belongs to the piece
+   * of its coarse ancestor.
    */
+  template<int dim>
   class MeshPieces
   {
   public:
     struct Piece
     {
       types::material_id body;
-      BoundingBox<2>     box; // of its corners, undeformed [mm]
+      BoundingBox<dim>   box; // of its corners, undeformed [mm]
     };
 
     /// A vertex of the coarse mesh that two pieces have in common: a hinge, or
@@ -40,11 +41,11 @@ namespace Contact
     struct Joint
     {
       unsigned int piece, other;
-      Point<2>     X; // [mm]
+      Point<dim>   X; // [mm]
     };
 
     /// Call it after the coarse mesh was made.
-    void find(const Triangulation<2> &triangulation);
+    void find(const Triangulation<dim> &triangulation);
 
     unsigned int size() const
     {
@@ -62,7 +63,8 @@ namespace Contact
     }
 
     /// The piece that a cell of any level belongs to.
-    unsigned int of_cell(const Triangulation<2>::cell_iterator &cell) const;
+    unsigned int
+    of_cell(const typename Triangulation<dim>::cell_iterator &cell) const;
 
     /// A piece that a vertex of the coarse mesh belongs to; the first one if
     /// there are several.
@@ -81,7 +83,7 @@ namespace Contact
                          const std::string &body) const;
 
   private:
-    void find_joints(const Triangulation<2> &triangulation);
+    void find_joints(const Triangulation<dim> &triangulation);
 
     std::vector<Piece>                   pieces;
     std::vector<unsigned int>            by_coarse_cell;

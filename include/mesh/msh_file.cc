@@ -29,7 +29,13 @@ namespace Contact
                                                       {9, {2, 6, 3}},
                                                       {3, {2, 4, 4}},
                                                       {16, {2, 8, 4}},
-                                                      {10, {2, 9, 4}}};
+                                                      {10, {2, 9, 4}},
+                                                      {5, {3, 8, 8}},
+                                                      {17, {3, 20, 8}},
+                                                      {12, {3, 27, 8}}};
+
+    /// Those of tetrahedra, prisms and pyramids of first and second order.
+    const std::set<int> other_volumes = {4, 6, 7, 11, 13, 14, 18, 19};
 
 
 
@@ -70,7 +76,7 @@ namespace Contact
       std::map<std::pair<int, int>, std::vector<int>> entities;
 
       /// By dimension: sorted nodes of an element -> where it stands.
-      std::array<std::map<std::vector<long>, std::size_t>, 3> known;
+      std::array<std::map<std::vector<long>, std::size_t>, 4> known;
     };
 
 
@@ -79,11 +85,19 @@ namespace Contact
     {
       const int  number = lines.read<int>("the type of an element");
       const auto type   = element_types.find(number);
+      if (other_volumes.count(number) > 0)
+        lines.fail("tetrahedra, prisms and pyramids are not supported (gmsh "
+                   "elements of type " +
+                     std::to_string(number) + ")",
+                   "mesh volumes with hexahedra: extrude recombined surfaces "
+                   "with 'Recombine', use transfinite volumes, or set "
+                   "Mesh.SubdivisionAlgorithm = 2");
       if (type == element_types.end())
         lines.fail("gmsh elements of type " + std::to_string(number) +
                      " are not supported",
                    "mesh a surface (gmsh -2) with lines, triangles and "
-                   "quadrangles of first or second order");
+                   "quadrangles of first or second order, or a volume (gmsh "
+                   "-3) with hexahedra");
       return type->second;
     }
 
@@ -179,8 +193,9 @@ namespace Contact
           const int  tag       = lines.read_tag();
           const auto name      = lines.read_quoted();
           if (dimension >= msh.names.size() || name.empty())
-            lines.fail("expected the dimension 0, 1 or 2, a tag and a name",
-                       "a plane mesh has physical points, curves and surfaces");
+            lines.fail("expected the dimension 0, 1, 2 or 3, a tag and a name",
+                       "a mesh has physical points, curves, surfaces and "
+                       "volumes");
           for (const auto &group : msh.names[dimension])
             if (group.first == tag || group.second == name)
               lines.fail("two physical groups of dimension " +
@@ -300,7 +315,8 @@ namespace Contact
 
 
 
-    /// Every node in use exists, and those of cells lie in a plane.
+    /// Every node in use exists, those of plane cells lie in a plane, and
+    /// volumes are bounded by quadrangles.
     void MshReader::check_nodes() const
     {
       for (const auto &elements : msh.elements)
@@ -312,6 +328,15 @@ namespace Contact
                                msh.where(element),
                                "write the file again");
 
+      if (msh.dimension() == 3)
+        {
+          for (const auto &face : msh.elements[2])
+            if (face.nodes.size() != 4)
+              throw InputError("a triangle is no face of a hexahedron",
+                               msh.where(face),
+                               "recombine the surfaces that bound volumes");
+          return;
+        }
       for (const auto &cell : msh.elements[2])
         for (const long node : cell.nodes)
           {
@@ -333,13 +358,19 @@ namespace Contact
     /// the description of the geometry.
     void MshReader::check_groups() const
     {
-      if (msh.names[2].empty())
-        throw InputError("the mesh has no physical surface with a name",
-                         msh.name,
-                         "name the bodies in the .geo file: "
-                         "Physical Surface(\"...\") = {...};");
+      if (msh.names[msh.dimension()].empty())
+        {
+          const bool        is_plane = msh.dimension() == 2;
+          const std::string kind     = is_plane ? "Surface" : "Volume";
+          throw InputError(std::string("the mesh has no physical ") +
+                             (is_plane ? "surface" : "volume") + " with a name",
+                           msh.name,
+                           "name the bodies in the .geo file: Physical " +
+                             kind + "(\"...\") = {...};");
+        }
 
-      for (unsigned int dimension = 0; dimension < 3; ++dimension)
+      for (unsigned int dimension = 0; dimension < msh.names.size();
+           ++dimension)
         {
           std::set<std::string> unused;
           for (const auto &group : msh.names[dimension])

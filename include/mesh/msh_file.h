@@ -159,14 +159,15 @@ namespace Contact
    */
   struct MshFile
   {
-    /// A point, a line, a triangle or a quadrangle.
+    /// A point, a line, a triangle, a quadrangle or a hexahedron.
     struct Element
     {
       /// gmsh's number, for messages.
       long number;
 
-      /// The corners by node number, in gmsh's cyclic order; the mid-side and
-      /// centre nodes of elements of second order are left out.
+      /// The corners by node number, in gmsh's cyclic order, of hexahedra the
+      /// bottom before the top; the mid-side and centre nodes of elements of
+      /// second order are left out.
       std::vector<long> nodes;
 
       /// The named physical groups the element belongs to.
@@ -179,13 +180,19 @@ namespace Contact
     /// Node number -> coordinates.
     std::map<long, Point<3>> nodes;
 
-    /// By dimension: points, lines, cells. All nodes exist. An element which
-    /// the file repeats, as format 2.2 does for each of its groups, stands
-    /// here once.
-    std::array<std::vector<Element>, 3> elements;
+    /// By dimension: points, lines, surfaces, volumes. All nodes exist. An
+    /// element which the file repeats, as format 2.2 does for each of its
+    /// groups, stands here once.
+    std::array<std::vector<Element>, 4> elements;
 
     /// By dimension: tag of a physical group -> its name. None is empty.
-    std::array<std::map<int, std::string>, 3> names;
+    std::array<std::map<int, std::string>, 4> names;
+
+    /// That of the cells, which are volumes if the file has any.
+    unsigned int dimension() const
+    {
+      return elements[3].empty() ? 2 : 3;
+    }
 
     /// The place of an element, for messages.
     std::string where(const Element &element) const
@@ -200,9 +207,9 @@ namespace Contact
    * Read a gmsh file in MSH format 2.2 or 4.1, ASCII. Sections which are not
    * needed are skipped. Throws InputError with file and line if the file can
    * not be read, is of another format, is incomplete, or has elements other
-   * than points, lines, triangles and quadrangles of first or second order,
-   * nodes which do not exist, cells out of a plane of constant z, no named
-   * body, or groups without elements.
+   * than points, lines, triangles, quadrangles and hexahedra of first or second
+   * order, nodes which do not exist, plane cells out of a plane of constant z,
+   * no named body, or groups without elements.
    */
   MshFile read_msh(const std::string &file);
 } // namespace Contact

@@ -217,7 +217,7 @@ namespace Contact
                        "each starts from the last one",
                        "Solution/Increments"});
     const bool adaptive =
-      parameters.refines_adaptively(discretization.mesh.is_all_quadrilateral());
+      parameters.refines_adaptively(discretization.mesh.has_only_hypercubes());
     if (parameters.has_levels())
       effects.push_back({"levels",
                          (parameters.asks_for_accuracy()

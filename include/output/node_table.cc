@@ -58,7 +58,7 @@ namespace Contact
 
 
   void write_nodes(std::ostream               &out,
-                   const Mesh                 &mesh,
+                   const Mesh<2>              &mesh,
                    const std::vector<NodeRow> &rows)
   {
     out.precision(std::numeric_limits<double>::max_digits10);

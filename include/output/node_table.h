@@ -43,7 +43,7 @@ namespace Contact
   /// Write the nodes as lines of numbers that a reader gets back to the last
   /// bit, below a line with names and units.
   void write_nodes(std::ostream               &out,
-                   const Mesh                 &mesh,
+                   const Mesh<2>              &mesh,
                    const std::vector<NodeRow> &rows);
 } // namespace Contact
 

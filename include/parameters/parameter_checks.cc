@@ -73,35 +73,6 @@ namespace Contact
 
   namespace Parameters
   {
-    void Mesh::check() const
-    {
-      const std::string entry = "Mesh/Arcs";
-      check_positive(scale, "Mesh/Scale");
-      if (shift.size() != 2)
-        throw EntryError("The shift of the mesh is not a vector.",
-                         {"Mesh/Shift"},
-                         "write 'x, y', in mm");
-      for (const auto &[body, vector] : move)
-        if (vector.size() != 2)
-          throw EntryError("The move of " + in_quotes(body) +
-                             " is not a vector.",
-                           {"Mesh/Move"},
-                           "write '" + body + ": dx, dy', in mm");
-      if (file.empty())
-        throw EntryError("There is no mesh.",
-                         {"Mesh/File"},
-                         "set 'File' in section 'Mesh' to a gmsh file");
-      for (const auto &[group, arc] : arcs)
-        if (arc.size() != 3 || !(arc[2] > 0))
-          throw EntryError("The arc " + in_quotes(group) + " is not a circle.",
-                           {entry},
-                           "write '" + group +
-                             ": centre x, centre y, radius' with a positive "
-                             "radius");
-    }
-
-
-
     void Element::check() const
     {
       if (degree == 1 && centre_node == CentreNode::free)

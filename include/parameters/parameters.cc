@@ -121,11 +121,11 @@ namespace Contact
 
 
 
-    bool All::refines_adaptively(const bool is_all_quadrilateral) const
+    bool All::refines_adaptively(const bool has_only_hypercubes) const
     {
       return refinement.strategy == Strategy::adaptive ||
              (refinement.strategy == Strategy::automatic &&
-              asks_for_accuracy() && is_all_quadrilateral);
+              asks_for_accuracy() && has_only_hypercubes);
     }
 
 

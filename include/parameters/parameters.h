@@ -70,22 +70,13 @@ namespace Contact
 
       /// Whether a mesh is refined cell by cell, one of quadrangles alone or
       /// another one.
-      bool refines_adaptively(const bool is_all_quadrilateral) const;
+      bool refines_adaptively(const bool has_only_hypercubes) const;
 
       /// Whether dual problems can be solved: contact has a point for each
       /// multiplier.
       bool has_dual_problems() const
       {
         return !shared_pair();
-      }
-
-      /// The share of the estimated error that is in the cells to refine [-].
-      /// Indicators of a goal fall off more slowly than squares of an energy.
-      double refined_fraction() const
-      {
-        return refinement.fraction > 0 ? refinement.fraction
-               : asks_for_accuracy()   ? 0.8
-                                       : 0.5;
       }
 
       /// Whether the multipliers are eliminated from the linear system, of a

@@ -30,11 +30,31 @@ namespace Contact
                         "Boundary groups that are arcs of circles: 'group: "
                         "centre x, centre y, radius' [mm], separated by ';'; "
                         "in the coordinates of the file.");
+      prm.add_parameter("Spheres",
+                        spheres,
+                        "Boundary groups of volumes that are parts of spheres: "
+                        "'group: centre x, y, z, radius' [mm], separated by "
+                        "';'; in the coordinates of the file.");
+      prm.add_parameter("Cylinders",
+                        cylinders,
+                        "The same of cylinders: 'group: x, y, z of a point of "
+                        "the axis, x, y, z of its direction, radius' [mm].");
+      prm.add_parameter("Cones",
+                        cones,
+                        "The same of cones: 'group: x, y, z of the apex, x, y, "
+                        "z of the axis, angle between axis and surface' [mm, "
+                        "degrees].");
+      prm.add_parameter("Tori",
+                        tori,
+                        "The same of tori: 'group: x, y, z of the centre, x, "
+                        "y, z of the axis, radius of the ring, radius of the "
+                        "tube' [mm].");
       prm.add_parameter("Move",
                         move,
-                        "'body: dx, dy' [mm], separated by ';'; shifts a body "
+                        "'body: dx, dy' [mm], separated by ';', of volumes "
+                        "'dx, dy, dz'; shifts a body "
                         "against the others, in the coordinates of the file. "
-                        "Its arcs move with it.");
+                        "Its round boundaries move with it.");
       prm.add_parameter("Scale",
                         scale,
                         "Factor of all lengths of the file and of Move [-]; > "
@@ -42,10 +62,12 @@ namespace Contact
       prm.add_parameter("Rotation",
                         rotation,
                         "Turns the whole mesh about the origin, anticlockwise, "
-                        "after Scale [degrees].");
+                        "after Scale [degrees]; three angles turn a volume "
+                        "about x, then y, then z.");
       prm.add_parameter("Shift",
                         shift,
-                        "'x, y' [mm]; shifts the whole mesh, after Rotation.");
+                        "'x, y' or 'x, y, z' [mm]; shifts the whole mesh, "
+                        "after Rotation.");
       prm.leave_subsection();
     }
 

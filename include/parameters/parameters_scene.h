@@ -59,16 +59,27 @@ namespace Contact
       /// Boundary group -> {centre x, centre y, radius} [mm].
       std::map<std::string, std::vector<double>> arcs;
 
-      /// Body -> {dx, dy} [mm], in the coordinates of the file.
+      /// The same in space: boundary group -> the numbers of its surface,
+      /// lengths in mm: {centre, radius}; {point and direction of the axis,
+      /// radius}; {apex, direction of the axis, angle [degrees]}; {centre,
+      /// direction of the axis, radii of ring and tube}.
+      std::map<std::string, std::vector<double>> spheres, cylinders, cones,
+        tori;
+
+      /// Body -> {dx, dy} or {dx, dy, dz} [mm], in the coordinates of the file.
       std::map<std::string, std::vector<double>> move;
 
       /// Changes of all coordinates of the file after that, in this order.
       double              scale    = 1;      // [-]
-      double              rotation = 0;      // about the origin [degrees]
+      std::vector<double> rotation = {0};    // about the origin [degrees]
       std::vector<double> shift    = {0, 0}; // [mm]
 
       void add_parameters(ParameterHandler &prm);
       void check() const;
+
+    private:
+      void check_vectors() const;
+      void check_round_surfaces() const;
     };
 
 

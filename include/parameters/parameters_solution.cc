@@ -151,8 +151,8 @@ namespace Contact
         fraction,
         "The share of the estimated error (squared, without an "
         "accuracy) that is in the cells to refine [-]; >= 0, <= "
-        "1; only for adaptive; 0: automatic: 0.5, and 0.8 "
-        "towards an accuracy.",
+        "1; only for adaptive; 0: automatic: 0.5, and towards "
+        "an accuracy that which takes the fewest unknowns.",
         Patterns::Double(0, 1));
       prm.add_parameter("Tolerance",
                         tolerance,

@@ -42,11 +42,11 @@ namespace Contact
 
 
 
-  void distribute_dofs(const Mesh                &mesh,
+  void distribute_dofs(const Mesh<2>             &mesh,
                        const hp::FECollection<2> &fe,
                        DoFHandler<2>             &dof_handler)
   {
-    if (mesh.is_all_quadrilateral())
+    if (mesh.has_only_hypercubes())
       dof_handler.distribute_dofs(fe[0]);
     else
       {
@@ -60,7 +60,7 @@ namespace Contact
 
 
 
-  Discretization::Discretization(const Mesh            &mesh,
+  Discretization::Discretization(const Mesh<2>         &mesh,
                                  const Parameters::All &parameters,
                                  const MPI_Comm         communicator)
     : mesh(mesh)

@@ -32,7 +32,7 @@ namespace Contact
 
   /// Number the unknowns of a collection {for quadrangles, for triangles}. A
   /// mesh of quadrangles alone takes the first element for all cells.
-  void distribute_dofs(const Mesh                &mesh,
+  void distribute_dofs(const Mesh<2>             &mesh,
                        const hp::FECollection<2> &fe,
                        DoFHandler<2>             &dof_handler);
 
@@ -58,7 +58,7 @@ namespace Contact
   class Discretization
   {
   public:
-    Discretization(const Mesh            &mesh,
+    Discretization(const Mesh<2>         &mesh,
                    const Parameters::All &parameters,
                    const MPI_Comm         communicator = MPI_COMM_SELF);
 
@@ -86,7 +86,7 @@ namespace Contact
     /// Number the unknowns anew after the mesh was refined.
     void redistribute();
 
-    const Mesh        &mesh;
+    const Mesh<2>     &mesh;
     const MPI_Comm     communicator;
     const unsigned int degree;
     const bool         serendipity;

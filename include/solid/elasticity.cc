@@ -18,7 +18,7 @@ namespace Contact
   namespace
   {
     std::map<types::material_id, Material>
-    find_materials(const Mesh &mesh, const Parameters::Solids &parameters)
+    find_materials(const Mesh<2> &mesh, const Parameters::Solids &parameters)
     {
       const std::string                      entry = "Solids/Young's modulus";
       std::map<types::material_id, Material> materials;

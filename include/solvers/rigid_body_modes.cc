@@ -34,7 +34,7 @@ namespace Contact
     class ResistedMotions
     {
     public:
-      explicit ResistedMotions(const MeshPieces &pieces)
+      explicit ResistedMotions(const MeshPieces<2> &pieces)
         : pieces(pieces)
         , squares(3 * pieces.size(), 3 * pieces.size())
       {
@@ -78,8 +78,8 @@ namespace Contact
       FullMatrix<double> projection_onto_free() const;
 
     private:
-      const MeshPieces  &pieces;
-      FullMatrix<double> squares;
+      const MeshPieces<2> &pieces;
+      FullMatrix<double>   squares;
     };
 
 
@@ -138,7 +138,7 @@ namespace Contact
     void resist_by_supports(const Discretization &discretization,
                             ResistedMotions      &motions)
     {
-      const Mesh &mesh = discretization.mesh;
+      const Mesh<2> &mesh = discretization.mesh;
       for (const auto &cell : mesh.triangulation.active_cell_iterators())
         if (cell->is_locally_owned())
           for (const unsigned int v : cell->vertex_indices())
@@ -160,7 +160,7 @@ namespace Contact
     void resist_by_joints(const Discretization &discretization,
                           ResistedMotions      &motions)
     {
-      const Mesh &mesh = discretization.mesh;
+      const Mesh<2> &mesh = discretization.mesh;
       for (const auto &[piece, other, X] : mesh.pieces.joints())
         for (unsigned int c = 0; c < 2; ++c)
           motions.resist({{piece, X, 1}, {other, X, -1}},
@@ -265,7 +265,7 @@ namespace Contact
 
 
 
-    std::vector<RigidBodyMode> find_free(const MeshPieces      &pieces,
+    std::vector<RigidBodyMode> find_free(const MeshPieces<2>   &pieces,
                                          const ResistedMotions &motions)
     {
       const FullMatrix<double>   projection = motions.projection_onto_free();

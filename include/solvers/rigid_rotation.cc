@@ -190,7 +190,7 @@ namespace Contact
                                            std::vector<double>(
                                              owned.n_elements()));
 
-    const MeshPieces &pieces = discretization.mesh.pieces;
+    const MeshPieces<2> &pieces = discretization.mesh.pieces;
     std::map<types::material_id, BoundingBox<2>> boxes;
     for (unsigned int piece = 0; piece < pieces.size(); ++piece)
       boxes.emplace(pieces[piece].body, pieces[piece].box)
@@ -233,8 +233,8 @@ namespace Contact
   std::vector<double> rigid_rotations(const Discretization &discretization,
                                       const Vector<double> &u)
   {
-    const MeshPieces   &pieces = discretization.mesh.pieces;
-    std::vector<double> sums(n_sum * pieces.size());
+    const MeshPieces<2> &pieces = discretization.mesh.pieces;
+    std::vector<double>  sums(n_sum * pieces.size());
     for (const auto &cell :
          discretization.mesh.triangulation.active_cell_iterators())
       if (cell->is_locally_owned())

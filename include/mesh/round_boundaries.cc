@@ -1,0 +1,193 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "mesh/round_boundaries.h"
+
+#include <deal.II/grid/tria_accessor.h>
+#include <deal.II/grid/tria_iterator.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "base/errors.h"
+#include "base/string_utilities.h"
+#include "mesh/arcs.h"
+#include "mesh/coarse_mesh.h"
+#include "mesh/round_surface.h"
+
+namespace Contact
+{
+  namespace
+  {
+    void check_arc(const Arc &arc, const Point<2> &p, const std::string &name)
+    {
+      if (!arc.on_circle(p))
+        throw InputError("the point " + to_string(p) + " of the arc '" + name +
+                           "' is " +
+                           brief(p.distance(arc.center) - arc.radius) +
+                           " mm away from its circle",
+                         "entry 'Mesh/Arcs'",
+                         "correct the circle, or the group in the mesh");
+    }
+
+
+
+    void check_round(const RoundSurface &surface,
+                     const Point<3>     &p,
+                     const std::string  &name,
+                     const std::string  &entry)
+    {
+      const double distance = p.distance(surface.closest(p));
+      if (!(distance < Arc::tolerance * surface.size(p)))
+        throw InputError("the point " + to_string(p) + " of the boundary '" +
+                           name + "' is " + brief(distance) +
+                           " mm away from its surface",
+                         "entry '" + entry + "'",
+                         "correct the surface, or the group in the mesh");
+    }
+
+
+
+    using SurfaceIn = std::function<
+      std::shared_ptr<const RoundSurface>(const std::vector<double> &numbers,
+                                          const types::material_id   body)>;
+
+    /// Make the boundaries of one entry round: those of a surface by its
+    /// numbers, where the body that they bound has it.
+    void make_parts_round(const std::map<std::string, std::vector<double>> &surfaces,
+                    const std::string                                &entry,
+                    const SurfaceIn    &surface_in,
+                    Mesh<3>            &mesh,
+                    types::manifold_id &n_manifolds)
+    {
+      for (const auto &[name, numbers] : surfaces)
+        {
+          const auto &ids = mesh.boundary(name, entry);
+          std::map<types::material_id, types::manifold_id> manifold_of;
+          for (const auto &cell : mesh.triangulation.active_cell_iterators())
+            for (const auto &face : cell->face_iterators())
+              if (face->at_boundary() && ids.count(face->boundary_id()) > 0)
+                {
+                  const auto body    = cell->material_id();
+                  const auto surface = surface_in(numbers, body);
+                  const auto [id, is_new] =
+                    manifold_of.emplace(body, n_manifolds + 1);
+                  if (is_new)
+                    mesh.triangulation.set_manifold(++n_manifolds,
+                                                    RoundManifold(surface));
+                  for (const unsigned int v : face->vertex_indices())
+                    check_round(*surface, face->vertex(v), name, entry);
+                  face->set_all_manifold_ids(id->second);
+                }
+        }
+    }
+  } // namespace
+
+
+
+  void make_round(const Parameters::Mesh &parameters,
+                  const Placement<2>     &placement,
+                  Mesh<2>                &mesh)
+  {
+    for (const auto *surfaces : {&parameters.spheres,
+                                 &parameters.cylinders,
+                                 &parameters.cones,
+                                 &parameters.tori})
+      if (!surfaces->empty())
+        throw InputError("the boundary '" + surfaces->begin()->first +
+                           "' of a plane mesh is no surface",
+                         "section 'Mesh'",
+                         "name it in Mesh/Arcs");
+    const types::manifold_id arc_id = 1;
+    std::vector<Arc>         arcs;
+    for (const auto &[name, circle] : parameters.arcs)
+      {
+        const auto &ids = mesh.boundary(name, "Mesh/Arcs");
+        std::map<types::material_id, Arc> of_body;
+        for (const auto &cell : mesh.triangulation.active_cell_iterators())
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary() && ids.count(face->boundary_id()) > 0)
+              {
+                const auto body = cell->material_id();
+                Arc       &arc  = of_body[body];
+                arc.center = placement(Point<2>(circle[0], circle[1]), body);
+                arc.radius = placement.scale * circle[2];
+                for (const unsigned int v : face->vertex_indices())
+                  check_arc(arc, face->vertex(v), name);
+                arc.chords.push_back({{face->vertex(0), face->vertex(1)}});
+                face->set_manifold_id(arc_id);
+              }
+        for (const auto &[body, arc] : of_body)
+          arcs.push_back(arc);
+      }
+    if (arcs.empty())
+      return;
+
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      if (cell->reference_cell() == ReferenceCells::Triangle)
+        cell->set_all_manifold_ids(arc_id);
+    mesh.triangulation.set_manifold(arc_id, ArcManifold(arcs));
+  }
+
+
+
+  void make_round(const Parameters::Mesh &parameters,
+                  const Placement<3>     &placement,
+                  Mesh<3>                &mesh)
+  {
+    if (!parameters.arcs.empty())
+      throw InputError("the mesh is no plane one, and has no arcs",
+                       "entry 'Mesh/Arcs'",
+                       "use Mesh/Cylinders, Spheres, Cones or Tori");
+    const double       scale       = placement.scale;
+    types::manifold_id n_manifolds = 0;
+    const auto place = [&](const auto &n, const types::material_id body) {
+      return placement(Point<3>(n[0], n[1], n[2]), body);
+    };
+    const auto axis = [&](const auto &n) {
+      return placement.turned(Point<3>(n[3], n[4], n[5]));
+    };
+    make_parts_round(
+      parameters.spheres,
+      "Mesh/Spheres",
+      [&](const auto &n, const auto body) {
+        return std::make_shared<Sphere>(place(n, body), scale * n[3]);
+      },
+      mesh,
+      n_manifolds);
+    make_parts_round(
+      parameters.cylinders,
+      "Mesh/Cylinders",
+      [&](const auto &n, const auto body) {
+        return std::make_shared<Cylinder>(place(n, body),
+                                          axis(n),
+                                          scale * n[6]);
+      },
+      mesh,
+      n_manifolds);
+    make_parts_round(
+      parameters.cones,
+      "Mesh/Cones",
+      [&](const auto &n, const auto body) {
+        return std::make_shared<Cone>(place(n, body),
+                                      axis(n),
+                                      n[6] * numbers::PI / 180);
+      },
+      mesh,
+      n_manifolds);
+    make_parts_round(
+      parameters.tori,
+      "Mesh/Tori",
+      [&](const auto &n, const auto body) {
+        return std::make_shared<Torus>(place(n, body),
+                                       axis(n),
+                                       scale * n[6],
+                                       scale * n[7]);
+      },
+      mesh,
+      n_manifolds);
+  }
+} // namespace Contact
