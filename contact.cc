@@ -271,9 +271,9 @@ namespace Contact
       if (parameters.refines_adaptively(model.mesh->has_only_hypercubes()))
         check_adaptive(*model.mesh);
       model.discretization =
-        std::make_unique<Discretization>(*model.mesh,
-                                         parameters,
-                                         report.communicator);
+        std::make_unique<Discretization<2>>(*model.mesh,
+                                            parameters,
+                                            report.communicator);
     }
     setup_level();
     if (model.interface)
@@ -296,7 +296,7 @@ namespace Contact
     {
       TimerOutput::Scope scope(report.timer, "setup");
       model.elasticity =
-        Elasticity::create(*model.discretization, parameters.solids);
+        Elasticity<2>::create(*model.discretization, parameters.solids);
       auto pairs = parameters.pairs();
       for (Parameters::Contact &contact_pair : pairs)
         contact_pair.ends_are_corners = ends_are_corners;

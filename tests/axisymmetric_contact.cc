@@ -26,18 +26,18 @@ namespace
     MeshText mesh;
     mesh.block("lower", 4, 2, rectangle({0, -1}, {3, 0}));
     mesh.block("upper", 3, 2, rectangle({0, 0}, {3, 1}));
-    auto parameters                    = make_parameters(mesh,
+    auto parameters                     = make_parameters(mesh,
                                       {"lower", "upper"},
                                       degree,
                                       "small strain",
                                       youngs_modulus,
                                       poisson);
-    parameters.solids.symmetry         = "axisymmetric";
-    parameters.contact.slave           = "upper bottom";
-    parameters.contact.master          = "lower top";
-    parameters.contact.discretization  = rule;
-    parameters.boundary.displacement_y = {{"lower bottom", 0}};
-    parameters.boundary.pressure       = {{"upper top", "10"}};
+    parameters.solids.symmetry          = "axisymmetric";
+    parameters.contact.slave            = "upper bottom";
+    parameters.contact.master           = "lower top";
+    parameters.contact.discretization   = rule;
+    parameters.boundary.displacement[1] = {{"lower bottom", 0}};
+    parameters.boundary.pressure        = {{"upper top", "10"}};
     return parameters;
   }
 
@@ -91,8 +91,8 @@ namespace
     };
     auto parameters = two_cylinders(1, "mortar");
     print("free", parameters);
-    parameters.boundary.displacement_y = {{"lower bottom left", 0},
-                                          {"upper top", 0}};
+    parameters.boundary.displacement[1] = {{"lower bottom left", 0},
+                                           {"upper top", 0}};
     print("free, held at a point", parameters);
   }
 
@@ -174,7 +174,7 @@ namespace
     parameters.contact.master                 = "inner right";
     parameters.contact.discretization         = "mortar";
     parameters.boundary.pressure              = {{"inner left", "100"}};
-    parameters.boundary.displacement_y        = {{"inner bottom", 0},
+    parameters.boundary.displacement[1]       = {{"inner bottom", 0},
                                                  {"inner top", 0},
                                                  {"outer bottom", 0},
                                                  {"outer top", 0}};

@@ -107,11 +107,11 @@ namespace
     const double Px = f(a) * (lambda * tr + 2 * mu * e(a));
     const double Py = f(b) * (lambda * tr + 2 * mu * e(b));
 
-    auto parameters                = cylinder(bore, degree, kinematics);
-    parameters.solids.dilatation   = dilatation;
-    parameters.boundary.traction_x = {{"body right", formula(Px)}};
-    parameters.boundary.traction_y = {{"body top", formula(Py)},
-                                      {"body bottom", formula(-Py)}};
+    auto parameters                 = cylinder(bore, degree, kinematics);
+    parameters.solids.dilatation    = dilatation;
+    parameters.boundary.traction[0] = {{"body right", formula(Px)}};
+    parameters.boundary.traction[1] = {{"body top", formula(Py)},
+                                       {"body bottom", formula(-Py)}};
     if (bore > 0)
       parameters.boundary.pressure["body left"] = formula(-Px);
     const Bodies bodies(parameters);
@@ -168,7 +168,7 @@ namespace
     const std::string name = "degree " + std::to_string(degree) + ", ";
     check_small(name + "spread force",
                 std::abs(load([](auto &b) {
-                           b.resultant_force_y = {{"body top", 7}};
+                           b.resultant_force[1] = {{"body top", 7}};
                          }) -
                          7),
                 1e-12);
@@ -180,13 +180,13 @@ namespace
                 1e-12);
     check_small(name + "traction",
                 std::abs(load([](auto &b) {
-                           b.traction_y = {{"body right", "2*y"}};
+                           b.traction[1] = {{"body right", "2*y"}};
                          }) -
                          24 * pi),
                 1e-12);
     check_small(name + "body force",
                 std::abs(load([](auto &b) {
-                           b.body_force_y = {{"body", "3"}};
+                           b.body_force[1] = {{"body", "3"}};
                          }) -
                          54 * pi),
                 1e-12);
@@ -210,10 +210,10 @@ namespace
     };
     check("a negative radius is refused",
           refused(cylinder(-0.1, 1, "small strain")));
-    auto moved                    = cylinder(0, 2, "small strain");
-    moved.boundary.displacement_x = {{"body left", 0.1}};
+    auto moved                     = cylinder(0, 2, "small strain");
+    moved.boundary.displacement[0] = {{"body left", 0.1}};
     check("a moved axis is refused", refused(moved));
-    moved.boundary.displacement_x = {{"body left", 0}};
+    moved.boundary.displacement[0] = {{"body left", 0}};
     check("a held one is not", !refused(moved));
   }
 } // namespace

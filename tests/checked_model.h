@@ -50,9 +50,9 @@ namespace Tests
     parameters.contact.master                   = "lower top";
     parameters.contact.discretization           = c.rule;
     parameters.contact.friction_coefficient     = c.friction;
-    parameters.boundary.displacement_x          = {{"lower bottom", 0},
+    parameters.boundary.displacement[0]         = {{"lower bottom", 0},
                                                    {"upper top", 0.01}};
-    parameters.boundary.displacement_y          = {{"lower bottom", 0},
+    parameters.boundary.displacement[1]         = {{"lower bottom", 0},
                                                    {"upper top", -0.04}};
     parameters.boundary.pressure["upper right"] = "2";
     parameters.boundary.histories["Displacement y"] =

@@ -56,15 +56,15 @@ namespace Tests
     parameters.contact.discretization         = c.rule;
     parameters.contact.friction_coefficient   = c.coulomb;
     parameters.contact.tresca_limit           = c.tresca;
-    parameters.boundary.displacement_x        = {{"lower bottom", 0}};
-    parameters.boundary.displacement_y        = {{"lower bottom", 0},
+    parameters.boundary.displacement[0]       = {{"lower bottom", 0}};
+    parameters.boundary.displacement[1]       = {{"lower bottom", 0},
                                                  {"upper top", -0.03}};
     if (c.symmetry)
-      parameters.boundary.displacement_x = {
+      parameters.boundary.displacement[0] = {
         {c.lower_is_free ? "lower bottom" : "lower left", 0},
         {"upper left", 0}};
     else
-      parameters.boundary.displacement_x["upper top"] = 0.003;
+      parameters.boundary.displacement[0]["upper top"] = 0.003;
     return parameters;
   }
 

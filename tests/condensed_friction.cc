@@ -43,9 +43,9 @@ namespace
     parameters.contact.master               = "lower top";
     parameters.contact.discretization       = rule;
     parameters.contact.friction_coefficient = 0.5;
-    parameters.boundary.displacement_x      = {{"lower bottom", 0},
+    parameters.boundary.displacement[0]     = {{"lower bottom", 0},
                                                {"upper top", 0.08}};
-    parameters.boundary.displacement_y      = {{"lower bottom", 0},
+    parameters.boundary.displacement[1]     = {{"lower bottom", 0},
                                                {"upper top", -0.02}};
     return parameters;
   }

@@ -53,7 +53,7 @@ namespace Tests
     {
       condensed.reset();
       interface.reset();
-      elasticity = Elasticity::create(discretization, parameters.solids);
+      elasticity = Elasticity<2>::create(discretization, parameters.solids);
       interface  = std::make_unique<ContactInterface>(discretization,
                                                      *elasticity,
                                                      parameters.pairs());

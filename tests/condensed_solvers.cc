@@ -165,18 +165,18 @@ namespace
                       degree,
                       shear ? "large displacement" : "small strain",
                       youngs_modulus);
-    parameters.contact.slave           = "upper bottom";
-    parameters.contact.master          = "lower top";
-    parameters.contact.discretization  = rule;
-    parameters.contact.tied            = true;
-    parameters.boundary.displacement_y = {{"lower bottom", 0},
-                                          {"upper top", 0.02}};
+    parameters.contact.slave            = "upper bottom";
+    parameters.contact.master           = "lower top";
+    parameters.contact.discretization   = rule;
+    parameters.contact.tied             = true;
+    parameters.boundary.displacement[1] = {{"lower bottom", 0},
+                                           {"upper top", 0.02}};
     if (shear)
-      parameters.boundary.displacement_x = {{"lower bottom", 0},
-                                            {"upper top", 0.3}};
+      parameters.boundary.displacement[0] = {{"lower bottom", 0},
+                                             {"upper top", 0.3}};
     else
-      parameters.boundary.displacement_x = {{"lower bottom left", 0},
-                                            {"upper top left", 0}};
+      parameters.boundary.displacement[0] = {{"lower bottom left", 0},
+                                             {"upper top left", 0}};
     CondensedModel model(parameters);
     headline("tied, " + rule + " rule, degree " + std::to_string(degree) +
              (shear ? ", stretched and sheared" : ", stretched"));

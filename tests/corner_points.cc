@@ -44,9 +44,10 @@ namespace
     parameters.contact.master         = exchanged ? "low top" : "tip bottom";
     parameters.contact.discretization = rule;
     parameters.contact.friction_coefficient = friction;
-    parameters.boundary.displacement_x = {{"low bottom", 0}, {"tip top", 0.02}};
-    parameters.boundary.displacement_y = {{"low bottom", 0},
-                                          {"tip top", -0.02}};
+    parameters.boundary.displacement[0]     = {{"low bottom", 0},
+                                               {"tip top", 0.02}};
+    parameters.boundary.displacement[1]     = {{"low bottom", 0},
+                                               {"tip top", -0.02}};
     return parameters;
   }
 
@@ -195,11 +196,12 @@ namespace
     });
     Parameters::All parameters =
       make_parameters(mesh, {"low", "up"}, degree, "small strain");
-    parameters.contact.slave           = "low top";
-    parameters.contact.master          = "up bottom";
-    parameters.contact.discretization  = rule;
-    parameters.boundary.displacement_x = {{"low bottom", 0}, {"up top", 0}};
-    parameters.boundary.displacement_y = {{"low bottom", 0}, {"up top", -0.01}};
+    parameters.contact.slave            = "low top";
+    parameters.contact.master           = "up bottom";
+    parameters.contact.discretization   = rule;
+    parameters.boundary.displacement[0] = {{"low bottom", 0}, {"up top", 0}};
+    parameters.boundary.displacement[1] = {{"low bottom", 0},
+                                           {"up top", -0.01}};
     ContactModel model(parameters);
     unsigned int n = 0;
     for (const ContactPoint &point : model.interface.points())
@@ -231,11 +233,12 @@ namespace
     mesh.block("up", 4, 1, rectangle({-0.5, 0}, {0.75, 1}));
     Parameters::All parameters =
       make_parameters(mesh, {"low", "up"}, degree, "small strain");
-    parameters.contact.slave           = "low top";
-    parameters.contact.master          = "up bottom";
-    parameters.contact.discretization  = rule;
-    parameters.boundary.displacement_x = {{"low bottom", 0}, {"up top", 0}};
-    parameters.boundary.displacement_y = {{"low bottom", 0}, {"up top", -0.01}};
+    parameters.contact.slave            = "low top";
+    parameters.contact.master           = "up bottom";
+    parameters.contact.discretization   = rule;
+    parameters.boundary.displacement[0] = {{"low bottom", 0}, {"up top", 0}};
+    parameters.boundary.displacement[1] = {{"low bottom", 0},
+                                           {"up top", -0.01}};
     const ContactModel plain(parameters);
     check("no corner points", !plain.interface.pairs[0]->has_corner_points());
     check("though there could be", plain.interface.pairs[0]->lacks_ends());

@@ -187,7 +187,7 @@ namespace
                                  update_gradients | update_quadrature_points);
     const FEValuesExtractors::Vector displacement(0);
     std::vector<Tensor<2, 2>>        H;
-    VolumeRatio                      expected;
+    VolumeRatio<2>                   expected;
     for (const auto &cell :
          bodies.discretization.dof_handler.active_cell_iterators())
       {

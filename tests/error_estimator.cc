@@ -42,10 +42,10 @@ namespace
     auto parameters = make_parameters(mesh, {"strip"}, degree, kinematics);
     const std::map<std::string, double> ends{{"strip left", 0},
                                              {"strip right", 0}};
-    parameters.boundary.displacement_x = parameters.boundary.displacement_y =
+    parameters.boundary.displacement[0] = parameters.boundary.displacement[1] =
       ends;
-    const Bodies         bodies(parameters);
-    const StressRecovery recovery(bodies.discretization);
+    const Bodies            bodies(parameters);
+    const StressRecovery<2> recovery(bodies.discretization);
 
     // No stress across the strip: E22 = -nu/(1 - nu) E11, nu = 0.3.
     const double E11 = 0.1, E22 = -3. / 7 * E11;
@@ -78,20 +78,21 @@ namespace
     MeshText mesh;
     mesh.block("lower", 3, 2, rectangle({0, -1}, {2, 0}));
     mesh.block("upper", 3, 2, rectangle({0, 0}, {2, 1}));
-    auto parameters                    = make_parameters(mesh,
+    auto parameters                     = make_parameters(mesh,
                                       {"lower", "upper"},
                                       degree,
                                       kinematics,
                                       youngs_modulus);
-    parameters.contact.slave           = "upper bottom";
-    parameters.contact.master          = "lower top";
-    parameters.contact.discretization  = rule;
-    parameters.boundary.displacement_x = {{"lower left", 0}, {"upper left", 0}};
-    parameters.boundary.displacement_y = {{"lower bottom", 0},
-                                          {"upper top", -0.1}};
-    Tests::ContactModel  model(parameters);
-    const StressRecovery recovery(model.discretization);
-    const std::string    name = "uniform pressure, degree " +
+    parameters.contact.slave            = "upper bottom";
+    parameters.contact.master           = "lower top";
+    parameters.contact.discretization   = rule;
+    parameters.boundary.displacement[0] = {{"lower left", 0},
+                                           {"upper left", 0}};
+    parameters.boundary.displacement[1] = {{"lower bottom", 0},
+                                           {"upper top", -0.1}};
+    Tests::ContactModel     model(parameters);
+    const StressRecovery<2> recovery(model.discretization);
+    const std::string       name = "uniform pressure, degree " +
                              std::to_string(degree) + ", " + kinematics + ", " +
                              rule;
     check(name + ", converged", model.solve(1, rule != "mortar") > 0);
@@ -178,10 +179,10 @@ namespace
     parameters.element.centre_node = "free";
     parameters.mesh.refinements    = refinements;
     for (const std::string side : {"bottom", "right", "top", "left"})
-      parameters.boundary.displacement_x["block " + side] =
-        parameters.boundary.displacement_y["block " + side] = 0;
-    const Bodies         bodies(parameters);
-    const StressRecovery recovery(bodies.discretization);
+      parameters.boundary.displacement[0]["block " + side] =
+        parameters.boundary.displacement[1]["block " + side] = 0;
+    const Bodies            bodies(parameters);
+    const StressRecovery<2> recovery(bodies.discretization);
 
     const Vector<double> u =
       bodies.displacement([](const Point<2> &X) { return X + smooth(X); });

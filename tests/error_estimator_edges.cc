@@ -59,24 +59,24 @@ namespace
   {
     MeshText mesh;
     mesh.block("block", 3, 2, rectangle({0, 0}, {2, 1}));
-    auto parameters                    = make_parameters(mesh,
+    auto parameters                     = make_parameters(mesh,
                                       {"block"},
                                       degree,
                                       "small strain",
                                       youngs_modulus,
                                       0);
-    parameters.mesh.refinements        = refinements;
-    parameters.boundary.displacement_x = {{"block bottom", 0},
-                                          {"block top", 0}};
-    parameters.boundary.displacement_y = {{"block bottom", 0},
-                                          {"block left", 0},
-                                          {"block right", 0}};
+    parameters.mesh.refinements         = refinements;
+    parameters.boundary.displacement[0] = {{"block bottom", 0},
+                                           {"block top", 0}};
+    parameters.boundary.displacement[1] = {{"block bottom", 0},
+                                           {"block left", 0},
+                                           {"block right", 0}};
     if (spread)
-      parameters.boundary.resultant_force_y = {{"block top", -1}};
+      parameters.boundary.resultant_force[1] = {{"block top", -1}};
     else
-      parameters.boundary.force_x = {{"block top left", 1}};
-    const Bodies         bodies(parameters);
-    const StressRecovery recovery(bodies.discretization);
+      parameters.boundary.force[0] = {{"block top left", 1}};
+    const Bodies            bodies(parameters);
+    const StressRecovery<2> recovery(bodies.discretization);
     const ErrorEstimator estimator(bodies.discretization, *bodies.elasticity);
 
     const double         pressure = 3;
@@ -143,13 +143,13 @@ namespace
     parameters.contact.discretization       = rule;
     parameters.contact.friction_coefficient = 1;
     for (const std::string side : {"lower bottom", "lower left", "lower right"})
-      parameters.boundary.displacement_x[side] =
-        parameters.boundary.displacement_y[side] = 0;
+      parameters.boundary.displacement[0][side] =
+        parameters.boundary.displacement[1][side] = 0;
     for (const std::string side : {"upper top", "upper left", "upper right"})
-      parameters.boundary.displacement_x[side] =
-        parameters.boundary.displacement_y[side] = 0;
-    Tests::ContactModel  model(parameters);
-    const StressRecovery recovery(model.discretization);
+      parameters.boundary.displacement[0][side] =
+        parameters.boundary.displacement[1][side] = 0;
+    Tests::ContactModel     model(parameters);
+    const StressRecovery<2> recovery(model.discretization);
 
     // Without lateral strain the stresses are -E u_y,y and E/2 u_x,y.
     const Vector<double> u = model.displacement([&](const Point<2> &X) {
@@ -214,9 +214,9 @@ namespace
     for (unsigned int k = 0; k < model.interface.n_multipliers(); ++k)
       model.solution[model.interface.normal_index(k)] = 1;
 
-    const StressRecovery recovery(model.discretization);
-    const ErrorEstimator estimator(model.discretization, *model.elasticity);
-    const auto           indicators =
+    const StressRecovery<2> recovery(model.discretization);
+    const ErrorEstimator    estimator(model.discretization, *model.elasticity);
+    const auto              indicators =
       estimator.indicators(recovery.vertex_stresses(*model.elasticity,
                                                     model.solution),
                            &model.interface,

@@ -152,11 +152,11 @@ namespace
     parameters.contact.master            = "lower top";
     if (rule.flat_is_slave)
       std::swap(parameters.contact.slave, parameters.contact.master);
-    parameters.contact.discretization                  = rule.name;
-    parameters.contact.n_gauss_points                  = 3;
-    parameters.contact.friction_coefficient            = 0.3;
-    parameters.boundary.displacement_x["lower bottom"] = 0;
-    parameters.boundary.displacement_y["lower bottom"] = 0;
+    parameters.contact.discretization                   = rule.name;
+    parameters.contact.n_gauss_points                   = 3;
+    parameters.contact.friction_coefficient             = 0.3;
+    parameters.boundary.displacement[0]["lower bottom"] = 0;
+    parameters.boundary.displacement[1]["lower bottom"] = 0;
     return parameters;
   }
 
@@ -235,9 +235,9 @@ namespace
   void drag(const unsigned int degree, const Rule &rule)
   {
     headline("dragged, " + named(degree, rule));
-    Parameters::All parameters                      = make_case(degree, rule);
-    parameters.boundary.displacement_x["upper top"] = 0.03;
-    parameters.boundary.displacement_y["upper top"] = -0.08;
+    Parameters::All parameters                       = make_case(degree, rule);
+    parameters.boundary.displacement[0]["upper top"] = 0.03;
+    parameters.boundary.displacement[1]["upper top"] = -0.08;
     ContactModel model(parameters);
     check("converges", solve(model, rule, 0.5) && solve(model, rule, 1));
     print_contact(model);
@@ -295,11 +295,11 @@ namespace
     Parameters::All       parameters = make_case(degree, rule);
     const Parameters::All description =
       make_parameters(mesh, {"lower", "upper"}, degree, "large displacement");
-    parameters.mesh                                  = description.mesh;
-    parameters.mesh.arcs["upper bottom"]             = {0, 1.98, 2};
-    parameters.boundary.displacement_x["lower left"] = 0;
-    parameters.boundary.displacement_x["upper left"] = 0;
-    parameters.boundary.force_y["upper top left"]    = -force;
+    parameters.mesh                                   = description.mesh;
+    parameters.mesh.arcs["upper bottom"]              = {0, 1.98, 2};
+    parameters.boundary.displacement[0]["lower left"] = 0;
+    parameters.boundary.displacement[0]["upper left"] = 0;
+    parameters.boundary.force[1]["upper top left"]    = -force;
     ContactModel model(parameters);
     check("converges", solve(model, rule, 0.5) && solve(model, rule, 1));
     print_contact(model);

@@ -156,7 +156,7 @@ namespace
     report_boundary({{"Top", "1 + x*y"}, {"Side", "3*"}}, {});
     report_boundary({{"Top", "t"}}, {});
     report_boundary({}, {{"Force y", "min(1, 2*t)"}, {"Pressure", "x"}});
-    report_boundary({}, {{"Force z", "t"}});
+    report_boundary({}, {{"Force w", "t"}});
     report_boundary({}, {{"Tied y", "t"}});
     report_boundary({}, {{"Force y", "table(0 0, 0.5 1, 1 0)"}});
     report_boundary({}, {{"Force y", "table(0 0, 0.5 1, 0.4 0)"}});

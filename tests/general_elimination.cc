@@ -124,9 +124,9 @@ namespace
     parameters.contact.master               = "lower top";
     parameters.contact.discretization       = "mortar";
     parameters.contact.friction_coefficient = coulomb;
-    parameters.boundary.displacement_x      = {{"lower bottom", 0},
+    parameters.boundary.displacement[0]     = {{"lower bottom", 0},
                                                {"upper top", 0.004}};
-    parameters.boundary.displacement_y      = {{"lower bottom", 0},
+    parameters.boundary.displacement[1]     = {{"lower bottom", 0},
                                                {"upper top", -0.03}};
     compare("degree " + std::to_string(degree) +
               (coulomb > 0 ? ", Coulomb" : ", no friction"),
@@ -157,12 +157,12 @@ namespace
     parameters.contact.friction_coefficient                 = coulomb;
     wall.friction_coefficient                               = coulomb;
     parameters.further_contacts["wall"]                     = wall;
-    parameters.boundary.displacement_x = {{"floor bottom", 0},
-                                          {"wall left", 0},
-                                          {"block right", -0.02}};
-    parameters.boundary.displacement_y = {{"floor bottom", 0},
-                                          {"wall left", 0},
-                                          {"block top", -0.03}};
+    parameters.boundary.displacement[0] = {{"floor bottom", 0},
+                                           {"wall left", 0},
+                                           {"block right", -0.02}};
+    parameters.boundary.displacement[1] = {{"floor bottom", 0},
+                                           {"wall left", 0},
+                                           {"block top", -0.03}};
     return parameters;
   }
 
@@ -189,12 +189,12 @@ namespace
     other.master                      = "upper bottom";
     parameters.contact.discretization = other.discretization = rule;
     parameters.further_contacts["other"]                     = other;
-    parameters.boundary.displacement_x = {{"left bottom", 0},
-                                          {"right bottom", 0},
-                                          {"upper top", 0}};
-    parameters.boundary.displacement_y = {{"left bottom", 0},
-                                          {"right bottom", 0},
-                                          {"upper top", -0.03}};
+    parameters.boundary.displacement[0] = {{"left bottom", 0},
+                                           {"right bottom", 0},
+                                           {"upper top", 0}};
+    parameters.boundary.displacement[1] = {{"left bottom", 0},
+                                           {"right bottom", 0},
+                                           {"upper top", -0.03}};
     return parameters;
   }
 
@@ -216,12 +216,12 @@ namespace
     parameters.contact.master               = "lower top";
     parameters.contact.discretization       = "nodal";
     parameters.contact.friction_coefficient = coulomb;
-    parameters.boundary.displacement_x      = {{"lower bottom", 0},
+    parameters.boundary.displacement[0]     = {{"lower bottom", 0},
                                                {"upper bottom", 0.004}};
-    parameters.boundary.displacement_y      = {{"lower bottom", 0},
+    parameters.boundary.displacement[1]     = {{"lower bottom", 0},
                                                {"upper top", -0.03}};
     if (!in_x_only)
-      parameters.boundary.displacement_y["upper bottom"] = -0.03;
+      parameters.boundary.displacement[1]["upper bottom"] = -0.03;
     return parameters;
   }
 
@@ -234,18 +234,18 @@ namespace
     MeshText mesh;
     mesh.block("lower", 7, 2, rectangle({-0.2, -1}, {2.3, 0}));
     mesh.block("upper", 5, 2, rectangle({0, 0}, {2, 1}));
-    Parameters::All parameters         = make_parameters(mesh,
+    Parameters::All parameters          = make_parameters(mesh,
                                                  {"lower", "upper"},
                                                  1,
                                                  "small strain",
                                                  youngs_modulus);
-    parameters.contact.slave           = "upper bottom";
-    parameters.contact.master          = "lower top";
-    parameters.contact.discretization  = "nodal";
-    parameters.boundary.displacement_x = {{"lower bottom", 0},
-                                          {"upper top", 0}};
-    parameters.boundary.displacement_y = {{"lower bottom", 0},
-                                          {"upper top", -0.03}};
+    parameters.contact.slave            = "upper bottom";
+    parameters.contact.master           = "lower top";
+    parameters.contact.discretization   = "nodal";
+    parameters.boundary.displacement[0] = {{"lower bottom", 0},
+                                           {"upper top", 0}};
+    parameters.boundary.displacement[1] = {{"lower bottom", 0},
+                                           {"upper top", -0.03}};
     CondensedModel once(parameters);
     parameters.further_contacts["again"]      = parameters.contact;
     parameters.further_contacts["again"].name = "again";
@@ -276,18 +276,18 @@ namespace
     MeshText mesh;
     mesh.block("lower", 2, 2, rectangle({0, -1}, {2, 0}));
     mesh.block("upper", 2, 2, rectangle({0, -0.03}, {2, 1}));
-    Parameters::All parameters         = make_parameters(mesh,
+    Parameters::All parameters          = make_parameters(mesh,
                                                  {"lower", "upper"},
                                                  1,
                                                  "small strain",
                                                  youngs_modulus);
-    parameters.contact.slave           = "upper bottom";
-    parameters.contact.master          = "lower top";
-    parameters.contact.discretization  = "nodal";
-    parameters.boundary.displacement_x = {{"lower top", 0},
-                                          {"upper bottom", 0}};
-    parameters.boundary.displacement_y = {{"lower top", 0},
-                                          {"upper bottom", 0}};
+    parameters.contact.slave            = "upper bottom";
+    parameters.contact.master           = "lower top";
+    parameters.contact.discretization   = "nodal";
+    parameters.boundary.displacement[0] = {{"lower top", 0},
+                                           {"upper bottom", 0}};
+    parameters.boundary.displacement[1] = {{"lower top", 0},
+                                           {"upper bottom", 0}};
     headline("supports that press the surfaces together");
     try
       {

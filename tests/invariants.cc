@@ -126,9 +126,9 @@ namespace
     parameters.contact.master               = "lower top";
     parameters.contact.discretization       = "nodal";
     parameters.contact.friction_coefficient = 0.1;
-    parameters.boundary.displacement_x      = {{"lower bottom", 0},
+    parameters.boundary.displacement[0]     = {{"lower bottom", 0},
                                                {"upper top", 0.05}};
-    parameters.boundary.displacement_y      = {{"lower bottom", 0},
+    parameters.boundary.displacement[1]     = {{"lower bottom", 0},
                                                {"upper top", -0.02}};
     parameters.boundary.histories = {{"Displacement x", "max(0, 2*t - 1)"},
                                      {"Displacement y", "min(1, 2*t)"}};

@@ -39,9 +39,9 @@ namespace
 
   Resultant resultant(const Bodies &bodies, const Vector<double> &load)
   {
-    const auto X = bodies.support_points();
-    const auto c = bodies.components();
-    Resultant  sum;
+    const auto   X = bodies.support_points();
+    const auto   c = bodies.components();
+    Resultant sum;
     for (unsigned int i = 0; i < load.size(); ++i)
       {
         Tensor<1, 2> F;
@@ -60,7 +60,7 @@ namespace
   Resultant integrate(const Surface &surface, const Field &pressure)
   {
     const QGauss<1> quadrature(10);
-    Resultant       sum;
+    Resultant    sum;
     for (const auto &edge : surface.edges)
       for (unsigned int q = 0; q < quadrature.size(); ++q)
         {
@@ -192,10 +192,10 @@ namespace
   {
     const std::string text = (round ? "arc, " : "straight, ") + name +
                              ", degree " + std::to_string(degree);
-    auto parameters                       = body(degree, round, split);
-    parameters.boundary.resultant_force_x = {{"body top", 7}};
-    parameters.boundary.resultant_force_y = {{"body top", -100},
-                                             {"body bottom", 30}};
+    auto parameters                        = body(degree, round, split);
+    parameters.boundary.resultant_force[0] = {{"body top", 7}};
+    parameters.boundary.resultant_force[1] = {{"body top", -100},
+                                              {"body bottom", 30}};
     const Bodies bodies(parameters);
     const auto   found = resultant(bodies, bodies.elasticity->dead_loads.at(1));
     check_small(text + ": force",
@@ -225,8 +225,8 @@ namespace
                     const unsigned int degree,
                     const Split       &split)
   {
-    const std::string text      = name + ", degree " + std::to_string(degree);
-    const auto        deviation = [&](const auto &set, const Resultant &exact) {
+    const std::string text = name + ", degree " + std::to_string(degree);
+    const auto deviation   = [&](const auto &set, const Resultant &exact) {
       auto parameters = body(degree, false, split);
       set(parameters.boundary);
       const Bodies bodies(parameters);
@@ -243,7 +243,7 @@ namespace
     check_small(text + ": traction y",
                 deviation(
                   [](auto &b) {
-                    b.traction_y = {{"body top", "2*x"}};
+                    b.traction[1] = {{"body top", "2*x"}};
                   },
                   exact),
                 1e-11);
@@ -252,7 +252,7 @@ namespace
     check_small(text + ": traction x",
                 deviation(
                   [](auto &b) {
-                    b.traction_x = {{"body top", "-7"}};
+                    b.traction[0] = {{"body top", "-7"}};
                   },
                   exact),
                 1e-11);
@@ -261,8 +261,8 @@ namespace
     check_small(text + ": body forces",
                 deviation(
                   [](auto &b) {
-                    b.body_force_x = {{"body", "2"}};
-                    b.body_force_y = {{"body", "-3"}};
+                    b.body_force[0] = {{"body", "2"}};
+                    b.body_force[1] = {{"body", "-3"}};
                   },
                   exact),
                 1e-11);

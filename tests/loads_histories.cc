@@ -22,25 +22,25 @@ namespace
       return only.empty() || only == entry;
     };
     if (wanted("Force x"))
-      boundary.force_x = {{"body top left", 3}};
+      boundary.force[0] = {{"body top left", 3}};
     if (wanted("Force y"))
-      boundary.force_y = {{"body top left", 5}, {"body top right", -1}};
+      boundary.force[1] = {{"body top left", 5}, {"body top right", -1}};
     if (wanted("Resultant force x"))
-      boundary.resultant_force_x = {{"body left", -4}};
+      boundary.resultant_force[0] = {{"body left", -4}};
     if (wanted("Resultant force y"))
-      boundary.resultant_force_y = {{"body top", -9}};
+      boundary.resultant_force[1] = {{"body top", -9}};
     if (wanted("Pressure"))
       boundary.pressure = {{"body top", "2 + x"}, {"body right", "y"}};
     if (wanted("Traction x"))
-      boundary.traction_x = {{"body left", "y"}};
+      boundary.traction[0] = {{"body left", "y"}};
     if (wanted("Traction y"))
-      boundary.traction_y = {{"body right", "1 - x"}};
+      boundary.traction[1] = {{"body right", "1 - x"}};
     if (wanted("Body force x"))
-      boundary.body_force_x = {{"body", "0.5*y"}};
+      boundary.body_force[0] = {{"body", "0.5*y"}};
     if (wanted("Body force y"))
-      boundary.body_force_y = {{"body", "-2"}};
-    boundary.displacement_x = {{"body bottom", 0.5}};
-    boundary.displacement_y = {{"body bottom", 0}, {"body top right", -0.25}};
+      boundary.body_force[1] = {{"body", "-2"}};
+    boundary.displacement[0] = {{"body bottom", 0.5}};
+    boundary.displacement[1] = {{"body bottom", 0}, {"body top right", -0.25}};
     return parameters;
   }
 

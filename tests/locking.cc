@@ -73,19 +73,19 @@ namespace
       [&](const unsigned int, const unsigned int) {
         return element.triangles;
       });
-    Parameters::All parameters                        = make_parameters(mesh,
+    Parameters::All parameters                         = make_parameters(mesh,
                                                  {"tube"},
                                                  element.degree,
                                                  "small strain",
                                                  youngs_modulus,
                                                  nu);
-    parameters.element.centre_node                    = element.centre_node;
-    parameters.solids.dilatation                      = dilatation;
-    parameters.mesh.arcs["tube left"]                 = {0, 0, a};
-    parameters.mesh.arcs["tube right"]                = {0, 0, b};
-    parameters.boundary.displacement_y["tube bottom"] = 0;
-    parameters.boundary.displacement_x["tube top"]    = 0;
-    parameters.boundary.pressure["tube left"]         = std::to_string(p);
+    parameters.element.centre_node                     = element.centre_node;
+    parameters.solids.dilatation                       = dilatation;
+    parameters.mesh.arcs["tube left"]                  = {0, 0, a};
+    parameters.mesh.arcs["tube right"]                 = {0, 0, b};
+    parameters.boundary.displacement[1]["tube bottom"] = 0;
+    parameters.boundary.displacement[0]["tube top"]    = 0;
+    parameters.boundary.pressure["tube left"]          = std::to_string(p);
     const Bodies bodies(parameters);
 
     DynamicSparsityPattern couplings(bodies.n_dofs(), bodies.n_dofs());

@@ -79,8 +79,8 @@ namespace
                  "end");
     const Case result("syntax.prm");
     std::cout << result.error << result.parameters.contact.n_gauss_points << ' '
-              << result.parameters.boundary.force_y.size() << ' '
-              << result.parameters.boundary.force_x.size() << '\n';
+              << result.parameters.boundary.force[1].size() << ' '
+              << result.parameters.boundary.force[0].size() << '\n';
 
     // The line of a joined statement is its first one.
     report_lines("Boundary conditions", "  set Force y = A: 1, \\\n B 2");

@@ -113,10 +113,11 @@ namespace Tests
               << "\nsolids: " << p.solids.youngs_modulus.at("Block") << ' '
               << p.solids.poisson.at("Block") << ' '
               << p.solids.kinematics.name()
-              << "\nboundary: " << p.boundary.displacement_x.at("Encast") << ' '
-              << p.boundary.tied_y.at("C") << ' ' << p.boundary.force_y.size()
-              << "\ncontact: " << p.contact.slave << ' ' << p.contact.master
-              << ' ' << p.contact.discretization.name() << ' '
+              << "\nboundary: " << p.boundary.displacement[0].at("Encast")
+              << ' ' << p.boundary.tied_y.at("C") << ' '
+              << p.boundary.force[1].size() << "\ncontact: " << p.contact.slave
+              << ' ' << p.contact.master << ' '
+              << p.contact.discretization.name() << ' '
               << p.contact.n_gauss_points << ' '
               << p.contact.excluded_points.at(1) << ' '
               << p.contact.friction_coefficient << ' ' << p.contact.tresca_limit

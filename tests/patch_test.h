@@ -46,11 +46,12 @@ namespace Tests
     parameters.contact.master  = "lower top";
     if (c.lower_is_slave)
       std::swap(parameters.contact.slave, parameters.contact.master);
-    parameters.contact.discretization  = c.rule;
-    parameters.contact.n_gauss_points  = c.n_points;
-    parameters.boundary.displacement_x = {{"lower left", 0}, {"upper left", 0}};
-    parameters.boundary.displacement_y = {{"lower bottom", 0},
-                                          {"upper top", -shortening}};
+    parameters.contact.discretization   = c.rule;
+    parameters.contact.n_gauss_points   = c.n_points;
+    parameters.boundary.displacement[0] = {{"lower left", 0},
+                                           {"upper left", 0}};
+    parameters.boundary.displacement[1] = {{"lower bottom", 0},
+                                           {"upper top", -shortening}};
     return parameters;
   }
 

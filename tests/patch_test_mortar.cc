@@ -121,9 +121,9 @@ namespace
     mortar(
       c,
       [](Parameters::All &parameters) {
-        std::swap(parameters.boundary.displacement_x,
-                  parameters.boundary.displacement_y);
-        parameters.boundary.displacement_x["upper top"] *= -1;
+        std::swap(parameters.boundary.displacement[0],
+                  parameters.boundary.displacement[1]);
+        parameters.boundary.displacement[0]["upper top"] *= -1;
       },
       0);
   }
@@ -143,11 +143,12 @@ namespace
         for (const std::string end : {"left", "right"})
           mortar(c, [&](Parameters::All &parameters) {
             auto &boundary            = parameters.boundary;
-            boundary.displacement_y   = {{"lower bottom", shortening / 2},
+            boundary.displacement[1]  = {{"lower bottom", shortening / 2},
                                          {"upper top", -shortening / 2}};
             const bool lower_is_slave = parameters.contact.slave == "lower top";
-            boundary.displacement_y[lower_is_slave ? "lower top " + end
-                                                   : "upper bottom " + end] = 0;
+            boundary.displacement[1][lower_is_slave ? "lower top " + end
+                                                    : "upper bottom " + end] =
+              0;
           });
       }
   }
@@ -248,7 +249,7 @@ namespace
     Parameters::All parameters =
       make_case(inclined(slope, poisson, degree, lower_is_slave));
     for (const std::string name : {"lower right", "upper right"})
-      parameters.boundary.displacement_x[name] = -shortening;
+      parameters.boundary.displacement[0][name] = -shortening;
     if (!with_ends)
       for (const std::string end : {" left", " right"})
         parameters.contact.excluded_points.push_back(parameters.contact.slave +

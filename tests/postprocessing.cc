@@ -180,7 +180,7 @@ namespace
     stress[0][1] = 3;
     const Stresses stresses(model.mesh.triangulation.n_vertices(), stress);
     for (const auto &[name, quantity] : named_values(Parameters::Quantity()))
-      if (!is_contact_traction(quantity) && !is_force(quantity))
+      if (is_displacement(quantity) || is_stress(quantity))
         std::cout << "  " << name << ' '
                   << probe_value(quantity,
                                  3,

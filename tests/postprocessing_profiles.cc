@@ -37,13 +37,14 @@ namespace
   {
     headline("uniform pressure, degree " + std::to_string(degree) + ", " +
              rule);
-    Parameters::All parameters         = two_blocks(degree, rule);
-    parameters.boundary.displacement_x = {{"lower left", 0}, {"upper left", 0}};
-    parameters.boundary.displacement_y = {{"lower bottom", 0},
-                                          {"upper top", -0.02}};
+    Parameters::All parameters          = two_blocks(degree, rule);
+    parameters.boundary.displacement[0] = {{"lower left", 0},
+                                           {"upper left", 0}};
+    parameters.boundary.displacement[1] = {{"lower bottom", 0},
+                                           {"upper top", -0.02}};
     ContactModel model(parameters);
     check("converged", model.solve(1, false) > 0);
-    const StressRecovery recovery(model.discretization);
+    const StressRecovery<2> recovery(model.discretization);
 
     // Both blocks together are 2 high.
     const double   p     = 1000 / (1 - 0.3 * 0.3) * 0.01;

@@ -72,7 +72,7 @@ namespace
       with_centre(make_parameters(mesh, {"block"}, degree, "small strain"),
                   free);
     if (with_support)
-      parameters.boundary.displacement_y = {{"block top", 0.25}};
+      parameters.boundary.displacement[1] = {{"block top", 0.25}};
     Bodies bodies(parameters);
 
     const Field twice = [&](const Point<2> &X) {

@@ -46,7 +46,7 @@ namespace
 
 
   // The energy the forces belong to.
-  double energy(const Elasticity &elasticity, const Vector<double> &u)
+  double energy(const Elasticity<2> &elasticity, const Vector<double> &u)
   {
     double sum = elasticity.strain_energy(u);
     for (const auto &[body, of_hold] : elasticity.springs.energy(u))
@@ -75,10 +75,10 @@ namespace
   void hold(const unsigned int degree, const std::string &kinematics)
   {
     headline("degree " + std::to_string(degree) + ", " + kinematics);
-    const Bodies bodies(make_case(degree, kinematics));
-    Elasticity  &elasticity = *bodies.elasticity;
-    const auto   lower      = piece_of(bodies.mesh, "lower");
-    const auto   upper      = piece_of(bodies.mesh, "upper");
+    const Bodies   bodies(make_case(degree, kinematics));
+    Elasticity<2> &elasticity = *bodies.elasticity;
+    const auto     lower      = piece_of(bodies.mesh, "lower");
+    const auto     upper      = piece_of(bodies.mesh, "upper");
 
     Random         random;
     Vector<double> u(bodies.n_dofs()), rest(bodies.n_dofs());
@@ -187,7 +187,7 @@ namespace
     const Tensor<1, 2>   d({0.3, -0.2});
     const Vector<double> translated =
       bodies.displacement([&](const Point<2> &X) { return X + d; });
-    Elasticity &elasticity = *bodies.elasticity;
+    Elasticity<2> &elasticity = *bodies.elasticity;
     elasticity.springs.hold({{1, k}}, Vector<double>(translated.size()));
 
     const auto   forces     = elasticity.forces(translated, 0);
@@ -208,12 +208,12 @@ namespace
   {
     headline("a free body under a force");
     Parameters::All parameters = make_case(1, "small strain");
-    parameters.boundary.resultant_force_x["lower top"] = 7;
-    parameters.boundary.displacement_x["upper top"]    = 0;
-    parameters.boundary.displacement_y["upper top"]    = 0;
-    const Bodies bodies(parameters);
-    Elasticity  &elasticity = *bodies.elasticity;
-    const double k          = 50;
+    parameters.boundary.resultant_force[0]["lower top"] = 7;
+    parameters.boundary.displacement[0]["upper top"]    = 0;
+    parameters.boundary.displacement[1]["upper top"]    = 0;
+    const Bodies   bodies(parameters);
+    Elasticity<2> &elasticity = *bodies.elasticity;
+    const double   k          = 50;
 
     DynamicSparsityPattern couplings(bodies.n_dofs(), bodies.n_dofs());
     elasticity.add_couplings(couplings);

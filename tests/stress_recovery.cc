@@ -63,9 +63,9 @@ namespace
                                                  youngs_modulus,
                                                  poisson);
     parameters.element.centre_node = centre_node;
-    const Bodies         bodies(parameters);
-    const StressRecovery recovery(bodies.discretization);
-    const Vector<double> u = bodies.displacement(
+    const Bodies            bodies(parameters);
+    const StressRecovery<2> recovery(bodies.discretization);
+    const Vector<double>    u = bodies.displacement(
       [](const Point<2> &X) { return X + quadratic_displacement(X); });
 
     const auto  stresses = recovery.vertex_stresses(*bodies.elasticity, u);
@@ -91,13 +91,13 @@ namespace
                1,
                rectangle({0, 0}, {1, 1}),
                [](unsigned int, unsigned int) { return true; });
-    const Bodies         bodies(make_parameters(mesh,
+    const Bodies            bodies(make_parameters(mesh,
                                         {"block"},
                                         1,
                                         "small strain",
                                         youngs_modulus,
                                         poisson));
-    const StressRecovery recovery(bodies.discretization);
+    const StressRecovery<2> recovery(bodies.discretization);
 
     // Only the corner (1, 0) moves, by 0.01 to the right: of the triangles
     // (0,0), (1,0), (1,1) and (0,0), (1,1), (0,1) the first is strained by
@@ -152,7 +152,7 @@ namespace
     exact[2][2] = tr / J;
 
     double error = 0;
-    for (const auto &stress : StressRecovery(bodies.discretization)
+    for (const auto &stress : StressRecovery<2>(bodies.discretization)
                                 .vertex_stresses(*bodies.elasticity, u))
       error = std::max(error, (stress - exact).norm());
     check_small("Cauchy stress at finite strain",

@@ -38,10 +38,11 @@ namespace
     parameters.contact.master  = "lower top";
     if (lower_is_slave)
       std::swap(parameters.contact.slave, parameters.contact.master);
-    parameters.contact.discretization  = "mortar";
-    parameters.boundary.displacement_x = {{"lower left", 0}, {"upper left", 0}};
-    parameters.boundary.displacement_y = {{"lower bottom", 0},
-                                          {"upper top", -shortening}};
+    parameters.contact.discretization   = "mortar";
+    parameters.boundary.displacement[0] = {{"lower left", 0},
+                                           {"upper left", 0}};
+    parameters.boundary.displacement[1] = {{"lower bottom", 0},
+                                           {"upper top", -shortening}};
 
     CondensedModel model(parameters);
     const double   pressure =
@@ -135,7 +136,7 @@ namespace
       std::vector<Vector<double>> none;
       flag_all_cells(mesh);
       refine_and_transfer(mesh, discretization, none);
-      elasticity = Elasticity::create(discretization, parameters.solids);
+      elasticity = Elasticity<2>::create(discretization, parameters.solids);
       make_interface();
     }
 

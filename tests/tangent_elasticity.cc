@@ -62,8 +62,8 @@ namespace
       [](const unsigned int i, const unsigned int j) { return i + j == 2; });
     Parameters::All parameters =
       make_parameters(mesh, {"block"}, degree, kinematics);
-    parameters.element.centre_node                 = centre_node;
-    parameters.boundary.force_x["block top right"] = 3;
+    parameters.element.centre_node                  = centre_node;
+    parameters.boundary.force[0]["block top right"] = 3;
     const Bodies bodies(parameters);
 
     Vector<double> u(bodies.n_dofs());

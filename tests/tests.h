@@ -248,12 +248,13 @@ namespace Tests
 
 
   /// The bodies of a case.
-  struct Bodies
+  template<int dim>
+  struct BodiesIn
   {
-    explicit Bodies(const Parameters::All &parameters)
+    explicit BodiesIn(const Parameters::All &parameters)
       : mesh(parameters.mesh)
       , discretization(mesh, parameters)
-      , elasticity(Elasticity::create(discretization, parameters.solids))
+      , elasticity(Elasticity<dim>::create(discretization, parameters.solids))
     {
     }
 
@@ -268,9 +269,9 @@ namespace Tests
     }
 
     /// The reference position of every unknown.
-    std::vector<Point<2>> support_points() const
+    std::vector<Point<dim>> support_points() const
     {
-      std::vector<Point<2>> points(n_dofs());
+      std::vector<Point<dim>> points(n_dofs());
       DoFTools::map_dofs_to_support_points(discretization.mapping,
                                            discretization.dof_handler,
                                            points);
@@ -281,9 +282,9 @@ namespace Tests
     std::vector<unsigned int> components() const
     {
       std::vector<unsigned int> components(n_dofs());
-      for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int c = 0; c < dim; ++c)
         {
-          ComponentMask mask(2, false);
+          ComponentMask mask(dim, false);
           mask.set(c, true);
           for (const auto dof :
                DoFTools::extract_dofs(discretization.dof_handler, mask))
@@ -294,7 +295,7 @@ namespace Tests
 
     /// The displacement that takes every node from X to @p position(X).
     Vector<double> displacement(
-      const std::function<Point<2>(const Point<2> &)> &position) const
+      const std::function<Point<dim>(const Point<dim> &)> &position) const
     {
       const auto     X = support_points();
       const auto     c = components();
@@ -304,10 +305,12 @@ namespace Tests
       return u;
     }
 
-    Mesh<2>                     mesh;
-    Discretization              discretization;
-    std::unique_ptr<Elasticity> elasticity;
+    Mesh<dim>                        mesh;
+    Discretization<dim>              discretization;
+    std::unique_ptr<Elasticity<dim>> elasticity;
   };
+
+  using Bodies = BodiesIn<2>;
 
 
 

@@ -26,9 +26,10 @@ namespace
     parameters.contact.master               = "lower top";
     parameters.contact.discretization       = rule;
     parameters.contact.friction_coefficient = 0.2;
-    parameters.boundary.displacement_x = {{"lower left", 0}, {"upper left", 0}};
-    parameters.boundary.displacement_y = {{"lower bottom", 0},
-                                          {"upper top", -0.05}};
+    parameters.boundary.displacement[0]     = {{"lower left", 0},
+                                               {"upper left", 0}};
+    parameters.boundary.displacement[1]     = {{"lower bottom", 0},
+                                               {"upper top", -0.05}};
     return parameters;
   }
 
@@ -69,15 +70,15 @@ namespace
     print_void_points("void, Gauss rule", make_case(degree, "Gauss"));
 
     Parameters::All free = nodal;
-    free.boundary.displacement_x.clear();
+    free.boundary.displacement[0].clear();
     print_void_points("void without the symmetry line", free);
 
     Parameters::All half = nodal;
-    half.boundary.displacement_x.erase("lower left");
+    half.boundary.displacement[0].erase("lower left");
     print_void_points("void with one body held", half);
 
-    Parameters::All clamped                         = nodal;
-    clamped.boundary.displacement_x["lower bottom"] = 0;
+    Parameters::All clamped                          = nodal;
+    clamped.boundary.displacement[0]["lower bottom"] = 0;
     print_void_points("void with a clamped base", clamped);
 
     Parameters::All excluded         = nodal;

@@ -36,16 +36,16 @@ namespace
     mesh.block("one", 3, 2, rectangle({0, 0}, {2, 1}));
     mesh.block("two", 3, 2, rectangle({0, 1}, {2, 2}));
     mesh.block("three", 3, 2, rectangle({0, 2}, {2, 3}));
-    Parameters::All parameters         = make_parameters(mesh,
+    Parameters::All parameters          = make_parameters(mesh,
                                                  {"one", "two", "three"},
                                                  degree,
                                                  "small strain",
                                                  youngs_modulus,
                                                  poisson);
-    parameters.boundary.displacement_x = {{"one left", 0},
-                                          {"two left", 0},
-                                          {"three left", 0}};
-    parameters.boundary.displacement_y = {{"three top", stretch}};
+    parameters.boundary.displacement[0] = {{"one left", 0},
+                                           {"two left", 0},
+                                           {"three left", 0}};
+    parameters.boundary.displacement[1] = {{"three top", stretch}};
 
     const std::array<std::string, 3> slaves{
       {"one bottom", "two bottom", "three bottom"}},

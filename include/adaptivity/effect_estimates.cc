@@ -73,9 +73,9 @@ namespace Contact
     {
       model.mesh = std::make_unique<Mesh<2>>(*scene.mesh);
       model.discretization =
-        std::make_unique<Discretization>(*model.mesh, parameters);
+        std::make_unique<Discretization<2>>(*model.mesh, parameters);
       model.elasticity =
-        Elasticity::create(*model.discretization, parameters.solids);
+        Elasticity<2>::create(*model.discretization, parameters.solids);
       std::vector<Parameters::Contact> pairs = parameters.pairs();
       for (Parameters::Contact &of_pair : pairs)
         for (const auto &known : scene.interface->pairs)
@@ -208,11 +208,12 @@ namespace Contact
         model.discretization->constrain_update(state.solution,
                                                state.load_factor);
 
-      Vector<double>    step(model.n_unknowns());
-      const VolumeRatio smallest = model.elasticity->assemble(state.solution,
-                                                              state.load_factor,
-                                                              step,
-                                                              nullptr);
+      Vector<double>       step(model.n_unknowns());
+      const VolumeRatio<2> smallest =
+        model.elasticity->assemble(state.solution,
+                                   state.load_factor,
+                                   step,
+                                   nullptr);
       if (smallest.value <= 0)
         throw NotConverged("a body turns inside out");
       if (model.interface)

@@ -30,7 +30,7 @@ namespace Contact
     using EdgeName =
       std::pair<types::global_dof_index, types::global_dof_index>;
 
-    EdgeName edge_name(const NodeDoFs &one, const NodeDoFs &other)
+    EdgeName edge_name(const NodeDoFs<2> &one, const NodeDoFs<2> &other)
     {
       return std::minmax(one[0], other[0]);
     }
@@ -56,9 +56,9 @@ namespace Contact
 
 
 
-    bool is_tied(const Discretization &discretization,
-                 const Surface        &surface,
-                 const Surface::Edge  &edge)
+    bool is_tied(const Discretization<2> &discretization,
+                 const Surface           &surface,
+                 const Surface::Edge     &edge)
     {
       for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
         for (const auto dof : surface.nodes[edge.nodes[a]].dofs)
@@ -114,10 +114,10 @@ namespace Contact
   class ErrorEstimator::ContactTractions
   {
   public:
-    ContactTractions(const Discretization   &discretization,
-                     const ContactInterface &interface,
-                     const ContactPair      &contact_pair,
-                     const Vector<double>   &solution)
+    ContactTractions(const Discretization<2> &discretization,
+                     const ContactInterface  &interface,
+                     const ContactPair       &contact_pair,
+                     const Vector<double>    &solution)
       : discretization(discretization)
       , slave(contact_pair.slave)
       , solution(solution)
@@ -189,7 +189,7 @@ namespace Contact
       return place.stretch() / there.stretch() * interpolate(edge, there);
     }
 
-    const Discretization                  &discretization;
+    const Discretization<2>               &discretization;
     const Surface                         &slave;
     const Vector<double>                  &solution;
     const SurfaceSearch                    search;
@@ -200,8 +200,8 @@ namespace Contact
 
 
 
-  ErrorEstimator::ErrorEstimator(const Discretization &discretization,
-                                 const Elasticity     &elasticity)
+  ErrorEstimator::ErrorEstimator(const Discretization<2> &discretization,
+                                 const Elasticity<2>     &elasticity)
     : discretization(discretization)
     , elasticity(elasticity)
     , boundary(discretization,

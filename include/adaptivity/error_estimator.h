@@ -50,8 +50,8 @@ namespace Contact
   class ErrorEstimator
   {
   public:
-    ErrorEstimator(const Discretization &discretization,
-                   const Elasticity     &elasticity);
+    ErrorEstimator(const Discretization<2> &discretization,
+                   const Elasticity<2>     &elasticity);
 
     /**
      * eta_T^2 by the index of the active cell, zero for cells of other
@@ -107,8 +107,8 @@ namespace Contact
 
     void clear_at_nodal_forces(Vector<double> &eta_square) const;
 
-    const Discretization &discretization;
-    const Elasticity     &elasticity;
+    const Discretization<2> &discretization;
+    const Elasticity<2>     &elasticity;
 
     /// The whole boundary of all bodies.
     const Surface             boundary;

@@ -370,7 +370,7 @@ namespace Contact
       return p;
     if (!is_stress(probe.quantity))
       return 2 * p;
-    const StressRecovery recovery(*model.discretization);
+    const StressRecovery<2> recovery(*model.discretization);
     for (const std::string &point : probe.places)
       for (const auto &cell :
            recovery.cells_at(model.mesh->point(point, "Probes/Probes")))

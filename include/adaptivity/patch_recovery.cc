@@ -18,7 +18,8 @@ namespace Contact
   namespace
   {
     /// The undeformed places of all nodes, by unknown [mm].
-    std::vector<Point<2>> support_points(const Discretization &discretization)
+    std::vector<Point<2>>
+    support_points(const Discretization<2> &discretization)
     {
       std::vector<Point<2>> points(discretization.dof_handler.n_dofs());
       DoFTools::map_dofs_to_support_points(discretization.mapping,
@@ -76,7 +77,7 @@ namespace Contact
 
 
 
-  PatchRecovery::PatchRecovery(const Discretization &discretization,
+  PatchRecovery::PatchRecovery(const Discretization<2> &discretization,
                                const std::vector<Vector<double>> &fields)
     : discretization(discretization)
     , n_fields(fields.size())
@@ -203,7 +204,7 @@ namespace Contact
   void PatchRecovery::add_values(const Point<2>              &X,
                                  const Patch                 &patch,
                                  const double                 factor,
-                                 const NodeDoFs              &node,
+                                 const NodeDoFs<2>           &node,
                                  std::vector<Vector<double>> &values) const
   {
     const auto shapes = monomials(X, patch);
@@ -221,7 +222,7 @@ namespace Contact
   // Polynomials of neighbours are blended continuously: a node that cells share
   // has the same value from all of them.
   std::vector<Vector<double>>
-  PatchRecovery::values(const Discretization &refined) const
+  PatchRecovery::values(const Discretization<2> &refined) const
   {
     std::vector<std::vector<HatValues>> hats;
     for (unsigned int e = 0; e < refined.fe.size(); ++e)

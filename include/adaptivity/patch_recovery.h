@@ -33,12 +33,12 @@ namespace Contact
   public:
     /// Fit the @p fields of a discretization, which may have more behind the
     /// displacements.
-    PatchRecovery(const Discretization              &discretization,
+    PatchRecovery(const Discretization<2>           &discretization,
                   const std::vector<Vector<double>> &fields);
 
     /// Their values at the nodes of the @p refined mesh, whose cells are the
     /// children of those of the first.
-    std::vector<Vector<double>> values(const Discretization &refined) const;
+    std::vector<Vector<double>> values(const Discretization<2> &refined) const;
 
   private:
     /// A polynomial for each component of each field, in (X - center)/size.
@@ -62,13 +62,13 @@ namespace Contact
     void                 add_values(const Point<2>              &X,
                                     const Patch                 &patch,
                                     const double                 factor,
-                                    const NodeDoFs              &node,
+                                    const NodeDoFs<2>           &node,
                                     std::vector<Vector<double>> &values) const;
     std::vector<double>  monomials(const Point<2> &X, const Patch &patch) const;
 
-    const Discretization &discretization;
-    const unsigned int    n_fields;
-    std::map<Key, Patch>  patches;
+    const Discretization<2> &discretization;
+    const unsigned int       n_fields;
+    std::map<Key, Patch>     patches;
   };
 } // namespace Contact
 

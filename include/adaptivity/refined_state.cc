@@ -18,7 +18,7 @@ namespace Contact
   {
     model.mesh = std::make_unique<Mesh<2>>(*coarse.mesh);
     model.discretization =
-      std::make_unique<Discretization>(*model.mesh, parameters);
+      std::make_unique<Discretization<2>>(*model.mesh, parameters);
 
     SurfaceStates duals_on_surfaces;
     if (coarse.interface)
@@ -32,7 +32,7 @@ namespace Contact
     refine_and_transfer(*model.mesh, *model.discretization, transferred);
 
     model.elasticity =
-      Elasticity::create(*model.discretization, parameters.solids);
+      Elasticity<2>::create(*model.discretization, parameters.solids);
     if (coarse.interface)
       make_interface(parameters, *coarse.interface);
     for (Vector<double> &vector : transferred)

@@ -34,7 +34,7 @@ namespace Contact
     find_couplings();
     Unknowns at_contact;
     for (const ContactPoint &point : model.interface->points())
-      for (const NodeDoFs &node : point.dofs)
+      for (const NodeDoFs<2> &node : point.dofs)
         at_contact.insert(node.begin(), node.end());
     remove_fixed(at_contact);
     for (const auto dof : at_contact)
@@ -72,14 +72,14 @@ namespace Contact
 
   void RefinedSystem::find_couplings()
   {
-    std::map<NodeDoFs, unsigned int> vertex_at;
-    const auto                      &dofs = model.discretization->vertex_dofs;
+    std::map<NodeDoFs<2>, unsigned int> vertex_at;
+    const auto &dofs = model.discretization->vertex_dofs;
     for (unsigned int v = 0; v < dofs.size(); ++v)
       vertex_at[dofs[v]] = v;
     for (const ContactPoint &point : model.interface->points())
       {
         vertices_of_points.emplace_back();
-        for (const NodeDoFs &node : point.dofs)
+        for (const NodeDoFs<2> &node : point.dofs)
           if (const auto found = vertex_at.find(node); found != vertex_at.end())
             vertices_of_points.back().push_back(found->second);
       }
@@ -104,7 +104,7 @@ namespace Contact
       {
         if (point.n_nodes == 0)
           continue;
-        const NodeDoFs &own = point.dofs[point.own_node()];
+        const NodeDoFs<2> &own = point.dofs[point.own_node()];
         if (nodes.count(own[0]) == 0 && nodes.count(own[1]) == 0)
           continue;
         for (unsigned int k = 0; k < point.n_multipliers; ++k)

@@ -29,7 +29,7 @@ namespace Contact
 
     /// On a mesh of which every rank has all cells.
     void transfer_complete(Mesh<2>                     &mesh,
-                           Discretization              &discretization,
+                           Discretization<2>           &discretization,
                            std::vector<Vector<double>> &solutions)
     {
       SolutionTransfer<2> transfer(discretization.dof_handler);
@@ -54,7 +54,7 @@ namespace Contact
 
     /// On a mesh of which a rank has a part.
     void transfer_distributed(Mesh<2>                     &mesh,
-                              Discretization              &discretization,
+                              Discretization<2>           &discretization,
                               std::vector<Vector<double>> &solutions)
     {
       const auto    &dof_handler  = discretization.dof_handler;
@@ -246,7 +246,7 @@ namespace Contact
 
 
   void refine_and_transfer(Mesh<2>                     &mesh,
-                           Discretization              &discretization,
+                           Discretization<2>           &discretization,
                            std::vector<Vector<double>> &solutions)
   {
     if (mesh.is_complete())

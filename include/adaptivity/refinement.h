@@ -61,7 +61,7 @@ namespace Contact
    * behind. Every rank holds them in full, before and after.
    */
   void refine_and_transfer(Mesh<2>                     &mesh,
-                           Discretization              &discretization,
+                           Discretization<2>           &discretization,
                            std::vector<Vector<double>> &solutions);
 } // namespace Contact
 

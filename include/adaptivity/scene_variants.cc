@@ -207,12 +207,12 @@ namespace Contact
 
     /// An entry of the boundary conditions without one of its groups; a history
     /// of nothing goes, too.
-    template<typename Value>
-    void add_without(const std::string                  &entry,
-                     const std::string                  &group,
-                     const std::map<std::string, Value> &others,
-                     std::map<std::string, Value> Parameters::Boundary::*values,
-                     Variants &variants)
+    template<typename Groups, typename Access>
+    void add_without(const std::string &entry,
+                     const std::string &group,
+                     const Groups      &others,
+                     const Access      &values,
+                     Variants          &variants)
     {
       const std::string        section   = "Boundary conditions/";
       std::vector<std::string> entries   = {entry_of(section + entry, others)};
@@ -220,7 +220,7 @@ namespace Contact
       if (others.empty() && histories.erase(entry) > 0)
         entries.push_back(entry_of(section + "Histories", histories));
       variants.add(entry + " of " + group, true, entries, [&](All &changed) {
-        changed.boundary.*values   = others;
+        values(changed.boundary)   = others;
         changed.boundary.histories = histories;
       });
     }
@@ -228,14 +228,14 @@ namespace Contact
 
 
     /// Each group of an entry of loads.
-    template<typename Value>
-    void add_groups(const std::string           &entry,
-                    std::map<std::string, Value> Parameters::Boundary::*values,
-                    Variants &variants)
+    template<typename Access>
+    void add_groups(const std::string &entry,
+                    const Access      &values,
+                    Variants          &variants)
     {
-      for (const auto &[group, value] : variants.scene.boundary.*values)
+      for (const auto &[group, value] : values(variants.scene.boundary))
         {
-          std::map<std::string, Value> others = variants.scene.boundary.*values;
+          auto others = values(variants.scene.boundary);
           others.erase(group);
           add_without(entry, group, others, values, variants);
         }
@@ -244,15 +244,15 @@ namespace Contact
 
 
     /// Each support that moves: it rests.
-    void add_displacements(
-      const std::string            &entry,
-      std::map<std::string, double> Parameters::Boundary::*values,
-      Variants                                            &variants)
+    template<typename Access>
+    void add_displacements(const std::string &entry,
+                           const Access      &values,
+                           Variants          &variants)
     {
-      for (const auto &[group, value] : variants.scene.boundary.*values)
+      for (const auto &[group, value] : values(variants.scene.boundary))
         if (value != 0)
           {
-            auto others   = variants.scene.boundary.*values;
+            auto others   = values(variants.scene.boundary);
             others[group] = 0;
             add_without(entry, group, others, values, variants);
           }
@@ -262,18 +262,48 @@ namespace Contact
 
     void add_loads(Variants &variants)
     {
-      using Parameters::Boundary;
-      add_displacements("Displacement x", &Boundary::displacement_x, variants);
-      add_displacements("Displacement y", &Boundary::displacement_y, variants);
-      add_groups("Force x", &Boundary::force_x, variants);
-      add_groups("Force y", &Boundary::force_y, variants);
-      add_groups("Resultant force x", &Boundary::resultant_force_x, variants);
-      add_groups("Resultant force y", &Boundary::resultant_force_y, variants);
-      add_groups("Pressure", &Boundary::pressure, variants);
-      add_groups("Traction x", &Boundary::traction_x, variants);
-      add_groups("Traction y", &Boundary::traction_y, variants);
-      add_groups("Body force x", &Boundary::body_force_x, variants);
-      add_groups("Body force y", &Boundary::body_force_y, variants);
+      const auto by_direction =
+        [&](const std::string &entry, const auto &values, const auto &add) {
+          for (const unsigned int c : {0, 1})
+            add(
+              entry + ' ' + "xy"[c],
+              [c, &values](auto &boundary) -> auto & {
+                return values(boundary)[c];
+              },
+              variants);
+        };
+      const auto displacements =
+        [](const auto &entry, const auto &values, Variants &variants) {
+          add_displacements(entry, values, variants);
+        };
+      const auto loads =
+        [](const std::string &entry, const auto &values, Variants &variants) {
+          add_groups(entry, values, variants);
+        };
+      by_direction(
+        "Displacement",
+        [](auto &boundary) -> auto & { return boundary.displacement; },
+        displacements);
+      by_direction(
+        "Force",
+        [](auto &boundary) -> auto & { return boundary.force; },
+        loads);
+      by_direction(
+        "Resultant force",
+        [](auto &boundary) -> auto & { return boundary.resultant_force; },
+        loads);
+      add_groups(
+        "Pressure",
+        [](auto &boundary) -> auto & { return boundary.pressure; },
+        variants);
+      by_direction(
+        "Traction",
+        [](auto &boundary) -> auto & { return boundary.traction; },
+        loads);
+      by_direction(
+        "Body force",
+        [](auto &boundary) -> auto & { return boundary.body_force; },
+        loads);
     }
 
 

@@ -15,8 +15,8 @@
 namespace Contact
 {
   ContactInterface::ContactInterface(
-    const Discretization                   &discretization,
-    const Elasticity                       &elasticity,
+    const Discretization<2>                &discretization,
+    const Elasticity<2>                    &elasticity,
     const std::vector<Parameters::Contact> &parameters)
     : discretization(discretization)
   {
@@ -79,7 +79,7 @@ namespace Contact
 
   void ContactInterface::find_corners()
   {
-    std::map<NodeDoFs, std::vector<unsigned int>> at_node;
+    std::map<NodeDoFs<2>, std::vector<unsigned int>> at_node;
     for (unsigned int q = 0; q < all_points.size(); ++q)
       if (!contact_pair(all_points[q]).master && all_points[q].n_nodes == 1)
         at_node[all_points[q].dofs[0]].push_back(q);

@@ -70,11 +70,11 @@ namespace Contact
   class ContactInterface
   {
   public:
-    ContactInterface(const Discretization                   &discretization,
-                     const Elasticity                       &elasticity,
+    ContactInterface(const Discretization<2>                &discretization,
+                     const Elasticity<2>                    &elasticity,
                      const std::vector<Parameters::Contact> &parameters);
 
-    const Discretization                           &discretization;
+    const Discretization<2>                        &discretization;
     std::vector<std::unique_ptr<const ContactPair>> pairs;
 
     /// All points, contact pair by contact pair.

@@ -22,10 +22,10 @@ namespace Contact
    */
   struct ContactModel
   {
-    std::unique_ptr<Mesh<2>>          mesh;
-    std::unique_ptr<Discretization>   discretization;
-    std::unique_ptr<Elasticity>       elasticity;
-    std::unique_ptr<ContactInterface> interface; // none without contact
+    std::unique_ptr<Mesh<2>>           mesh;
+    std::unique_ptr<Discretization<2>> discretization;
+    std::unique_ptr<Elasticity<2>>     elasticity;
+    std::unique_ptr<ContactInterface>  interface; // none without contact
 
     std::size_t n_displacements() const
     {

@@ -16,16 +16,16 @@ namespace Contact
 {
   namespace
   {
-    Surface make_surface(const Discretization &discretization,
-                         const std::string    &name,
-                         const std::string    &entry)
+    Surface make_surface(const Discretization<2> &discretization,
+                         const std::string       &name,
+                         const std::string       &entry)
     {
       return {discretization, discretization.mesh.boundary(name, entry), name};
     }
 
 
 
-    std::optional<Surface> make_master(const Discretization &discretization,
+    std::optional<Surface> make_master(const Discretization<2> &discretization,
                                        const Parameters::Contact &parameters)
     {
       if (parameters.master.empty())
@@ -54,9 +54,9 @@ namespace Contact
     // the nodes around it as well, and they would have to bend for the polygons
     // to agree: a pressure that grows without bound as the edges get shorter.
     std::set<unsigned int>
-    nodes_held_with_master(const Surface        &slave,
-                           const Surface        &master,
-                           const Discretization &discretization)
+    nodes_held_with_master(const Surface           &slave,
+                           const Surface           &master,
+                           const Discretization<2> &discretization)
     {
       std::set<unsigned int> held;
       const auto             normals =
@@ -91,8 +91,8 @@ namespace Contact
 
 
 
-  ContactPair::ContactPair(const Discretization      &discretization,
-                           const Elasticity          &elasticity,
+  ContactPair::ContactPair(const Discretization<2>   &discretization,
+                           const Elasticity<2>       &elasticity,
                            const Parameters::Contact &parameters)
     : name(parameters.name)
     , tied(parameters.tied)

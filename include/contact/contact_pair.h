@@ -37,8 +37,8 @@ namespace Contact
   {
   public:
     /// Throws InputError if the surfaces do not exist or have a common node.
-    ContactPair(const Discretization      &discretization,
-                const Elasticity          &elasticity,
+    ContactPair(const Discretization<2>   &discretization,
+                const Elasticity<2>       &elasticity,
                 const Parameters::Contact &parameters);
 
     /// The section of the parameters is "Contact" or "Contact NAME".
@@ -126,8 +126,8 @@ namespace Contact
     bool pair_corners(const ArrayView<ContactPoint> &points,
                       const Vector<double>          &u) const;
 
-    const Discretization                 &discretization;
-    const Elasticity                     &elasticity;
+    const Discretization<2>              &discretization;
+    const Elasticity<2>                  &elasticity;
     const Parameters::Contact             parameters;
     std::set<unsigned int>                excluded; // nodes of the slave
     std::set<unsigned int>                on_axis;  // without a dual function

@@ -34,10 +34,10 @@ namespace Contact
 
     /// Whether supports leave one of the first @p n_nodes nodes of a point free
     /// to move along @p normal, other than by round-off of its coefficient.
-    bool is_free_along(const ContactPoint   &point,
-                       const unsigned int    n_nodes,
-                       const Tensor<1, 2>   &normal,
-                       const Discretization &discretization)
+    bool is_free_along(const ContactPoint      &point,
+                       const unsigned int       n_nodes,
+                       const Tensor<1, 2>      &normal,
+                       const Discretization<2> &discretization)
     {
       const double round_off = 1e-8;
       double       free = 0, all = 0;
@@ -58,7 +58,8 @@ namespace Contact
     /// unknowns that no support fixes.
     struct FreeRows
     {
-      FreeRows(const ContactPoint &point, const Discretization &discretization)
+      FreeRows(const ContactPoint      &point,
+               const Discretization<2> &discretization)
       {
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           for (unsigned int i = 0; i < 2; ++i)
@@ -133,17 +134,17 @@ namespace Contact
 
 
 
-  bool tangential_row_is_void(const ContactPoint   &point,
-                              const Discretization &discretization)
+  bool tangential_row_is_void(const ContactPoint      &point,
+                              const Discretization<2> &discretization)
   {
     return FreeRows(point, discretization).are_parallel();
   }
 
 
 
-  double prescribed_slip(const ContactPoint   &point,
-                         const Discretization &discretization,
-                         const Vector<double> &motion)
+  double prescribed_slip(const ContactPoint      &point,
+                         const Discretization<2> &discretization,
+                         const Vector<double>    &motion)
   {
     const FreeRows rows(point, discretization);
     if (!rows.are_parallel())
@@ -355,9 +356,9 @@ namespace Contact
 
 
 
-  void skip_where_held(ContactPoint         &point,
-                       const Discretization &discretization,
-                       const Vector<double> &u)
+  void skip_where_held(ContactPoint            &point,
+                       const Discretization<2> &discretization,
+                       const Vector<double>    &u)
   {
     if (is_free_along(point, point.n_nodes, point.normal, discretization))
       return;
@@ -374,13 +375,13 @@ namespace Contact
 
 
 
-  void pair_with_master(ContactPoint         &point,
-                        const NormalCone     &directions,
-                        const Surface        &master,
-                        const SurfaceSearch  &search,
-                        const Discretization &discretization,
-                        const Vector<double> &u,
-                        const bool            keeps_edge)
+  void pair_with_master(ContactPoint            &point,
+                        const NormalCone        &directions,
+                        const Surface           &master,
+                        const SurfaceSearch     &search,
+                        const Discretization<2> &discretization,
+                        const Vector<double>    &u,
+                        const bool               keeps_edge)
   {
     const Point<2> x = slave_position(point, u);
     Projection     projection;
@@ -420,10 +421,10 @@ namespace Contact
   // there would be no unknown for it to act on. Along the tangent the place of
   // a circle is centre + radius n, and its second derivative by the coordinate
   // that is the angle -radius n.
-  void pair_with_obstacle(ContactPoint         &point,
-                          const Obstacle       &obstacle,
-                          const Discretization &discretization,
-                          const Vector<double> &u)
+  void pair_with_obstacle(ContactPoint            &point,
+                          const Obstacle          &obstacle,
+                          const Discretization<2> &discretization,
+                          const Vector<double>    &u)
   {
     const auto projection = obstacle.closest_point(slave_position(point, u));
     point.facing          = is_free_along(point,

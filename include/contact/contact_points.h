@@ -119,13 +119,13 @@ namespace Contact
     double       master_xi   = 0;
 
     // The nodes of both sides, slave first.
-    unsigned int      n_slave_nodes = 0;
-    unsigned int      n_nodes       = 0;
-    PerNode<NodeDoFs> dofs;
-    PerNode<Point<2>> X;  // reference positions [mm]
-    PerNode<double>   C;  // coefficients
-    PerNode<double>   C1; // their derivatives with respect
-    PerNode<double>   C2; // to the master coordinate
+    unsigned int         n_slave_nodes = 0;
+    unsigned int         n_nodes       = 0;
+    PerNode<NodeDoFs<2>> dofs;
+    PerNode<Point<2>>    X;  // reference positions [mm]
+    PerNode<double>      C;  // coefficients
+    PerNode<double>      C1; // their derivatives with respect
+    PerNode<double>      C2; // to the master coordinate
 
     /// Append a node with its coefficient and the derivatives of that.
     void add_node(const Surface::Node &node,
@@ -241,25 +241,25 @@ namespace Contact
    * Whether the tangential row of a point lies in the span of the normal one,
    * once the unknowns that a support fixes are out.
    */
-  bool tangential_row_is_void(const ContactPoint   &point,
-                              const Discretization &discretization);
+  bool tangential_row_is_void(const ContactPoint      &point,
+                              const Discretization<2> &discretization);
 
   /**
    * The slip [mm] of a point whose tangential row is void, while its gap stays:
    * it follows from the @p motion of the supports. Zero for any other point.
    */
-  double prescribed_slip(const ContactPoint   &point,
-                         const Discretization &discretization,
-                         const Vector<double> &motion);
+  double prescribed_slip(const ContactPoint      &point,
+                         const Discretization<2> &discretization,
+                         const Vector<double>    &motion);
 
   /**
    * A point whose nodes are held on both sides has no unknown for its pressure
    * to act on: it does not face the master. The pressure is missed only if the
    * supports press the bodies into each other.
    */
-  void skip_where_held(ContactPoint         &point,
-                       const Discretization &discretization,
-                       const Vector<double> &u);
+  void skip_where_held(ContactPoint            &point,
+                       const Discretization<2> &discretization,
+                       const Vector<double>    &u);
 
   /// The direction in which a point of the slave looks for the master, by the
   /// normals of Surface::edge_normals.
@@ -287,19 +287,19 @@ namespace Contact
    * there. At a vertex that belongs to two edges alike the tangent is the sum
    * of those of both edges.
    */
-  void pair_with_master(ContactPoint         &point,
-                        const NormalCone     &directions,
-                        const Surface        &master,
-                        const SurfaceSearch  &search,
-                        const Discretization &discretization,
-                        const Vector<double> &u,
-                        const bool            keeps_edge = false);
+  void pair_with_master(ContactPoint            &point,
+                        const NormalCone        &directions,
+                        const Surface           &master,
+                        const SurfaceSearch     &search,
+                        const Discretization<2> &discretization,
+                        const Vector<double>    &u,
+                        const bool               keeps_edge = false);
 
   /// The same on a rigid obstacle.
-  void pair_with_obstacle(ContactPoint         &point,
-                          const Obstacle       &obstacle,
-                          const Discretization &discretization,
-                          const Vector<double> &u);
+  void pair_with_obstacle(ContactPoint            &point,
+                          const Obstacle          &obstacle,
+                          const Discretization<2> &discretization,
+                          const Vector<double>    &u);
 } // namespace Contact
 
 #endif

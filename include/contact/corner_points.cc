@@ -72,7 +72,7 @@ namespace Contact
     const std::vector<Surface::PerEdgeNode<Tensor<1, 2>>> &master_normals,
     const Surface                                         &slave,
     const SurfaceSearch                                   &search,
-    const Discretization                                  &discretization,
+    const Discretization<2>                               &discretization,
     const Vector<double>                                  &u)
   {
     // A slave edge beside the end of the master does not obstruct it.

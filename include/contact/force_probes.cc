@@ -29,16 +29,16 @@ namespace Contact
 
 
 
-  Resultant resultant(const Quantity      quantity,
-                      const std::string  &boundary,
-                      const ContactModel &model)
+  Resultant<2> resultant(const Quantity      quantity,
+                         const std::string  &boundary,
+                         const ContactModel &model)
   {
-    return Resultant(*model.elasticity,
-                     *model.discretization,
-                     model.mesh->boundary(boundary, "Probes/Probes"),
-                     quantity == Quantity::reaction_y ||
-                       quantity == Quantity::contact_force_y,
-                     is_reaction(quantity));
+    return Resultant<2>(*model.elasticity,
+                        *model.discretization,
+                        model.mesh->boundary(boundary, "Probes/Probes"),
+                        quantity == Quantity::reaction_y ||
+                          quantity == Quantity::contact_force_y,
+                        is_reaction(quantity));
   }
 
 

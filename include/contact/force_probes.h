@@ -29,9 +29,9 @@ namespace Contact
                    const ContactModel        &model);
 
   /// The resultant that a quantity means at a boundary group.
-  Resultant resultant(const Parameters::Quantity quantity,
-                      const std::string         &boundary,
-                      const ContactModel        &model);
+  Resultant<2> resultant(const Parameters::Quantity quantity,
+                         const std::string         &boundary,
+                         const ContactModel        &model);
 } // namespace Contact
 
 #endif

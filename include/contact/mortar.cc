@@ -29,7 +29,7 @@ namespace Contact
   MortarDiscretization::MortarDiscretization(
     const Surface                &slave,
     const Surface                &master,
-    const Discretization         &discretization,
+    const Discretization<2>      &discretization,
     const std::set<unsigned int> &excluded)
     : slave(slave)
     , master(master)

@@ -67,7 +67,7 @@ namespace Contact
   public:
     MortarDiscretization(const Surface                &slave,
                          const Surface                &master,
-                         const Discretization         &discretization,
+                         const Discretization<2>      &discretization,
                          const std::set<unsigned int> &excluded);
 
     /// The points, not paired yet, and their multipliers.
@@ -109,9 +109,9 @@ namespace Contact
 
     unsigned int slave_node(const ContactPoint &point) const;
 
-    const Surface        &slave;
-    const Surface        &master;
-    const Discretization &discretization;
+    const Surface           &slave;
+    const Surface           &master;
+    const Discretization<2> &discretization;
 
     /// Whether a node of a slave edge carries a multiplier, as that edge sees
     /// it.

@@ -139,10 +139,11 @@ namespace Contact
 
 
   template<typename Number>
-  MortarGeometry<Number>::MortarGeometry(const Surface        &slave,
-                                         const Surface        &master,
-                                         const Discretization &discretization,
-                                         const Vector<double> &u)
+  MortarGeometry<Number>::MortarGeometry(
+    const Surface           &slave,
+    const Surface           &master,
+    const Discretization<2> &discretization,
+    const Vector<double>    &u)
     : slave(slave)
     , master(master)
     , slave_normals(slave.edges.size())

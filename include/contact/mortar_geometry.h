@@ -73,10 +73,10 @@ namespace Contact
   {
   public:
     /// In the configuration @p u. The surfaces have to outlive the object.
-    MortarGeometry(const Surface        &slave,
-                   const Surface        &master,
-                   const Discretization &discretization,
-                   const Vector<double> &u);
+    MortarGeometry(const Surface           &slave,
+                   const Surface           &master,
+                   const Discretization<2> &discretization,
+                   const Vector<double>    &u);
 
     /**
      * Take derivatives with respect to the positions of these nodes, and to
@@ -145,7 +145,7 @@ namespace Contact
     static std::set<unsigned int>
     edges_around(const Surface &surface, const std::set<unsigned int> &nodes);
 
-    const Discretization &discretization;
+    const Discretization<2> &discretization;
 
     // By the slave edges that end on symmetry lines, and their node there: the
     // direction of the line.

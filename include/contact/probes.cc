@@ -61,7 +61,7 @@ namespace Contact
 
 
     /// The slave nodes with these unknowns, at most one of each contact pair.
-    std::vector<SlaveNode> slave_nodes_at(const NodeDoFs         &dofs,
+    std::vector<SlaveNode> slave_nodes_at(const NodeDoFs<2>      &dofs,
                                           const ContactInterface *interface)
     {
       std::vector<SlaveNode> found;
@@ -76,7 +76,7 @@ namespace Contact
 
 
 
-    bool has_node(const Surface &surface, const NodeDoFs &dofs)
+    bool has_node(const Surface &surface, const NodeDoFs<2> &dofs)
     {
       return std::any_of(surface.nodes.begin(),
                          surface.nodes.end(),
@@ -86,7 +86,7 @@ namespace Contact
 
 
     /// Why no multiplier is at a node.
-    std::string why_no_multiplier(const NodeDoFs         &dofs,
+    std::string why_no_multiplier(const NodeDoFs<2>      &dofs,
                                   const ContactInterface *interface)
     {
       if (interface == nullptr)
@@ -109,13 +109,13 @@ namespace Contact
 
 
 
-  void check_contact_traction(const std::string      &probe,
-                              const Quantity          quantity,
-                              const std::string      &point,
-                              const ContactInterface *interface,
-                              const Discretization   &discretization)
+  void check_contact_traction(const std::string       &probe,
+                              const Quantity           quantity,
+                              const std::string       &point,
+                              const ContactInterface  *interface,
+                              const Discretization<2> &discretization)
   {
-    const NodeDoFs &dofs =
+    const NodeDoFs<2> &dofs =
       discretization
         .vertex_dofs[discretization.mesh.point(point, "Probes/Probes")];
     const auto found = slave_nodes_at(dofs, interface);
@@ -138,11 +138,11 @@ namespace Contact
 
 
 
-  double contact_traction(const Quantity          quantity,
-                          const unsigned int      vertex,
-                          const ContactInterface *interface,
-                          const Discretization   &discretization,
-                          const Vector<double>   &solution)
+  double contact_traction(const Quantity           quantity,
+                          const unsigned int       vertex,
+                          const ContactInterface  *interface,
+                          const Discretization<2> &discretization,
+                          const Vector<double>    &solution)
   {
     const auto found =
       slave_nodes_at(discretization.vertex_dofs[vertex], interface);
@@ -210,7 +210,7 @@ namespace Contact
 
   double probe_value(const Quantity                            quantity,
                      const unsigned int                        vertex,
-                     const Discretization                     &discretization,
+                     const Discretization<2>                  &discretization,
                      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                      const Vector<double>                     &u)
   {
@@ -230,7 +230,7 @@ namespace Contact
                                         const ContactModel &model,
                                         Vector<double>     &derivative)
     {
-      const NodeDoFs &dofs = model.discretization->vertex_dofs[vertex];
+      const NodeDoFs<2> &dofs = model.discretization->vertex_dofs[vertex];
       derivative[dofs[quantity == Quantity::displacement_y]] += factor;
     }
 
@@ -268,8 +268,8 @@ namespace Contact
                                   const Vector<double> &solution,
                                   Vector<double>       &derivative)
     {
-      const StressRecovery recovery(*model.discretization);
-      const auto           cells = recovery.cells_at(vertex);
+      const StressRecovery<2> recovery(*model.discretization);
+      const auto              cells = recovery.cells_at(vertex);
 
       std::set<types::global_dof_index>    unknowns;
       std::vector<types::global_dof_index> dofs;
@@ -355,7 +355,7 @@ namespace Contact
                            *model.discretization,
                            {},
                            state.solution);
-      const StressRecovery recovery(*model.discretization);
+      const StressRecovery<2> recovery(*model.discretization);
       return stress_component(quantity,
                               recovery.stress_at(vertex,
                                                  recovery.cells_at(vertex),

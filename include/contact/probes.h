@@ -35,14 +35,14 @@ namespace Contact
                               const Parameters::Quantity quantity,
                               const std::string         &point,
                               const ContactInterface    *interface,
-                              const Discretization      &discretization);
+                              const Discretization<2>   &discretization);
 
   /// The traction [MPa] at a vertex of the triangulation: the multiplier there;
   /// zero where there is none, as for the shear without friction.
   double contact_traction(const Parameters::Quantity quantity,
                           const unsigned int         vertex,
                           const ContactInterface    *interface,
-                          const Discretization      &discretization,
+                          const Discretization<2>   &discretization,
                           const Vector<double>      &solution);
 
   /// The stress [MPa] that a quantity means.
@@ -53,7 +53,7 @@ namespace Contact
   /// For a displacement @p vertex_stresses may be empty.
   double probe_value(const Parameters::Quantity                quantity,
                      const unsigned int                        vertex,
-                     const Discretization                     &discretization,
+                     const Discretization<2>                  &discretization,
                      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                      const Vector<double>                     &u);
 

@@ -76,7 +76,7 @@ namespace Contact
 
 
     /// A face of a cell at the boundary, its part left open.
-    LooseEdge make_loose_edge(const Discretization &discretization,
+    LooseEdge make_loose_edge(const Discretization<2> &discretization,
                               const DoFHandler<2>::active_cell_iterator &cell,
                               const unsigned int                         f)
     {
@@ -122,7 +122,7 @@ namespace Contact
 
 
 
-  Surface::Surface(const Discretization               &discretization,
+  Surface::Surface(const Discretization<2>            &discretization,
                    const std::set<types::boundary_id> &boundary_ids,
                    const std::string                  &name)
     : degree(discretization.degree)

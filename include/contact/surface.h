@@ -55,8 +55,8 @@ namespace Contact
   public:
     struct Node
     {
-      NodeDoFs dofs;
-      Point<2> X; // reference position [mm]
+      NodeDoFs<2> dofs;
+      Point<2>    X; // reference position [mm]
     };
 
     /// The body lies to the left of the edge.
@@ -93,7 +93,7 @@ namespace Contact
     static constexpr double feature_angle = 35;
 
     /// Throws InputError if there is no edge.
-    Surface(const Discretization               &discretization,
+    Surface(const Discretization<2>            &discretization,
             const std::set<types::boundary_id> &boundary_ids,
             const std::string                  &name);
 
@@ -182,7 +182,7 @@ namespace Contact
                         const unsigned int    a,
                         const Vector<double> &u) const;
 
-    const Discretization &discretization;
+    const Discretization<2> &discretization;
   };
 } // namespace Contact
 

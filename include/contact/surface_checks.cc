@@ -50,7 +50,7 @@ namespace Contact
 
     void check_bodies(const Surface             &slave,
                       const Surface             &master,
-                      const Discretization      &discretization,
+                      const Discretization<2>   &discretization,
                       const Parameters::Contact &parameters)
     {
       const auto of_slave = parts_of(slave), of_master = parts_of(master);
@@ -106,7 +106,7 @@ namespace Contact
 
   void check_surfaces(const Surface             &slave,
                       const Surface             &master,
-                      const Discretization      &discretization,
+                      const Discretization<2>   &discretization,
                       const Parameters::Contact &parameters)
   {
     check_nodes(slave, master, parameters);
@@ -118,7 +118,7 @@ namespace Contact
   void check_ties(const Surface                &slave,
                   const Surface                &master,
                   const std::set<unsigned int> &excluded,
-                  const Discretization         &discretization,
+                  const Discretization<2>      &discretization,
                   const Parameters::Contact    &parameters)
   {
     const auto is_on_master = [&](const types::global_dof_index dof) {

@@ -22,7 +22,7 @@ namespace Contact
    */
   void check_surfaces(const Surface             &slave,
                       const Surface             &master,
-                      const Discretization      &discretization,
+                      const Discretization<2>   &discretization,
                       const Parameters::Contact &parameters);
 
   /// Check that no node of the slave but those @p excluded is tied to one of
@@ -31,7 +31,7 @@ namespace Contact
   void check_ties(const Surface                &slave,
                   const Surface                &master,
                   const std::set<unsigned int> &excluded,
-                  const Discretization         &discretization,
+                  const Discretization<2>      &discretization,
                   const Parameters::Contact    &parameters);
 
   /// Whether two surfaces have an edge in common.

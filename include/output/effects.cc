@@ -133,8 +133,9 @@ namespace Contact
 
 
 
-    std::vector<Effect> effects_of_bodies(const Parameters::All &parameters,
-                                          const Discretization  &discretization)
+    std::vector<Effect>
+    effects_of_bodies(const Parameters::All   &parameters,
+                      const Discretization<2> &discretization)
     {
       const auto &kinematics = parameters.solids.kinematics;
       return {
@@ -195,10 +196,10 @@ namespace Contact
 
 
 
-  std::vector<Effect> find_effects(const Parameters::All  &parameters,
-                                   const Discretization   &discretization,
-                                   const ContactInterface *interface,
-                                   const std::string      &system)
+  std::vector<Effect> find_effects(const Parameters::All   &parameters,
+                                   const Discretization<2> &discretization,
+                                   const ContactInterface  *interface,
+                                   const std::string       &system)
   {
     const auto          n_displacements = discretization.dof_handler.n_dofs();
     const auto         &refinement      = parameters.refinement;

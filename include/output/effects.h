@@ -31,10 +31,10 @@ namespace Contact
    * that entails, and the entry that asks for it. @p interface is null without
    * contact, @p system says which linear system is solved how.
    */
-  std::vector<Effect> find_effects(const Parameters::All  &parameters,
-                                   const Discretization   &discretization,
-                                   const ContactInterface *interface,
-                                   const std::string      &system);
+  std::vector<Effect> find_effects(const Parameters::All   &parameters,
+                                   const Discretization<2> &discretization,
+                                   const ContactInterface  *interface,
+                                   const std::string       &system);
 
   void print_effects(std::ostream &out, const std::vector<Effect> &effects);
 

@@ -13,9 +13,9 @@
 
 namespace Contact
 {
-  std::vector<NodeRow> collect_nodes(const Discretization &discretization,
-                                     const Vector<double> &u,
-                                     const Vector<double> &contact_forces)
+  std::vector<NodeRow> collect_nodes(const Discretization<2> &discretization,
+                                     const Vector<double>    &u,
+                                     const Vector<double>    &contact_forces)
   {
     const IndexSet &owned = discretization.dof_handler.locally_owned_dofs();
     std::set<types::global_dof_index>    seen;

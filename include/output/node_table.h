@@ -36,9 +36,9 @@ namespace Contact
   /// All nodes of all ranks, on the first one; nothing on the others. A node
   /// that several pieces have in common is there once. @p contact_forces is
   /// empty without contact. Collective.
-  std::vector<NodeRow> collect_nodes(const Discretization &discretization,
-                                     const Vector<double> &u,
-                                     const Vector<double> &contact_forces);
+  std::vector<NodeRow> collect_nodes(const Discretization<2> &discretization,
+                                     const Vector<double>    &u,
+                                     const Vector<double>    &contact_forces);
 
   /// Write the nodes as lines of numbers that a reader gets back to the last
   /// bit, below a line with names and units.

@@ -52,7 +52,7 @@ namespace Contact
   const std::vector<SymmetricTensor<2, 3>> &Postprocessor::recovered_stresses()
   {
     if (!recovery)
-      recovery = std::make_unique<StressRecovery>(*model.discretization);
+      recovery = std::make_unique<StressRecovery<2>>(*model.discretization);
     if (stresses.empty())
       {
         ++model.discretization->counters.stress_recoveries;

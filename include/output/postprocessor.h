@@ -68,7 +68,7 @@ namespace Contact
     const IncrementState  &state;
     Report                &report;
 
-    std::unique_ptr<StressRecovery>    recovery; // as it is asked for
+    std::unique_ptr<StressRecovery<2>> recovery; // as it is asked for
     std::vector<SymmetricTensor<2, 3>> stresses; // likewise
     std::optional<ExactSolution>       exact;
   };

@@ -20,7 +20,7 @@ namespace Contact
     /// those that know the vertices.
     std::vector<SymmetricTensor<2, 3>>
     node_stresses(const Surface                            &surface,
-                  const Discretization                     &discretization,
+                  const Discretization<2>                  &discretization,
                   const std::vector<SymmetricTensor<2, 3>> &vertex_stresses)
     {
       std::map<types::global_dof_index, unsigned int> vertex_of_dof;
@@ -62,7 +62,7 @@ namespace Contact
     /// The rows of a surface with all that does not ask for the other one.
     std::vector<ProfileRow>
     make_rows(const Surface                            &surface,
-              const Discretization                     &discretization,
+              const Discretization<2>                  &discretization,
               const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
               const Vector<double>                     &u)
     {
@@ -272,7 +272,7 @@ namespace Contact
   std::vector<ProfileRow>
   slave_profile(const ContactInterface                   &interface,
                 const ContactPair                        &contact_pair,
-                const Discretization                     &discretization,
+                const Discretization<2>                  &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const Vector<double>                     &solution,
                 const Vector<double>                     &u_start,
@@ -291,7 +291,7 @@ namespace Contact
   std::vector<ProfileRow>
   master_profile(const ContactInterface                   &interface,
                  const ContactPair                        &contact_pair,
-                 const Discretization                     &discretization,
+                 const Discretization<2>                  &discretization,
                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                  const Vector<double>                     &solution,
                  const std::vector<ProfileRow>            &slave,
@@ -334,7 +334,7 @@ namespace Contact
 
   std::vector<PairProfile>
   pair_profiles(const ContactInterface                   &interface,
-                const Discretization                     &discretization,
+                const Discretization<2>                  &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const Vector<double>                     &solution,
                 const Vector<double>                     &u_start,

@@ -75,7 +75,7 @@ namespace Contact
   std::vector<ProfileRow>
   slave_profile(const ContactInterface                   &interface,
                 const ContactPair                        &contact_pair,
-                const Discretization                     &discretization,
+                const Discretization<2>                  &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const Vector<double>                     &solution,
                 const Vector<double>                     &u_start,
@@ -97,7 +97,7 @@ namespace Contact
   std::vector<ProfileRow>
   master_profile(const ContactInterface                   &interface,
                  const ContactPair                        &contact_pair,
-                 const Discretization                     &discretization,
+                 const Discretization<2>                  &discretization,
                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                  const Vector<double>                     &solution,
                  const std::vector<ProfileRow>            &slave,
@@ -107,7 +107,7 @@ namespace Contact
   /// with_masters. An exact solution is that of the first contact pair.
   std::vector<PairProfile>
   pair_profiles(const ContactInterface                   &interface,
-                const Discretization                     &discretization,
+                const Discretization<2>                  &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const Vector<double>                     &solution,
                 const Vector<double>                     &u_start,

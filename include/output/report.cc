@@ -36,7 +36,7 @@ namespace Contact
 
 
 
-  void Report::open_files(const Discretization &discretization)
+  void Report::open_files(const Discretization<2> &discretization)
   {
     this->discretization = &discretization;
     result_files =
@@ -49,7 +49,7 @@ namespace Contact
 
 
 
-  void Report::begin_anew(const Discretization &discretization)
+  void Report::begin_anew(const Discretization<2> &discretization)
   {
     summary.increments.clear();
     replace_results(discretization);
@@ -57,7 +57,7 @@ namespace Contact
 
 
 
-  void Report::replace_results(const Discretization &discretization)
+  void Report::replace_results(const Discretization<2> &discretization)
   {
     result_files =
       std::make_unique<ResultFiles>(parameters.directory(), discretization);
@@ -131,7 +131,7 @@ namespace Contact
 
   // Loads and supports have their values at the ends of increments alone: where
   // a history turns back in between, its peak is never there.
-  void Report::print_note_on_histories(const Discretization &discretization)
+  void Report::print_note_on_histories(const Discretization<2> &discretization)
   {
     const unsigned int n         = parameters.solution.n_increments;
     const unsigned int n_samples = 32; // of an increment

@@ -47,13 +47,13 @@ namespace Contact
 
     /// From here on the results of an earlier run are replaced; until this one
     /// ends, its summary says that it has not converged.
-    void open_files(const Discretization &discretization);
+    void open_files(const Discretization<2> &discretization);
 
     /// Another attempt at all increments: nothing is left of the one before.
-    void begin_anew(const Discretization &discretization);
+    void begin_anew(const Discretization<2> &discretization);
 
     /// Results of a finer mesh replace those of the one before.
-    void replace_results(const Discretization &discretization);
+    void replace_results(const Discretization<2> &discretization);
 
     ResultFiles &files()
     {
@@ -106,7 +106,7 @@ namespace Contact
     void finish();
 
   private:
-    void print_note_on_histories(const Discretization &discretization);
+    void print_note_on_histories(const Discretization<2> &discretization);
     void print_note_on_facing(const ContactInterface &interface);
     void print_note_on_roles(const ContactModel &model);
     void print_note_on_arcs(const ContactModel        &model,
@@ -115,7 +115,7 @@ namespace Contact
     const Parameters::All       &parameters;
     const ParameterHandler      &prm;
     std::unique_ptr<ResultFiles> result_files;
-    const Discretization *discretization = nullptr; // once files are open
+    const Discretization<2> *discretization = nullptr; // once files are open
   };
 } // namespace Contact
 

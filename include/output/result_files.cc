@@ -136,7 +136,7 @@ namespace Contact
 
 
   ResultFiles::ResultFiles(const std::filesystem::path &directory,
-                           const Discretization        &discretization)
+                           const Discretization<2>     &discretization)
     : directory(directory)
     , discretization(discretization)
   {

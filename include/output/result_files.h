@@ -33,7 +33,7 @@ namespace Contact
     /// Create the directory, and remove the series and the profile of an
     /// earlier run. Throws InputError if nothing can be written there.
     ResultFiles(const std::filesystem::path &directory,
-                const Discretization        &discretization);
+                const Discretization<2>     &discretization);
 
     /// Remove the increments of an earlier run that is not gone on with, and
     /// what it left to go on from.
@@ -103,8 +103,8 @@ namespace Contact
     /// rank owns: of others it may not know all.
     Vector<double> owned_part(const Vector<double> &values) const;
 
-    const Discretization &discretization;
-    Series                bodies, contact;
+    const Discretization<2> &discretization;
+    Series                   bodies, contact;
   };
 } // namespace Contact
 

@@ -13,7 +13,7 @@
 namespace Contact
 {
   VertexFields::VertexFields(
-    const Discretization                     &discretization,
+    const Discretization<2>                  &discretization,
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses)
     : fe(FE_Q<2>(1), FE_SimplexP<2>(1))
     , dof_handler(discretization.mesh.triangulation)

@@ -26,7 +26,7 @@ namespace Contact
   {
   public:
     /// Of the stress [MPa] by vertex of the triangulation.
-    VertexFields(const Discretization                     &discretization,
+    VertexFields(const Discretization<2>                  &discretization,
                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses);
 
     /// Attach stress_xx, _yy, _zz, _xy and von_mises [MPa] to @p data_out,

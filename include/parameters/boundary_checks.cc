@@ -90,23 +90,28 @@ namespace Contact
                        displacement,
                        section + "Displacement " + entry.back());
       };
-      moves_freely(force_x, "Force x", displacement_x);
-      moves_freely(force_y, "Force y", displacement_y);
-      moves_freely(resultant_force_x, "Resultant force x", displacement_x);
-      moves_freely(resultant_force_y, "Resultant force y", displacement_y);
-      moves_freely(traction_x, "Traction x", displacement_x);
-      moves_freely(traction_y, "Traction y", displacement_y);
-      moves_freely(tied_y, "Tied y", displacement_y);
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          const std::string in = std::string(" ") + "xyz"[c];
+          moves_freely(force[c], "Force" + in, displacement[c]);
+          moves_freely(resultant_force[c],
+                       "Resultant force" + in,
+                       displacement[c]);
+          moves_freely(traction[c], "Traction" + in, displacement[c]);
+        }
+      moves_freely(tied_y, "Tied y", displacement[1]);
       const auto check_formulas = [&](const auto        &formulas,
                                       const std::string &entry) {
         for (const auto &[group, formula] : formulas)
           check_formula<2>(formula, "x,y", section + entry);
       };
       check_formulas(pressure, "Pressure");
-      check_formulas(traction_x, "Traction x");
-      check_formulas(traction_y, "Traction y");
-      check_formulas(body_force_x, "Body force x");
-      check_formulas(body_force_y, "Body force y");
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          const std::string in = std::string(" ") + "xyz"[c];
+          check_formulas(traction[c], "Traction" + in);
+          check_formulas(body_force[c], "Body force" + in);
+        }
       std::vector<std::string> with_history;
       for (const auto &entry : entries_with_history())
         with_history.push_back(entry.first);
@@ -132,17 +137,28 @@ namespace Contact
     std::vector<std::pair<std::string, bool>>
     Boundary::entries_with_history() const
     {
-      return {{"Displacement x", !displacement_x.empty()},
-              {"Displacement y", !displacement_y.empty()},
-              {"Force x", !force_x.empty()},
-              {"Force y", !force_y.empty()},
-              {"Resultant force x", !resultant_force_x.empty()},
-              {"Resultant force y", !resultant_force_y.empty()},
-              {"Pressure", !pressure.empty()},
-              {"Traction x", !traction_x.empty()},
-              {"Traction y", !traction_y.empty()},
-              {"Body force x", !body_force_x.empty()},
-              {"Body force y", !body_force_y.empty()}};
+      std::vector<std::pair<std::string, bool>> entries;
+      const auto add = [&](const std::string &entry, const auto &values) {
+        for (unsigned int c = 0; c < 3; ++c)
+          entries.emplace_back(entry + ' ' + "xyz"[c], !values[c].empty());
+      };
+      add("Displacement", displacement);
+      add("Force", force);
+      add("Resultant force", resultant_force);
+      entries.emplace_back("Pressure", !pressure.empty());
+      add("Traction", traction);
+      add("Body force", body_force);
+      return entries;
+    }
+
+
+
+    std::string Boundary::entry_in_z() const
+    {
+      for (const auto &[entry, is_set] : entries_with_history())
+        if (is_set && entry.back() == 'z')
+          return entry;
+      return "";
     }
   } // namespace Parameters
 } // namespace Contact

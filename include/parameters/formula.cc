@@ -159,6 +159,10 @@ namespace Contact
   parse_formula<1>(const std::string &,
                    const std::string &,
                    const std::string &);
+  template std::function<double(const Point<3> &)>
+  parse_formula<3>(const std::string &,
+                   const std::string &,
+                   const std::string &);
   template std::function<double(const Point<2> &)>
   parse_formula<2>(const std::string &,
                    const std::string &,

@@ -136,41 +136,61 @@ namespace Contact
 
 
 
+    namespace
+    {
+      /// An entry with one for each direction, whose meaning that in x says.
+      template<typename Value>
+      void add_by_direction(
+        ParameterHandler             &prm,
+        const std::string            &name,
+        Boundary::ByDirection<Value> &values,
+        const std::string            &meaning,
+        const std::string            &unit,
+        const Patterns::PatternBase  &pattern =
+          *Patterns::Tools::Convert<std::map<std::string, Value>>::to_pattern())
+      {
+        prm.add_parameter(name + " x", values[0], meaning, pattern);
+        for (unsigned int c = 1; c < 3; ++c)
+          prm.add_parameter(name + ' ' + "xyz"[c],
+                            values[c],
+                            "As " + name + " x, in direction " + "xyz"[c] +
+                              (c == 2 ? " of volumes " : " ") + unit + ".",
+                            pattern);
+      }
+    } // namespace
+
+
+
     // One number for a group, or its partner.
     void Boundary::add_values(ParameterHandler &prm)
     {
-      prm.add_parameter("Displacement x",
-                        displacement_x,
-                        "'group: value' [mm], separated by ','; a boundary "
-                        "or point group and its displacement at full load.");
-      prm.add_parameter("Displacement y",
-                        displacement_y,
-                        "As Displacement x, in direction y [mm].");
+      const std::string per_mm = "[N per mm of thickness; axisymmetric: N]";
+      add_by_direction(prm,
+                       "Displacement",
+                       displacement,
+                       "'group: value' [mm], separated by ','; a boundary or "
+                       "point group and its displacement at full load.",
+                       "[mm]");
       prm.add_parameter("Tied y",
                         tied_y,
                         "'point: point' [-], separated by ','; the first "
                         "point group moves in y as the second one does.");
-      prm.add_parameter("Force x",
-                        force_x,
-                        "'point: value' [N per mm of thickness; axisymmetric: "
-                        "N on the ring], separated by ','; a point group and "
-                        "its dead force at full load.");
-      prm.add_parameter(
-        "Force y",
-        force_y,
-        "As Force x, in direction y [N per mm of thickness; axisymmetric: N].");
-      prm.add_parameter("Resultant force x",
-                        resultant_force_x,
-                        "'boundary: value' [N per mm of thickness; "
-                        "axisymmetric: N on all rings], separated by ','; a "
-                        "boundary group and its dead force at full load, "
-                        "spread evenly over its undeformed area. Of a nodal "
-                        "force the finer mesh sees the singularity.");
-      prm.add_parameter(
-        "Resultant force y",
-        resultant_force_y,
-        "As Resultant force x, in direction y [N per mm of thickness; "
-        "axisymmetric: N].");
+      add_by_direction(prm,
+                       "Force",
+                       force,
+                       "'point: value' [N per mm of thickness; axisymmetric: N "
+                       "on the ring; volumes: N], separated by ','; a point "
+                       "group and its dead force at full load.",
+                       per_mm);
+      add_by_direction(prm,
+                       "Resultant force",
+                       resultant_force,
+                       "'boundary: value' [N per mm of thickness; "
+                       "axisymmetric: N on all rings; volumes: N], separated "
+                       "by ','; a boundary group and its dead force at full "
+                       "load, spread evenly over its undeformed area. Of a "
+                       "nodal force the finer mesh sees the singularity.",
+                       per_mm);
       for (const std::string component : {"x", "y"})
         prm.declare_alias("Resultant force " + component,
                           "Spread force " + component,
@@ -196,27 +216,23 @@ namespace Contact
                         "all formulas x and y are coordinates after Mesh/Move, "
                         "Scale, Rotation and Shift.",
                         formulas);
-      prm.add_parameter("Traction x",
-                        traction_x,
-                        "'boundary: formula' [MPa], separated by ';'; a "
-                        "boundary group and the force on it by undeformed "
-                        "area at full load, a formula in x and y [mm].",
-                        formulas);
-      prm.add_parameter("Traction y",
-                        traction_y,
-                        "As Traction x, in direction y [MPa].",
-                        formulas);
-      prm.add_parameter("Body force x",
-                        body_force_x,
-                        "'body: formula' [N/mm^3], separated by ';'; a body "
-                        "and the force on it by undeformed volume at full "
-                        "load, a formula in x and y [mm].",
-                        formulas);
-      prm.add_parameter("Body force y",
-                        body_force_y,
-                        "As Body force x, in direction y [N/mm^3]; weight is "
-                        "-density times gravity, of steel -7.7e-5.",
-                        formulas);
+      add_by_direction(prm,
+                       "Traction",
+                       traction,
+                       "'boundary: formula' [MPa], separated by ';'; a "
+                       "boundary group and the force on it by undeformed area "
+                       "at full load, a formula in x and y [mm].",
+                       "[MPa]",
+                       formulas);
+      add_by_direction(prm,
+                       "Body force",
+                       body_force,
+                       "'body: formula' [N/mm^3], separated by ';'; a body and "
+                       "the force on it by undeformed volume at full load, a "
+                       "formula in x and y [mm]; weight is -density times "
+                       "gravity, of steel -7.7e-5.",
+                       "[N/mm^3]",
+                       formulas);
       prm.add_parameter("Histories",
                         histories,
                         "'entry: formula' [-], separated by ';'; an entry of "

@@ -9,6 +9,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -122,35 +123,36 @@ namespace Contact
     /// Supports, ties and loads, all by group name.
     struct Boundary
     {
+      /// By direction: the groups of an entry and their values. Those of z are
+      /// of volumes only.
+      template<typename Value>
+      using ByDirection = std::array<std::map<std::string, Value>, 3>;
+
       /// Boundary or point group -> prescribed displacement [mm].
-      std::map<std::string, double> displacement_x;
-      std::map<std::string, double> displacement_y;
+      ByDirection<double> displacement;
 
       /// Point group -> point group: equal displacement in y.
       std::map<std::string, std::string> tied_y;
 
       /// Point group -> dead force at full load [N per mm of thickness].
-      std::map<std::string, double> force_x;
-      std::map<std::string, double> force_y;
+      ByDirection<double> force;
 
       /// Boundary group -> dead force at full load [N per mm of thickness],
       /// spread evenly over its undeformed length.
-      std::map<std::string, double> resultant_force_x;
-      std::map<std::string, double> resultant_force_y;
+      ByDirection<double> resultant_force;
 
-      /// Boundary group -> dead pressure at full load [MPa], a formula in x and
-      /// y; normal to the undeformed boundary, positive in compression.
+      /// Boundary group -> dead pressure at full load [MPa], a formula in x, y
+      /// and of volumes z; normal to the undeformed boundary, positive in
+      /// compression.
       std::map<std::string, std::string> pressure;
 
       /// Boundary group -> dead traction at full load by undeformed area [MPa],
-      /// a formula in x and y.
-      std::map<std::string, std::string> traction_x;
-      std::map<std::string, std::string> traction_y;
+      /// such a formula.
+      ByDirection<std::string> traction;
 
-      /// Body group -> dead force at full load by undeformed volume [N/mm^3], a
-      /// formula in x and y.
-      std::map<std::string, std::string> body_force_x;
-      std::map<std::string, std::string> body_force_y;
+      /// Body group -> dead force at full load by undeformed volume [N/mm^3],
+      /// such a formula.
+      ByDirection<std::string> body_force;
 
       /// Entry of this section -> its factor, a formula in the load factor t
       /// or a table, see parse_history().
@@ -163,6 +165,9 @@ namespace Contact
       /// The entries of supports and loads, which may have histories, and
       /// whether each is set.
       std::vector<std::pair<std::string, bool>> entries_with_history() const;
+
+      /// The first entry with values in direction z, or nothing.
+      std::string entry_in_z() const;
 
     private:
       void add_values(ParameterHandler &prm);

@@ -10,18 +10,21 @@
 
 #include <cmath>
 
+#include "solid/followers.h"
+
 namespace Contact
 {
   namespace
   {
     /**
-     * The first @p n_modes of the polynomials 1, xi, eta, made orthonormal with
-     * respect to the weights @p JxW of the points of a cell (modified Gram and
-     * Schmidt); none if there are as many as points, where projecting changes
-     * nothing.
+     * The first @p n_modes of the polynomials 1, xi, eta, zeta, made
+     * orthonormal with respect to the weights @p JxW of the points of a cell
+     * (modified Gram and Schmidt); none if there are as many as points, where
+     * projecting changes nothing.
      */
-    std::vector<std::array<double, 3>>
-    orthonormal_modes(const Quadrature<2>       &quadrature,
+    template<int dim>
+    std::vector<std::array<double, dim + 1>>
+    orthonormal_modes(const Quadrature<dim>     &quadrature,
                       const std::vector<double> &JxW,
                       const unsigned int         n_modes)
     {
@@ -29,7 +32,7 @@ namespace Contact
         return {};
 
       // Modes that are left out stay zero.
-      std::vector<std::array<double, 3>> modes(quadrature.size(), {{0, 0, 0}});
+      std::vector<std::array<double, dim + 1>> modes(quadrature.size());
       const auto product = [&](const unsigned int m, const unsigned int n) {
         double sum = 0;
         for (unsigned int q = 0; q < JxW.size(); ++q)
@@ -56,27 +59,39 @@ namespace Contact
 
 
     /// The unknowns of the free nodes and the gradients of their shape
-    /// functions. Bound, the centre moves with the corners (-1/4) and the
-    /// mid-sides (1/2) and hands its shape function on to them.
-    void tabulate_nodes(const DoFHandler<2>::active_cell_iterator &dof_cell,
-                        const FEValues<2>                         &fe_values,
-                        const Discretization &discretization,
-                        CellTable            &cell)
+    /// functions. A bound node moves with others and hands its shape function
+    /// on to them. FE_Q numbers the bound ones last.
+    template<int dim, typename Cell>
+    void tabulate_nodes(const Cell                &dof_cell,
+                        const FEValues<dim>       &fe_values,
+                        const Discretization<dim> &discretization,
+                        CellTable<dim>            &cell)
     {
-      const auto &fe    = fe_values.get_fe();
-      const bool  bound = discretization.serendipity &&
-                         dof_cell->reference_cell().is_hyper_cube();
+      const auto                  &fe = fe_values.get_fe();
+      const std::vector<BoundNode> bound =
+        discretization.serendipity && dof_cell->reference_cell().is_hyper_cube()
+          ? bound_nodes<dim>()
+          : std::vector<BoundNode>();
       const unsigned int n_nodes = fe.base_element(0).n_dofs_per_cell();
-      const unsigned int n_free  = bound ? n_nodes - 1 : n_nodes;
+      const unsigned int n_free  = n_nodes - bound.size();
+
+      // By free node the bound ones that hand over to it, and the factors.
+      std::vector<std::vector<std::pair<unsigned int, double>>> takes(n_free);
+      for (const auto &[node, leaders] : bound)
+        for (const auto &[leader, factor] : leaders)
+          takes[leader].emplace_back(node, factor);
 
       std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
       dof_cell->get_dof_indices(dofs);
       for (unsigned int a = 0; a < n_free; ++a)
-        for (unsigned int c = 0; c < 2; ++c)
+        for (unsigned int c = 0; c < dim; ++c)
           cell.dofs.push_back(dofs[fe.component_to_system_index(c, a)]);
 
       const auto handed_over = [&](const unsigned int a, const auto &of) {
-        return bound ? of(a) + (a < 4 ? -0.25 : 0.5) * of(8) : of(a);
+        auto value = of(a);
+        for (const auto &[node, factor] : takes[a])
+          value += factor * of(node);
+        return value;
       };
       for (const unsigned int q : fe_values.quadrature_point_indices())
         for (unsigned int a = 0; a < n_free; ++a)
@@ -102,19 +117,20 @@ namespace Contact
 
 
 
-  CellTables
-  tabulate_cells(const Discretization                         &discretization,
+  template<int dim>
+  CellTables<dim>
+  tabulate_cells(const Discretization<dim>                    &discretization,
                  const std::map<types::material_id, Material> &materials,
                  const std::set<types::material_id>           &projected)
   {
-    hp::FEValues<2> hp_fe_values(
+    hp::FEValues<dim> hp_fe_values(
       discretization.mapping,
       discretization.fe,
       discretization.quadrature,
       update_gradients | update_JxW_values | update_quadrature_points |
         (discretization.axisymmetric ? update_values : update_default));
 
-    CellTables tables;
+    CellTables<dim> tables;
     tables.own.reserve(discretization.mesh.triangulation.n_active_cells());
     for (const auto &dof_cell :
          discretization.dof_handler.active_cell_iterators())
@@ -124,7 +140,7 @@ namespace Contact
         hp_fe_values.reinit(dof_cell);
         const auto &fe_values = hp_fe_values.get_present_fe_values();
 
-        CellTable cell;
+        CellTable<dim> cell;
         cell.active_index = dof_cell->active_cell_index();
         cell.body         = dof_cell->material_id();
         cell.piece        = discretization.mesh.pieces.of_cell(dof_cell);
@@ -134,13 +150,13 @@ namespace Contact
         for (unsigned int q = 0; q < cell.JxW.size(); ++q)
           cell.JxW[q] *= discretization.circumference(cell.points[q]);
         if (projected.count(cell.body) > 0)
-          cell.modes =
-            orthonormal_modes(fe_values.get_quadrature(),
-                              cell.JxW,
-                              discretization.degree == 2 &&
-                                  dof_cell->reference_cell().is_hyper_cube()
-                                ? 3
-                                : 1);
+          cell.modes = orthonormal_modes<dim>(
+            fe_values.get_quadrature(),
+            cell.JxW,
+            discretization.degree == 2 &&
+                dof_cell->reference_cell().is_hyper_cube()
+              ? dim + 1
+              : 1);
 
         tabulate_nodes(dof_cell, fe_values, discretization, cell);
         (dof_cell->is_locally_owned() ? tables.own : tables.neighbors)
@@ -148,4 +164,15 @@ namespace Contact
       }
     return tables;
   }
+
+
+
+  template CellTables<2>
+  tabulate_cells(const Discretization<2> &,
+                 const std::map<types::material_id, Material> &,
+                 const std::set<types::material_id> &);
+  template CellTables<3>
+  tabulate_cells(const Discretization<3> &,
+                 const std::map<types::material_id, Material> &,
+                 const std::set<types::material_id> &);
 } // namespace Contact

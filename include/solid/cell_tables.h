@@ -21,33 +21,36 @@ namespace Contact
   /**
    * The data of a cell that stay the same on a mesh. The gradients of the shape
    * functions are with respect to the reference configuration. Where the centre
-   * of a quadrangle is bound, they are those of the eight free nodes, so that
-   * the centre costs nothing in assembly.
+   * of a quadrangle is bound (of a hexahedron also those of its faces), they
+   * are those of the free nodes, so that the centre costs nothing in assembly.
    */
+  template<int dim>
   struct CellTable
   {
     unsigned int                         active_index;
     types::material_id                   body;
     unsigned int                         piece; // of its body, see MeshPieces
     const Material                      *material;
-    std::vector<types::global_dof_index> dofs;           // (x, y) node by node
+    std::vector<types::global_dof_index> dofs;           // (x, y, z) by node
     std::vector<double>                  JxW;            // by point
-    std::vector<Point<2>>                points;         // X by point
-    std::vector<Tensor<1, 2>>            gradients;      // by point, then node
+    std::vector<Point<dim>>              points;         // X by point
+    std::vector<Tensor<1, dim>>          gradients;      // by point, then node
     std::vector<double>                  hoop_gradients; // N_a/X, of rings
 
     /// Modes of the projected dilatation: polynomials phi_m with sum_q JxW
     /// phi_m phi_n = delta_mn, by point. Else empty.
-    std::vector<std::array<double, 3>> modes;
+    std::vector<std::array<double, dim + 1>> modes;
 
     unsigned int n_nodes() const
     {
-      return dofs.size() / 2;
+      return dofs.size() / dim;
     }
 
     /// The first nodes are the corners.
     unsigned int n_corners() const
     {
+      if (dim == 3)
+        return 8;
       return n_nodes() % 3 == 0 && n_nodes() < 9 ? 3 : 4;
     }
   };
@@ -55,16 +58,19 @@ namespace Contact
 
 
   /// The cells of this rank, and the neighbors' cells beside them.
+  template<int dim>
   struct CellTables
   {
-    std::vector<CellTable> own, neighbors;
+    std::vector<CellTable<dim>> own, neighbors;
   };
 
-  /// Tabulate the cells. Those of bodies that are @p projected get modes: three
-  /// in quadrangles of degree 2, one in others. The tables point to
+  /// Tabulate the cells. Those of bodies that are @p projected get modes: dim +
+  /// 1 in quadrangles and hexahedra of degree 2, one in others. The tables
+  /// point to
   /// @p materials, which have to outlive them.
-  CellTables
-  tabulate_cells(const Discretization                         &discretization,
+  template<int dim>
+  CellTables<dim>
+  tabulate_cells(const Discretization<dim>                    &discretization,
                  const std::map<types::material_id, Material> &materials,
                  const std::set<types::material_id>           &projected);
 } // namespace Contact

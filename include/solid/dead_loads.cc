@@ -16,14 +16,18 @@ namespace Contact
   namespace
   {
     const std::string section = "Boundary conditions/";
-  }
+
+    template<int dim>
+    constexpr const char *variables = dim == 2 ? "x,y" : "x,y,z";
+  } // namespace
 
 
 
-  DeadLoads::DeadLoads(const Discretization &discretization)
+  template<int dim>
+  DeadLoads<dim>::DeadLoads(const Discretization<dim> &discretization)
     : discretization(discretization)
   {
-    for (const unsigned int c : {0, 1})
+    for (unsigned int c = 0; c < dim; ++c)
       {
         collect_forces(c);
         collect_densities(c);
@@ -31,12 +35,12 @@ namespace Contact
     for (const auto &[name, formula] : discretization.boundary.pressure)
       {
         const auto pressure =
-          parse_formula<2>(formula, "x,y", section + "Pressure");
+          parse_formula<dim>(formula, variables<dim>, section + "Pressure");
         load_of("Pressure") +=
           integrate_boundary(name,
                              "Pressure",
-                             [&](const Point<2>     &X,
-                                 const Tensor<1, 2> &normal) {
+                             [&](const Point<dim>     &X,
+                                 const Tensor<1, dim> &normal) {
                                return -pressure(X) * normal;
                              });
       }
@@ -45,20 +49,20 @@ namespace Contact
 
 
   // Forces in the direction c, spread over a boundary and on a point.
-  void DeadLoads::collect_forces(const unsigned int c)
+  template<int dim>
+  void DeadLoads<dim>::collect_forces(const unsigned int c)
   {
-    const auto        &boundary  = discretization.boundary;
-    const Tensor<1, 2> direction = Point<2>::unit_vector(c);
+    const auto          &boundary  = discretization.boundary;
+    const Tensor<1, dim> direction = Point<dim>::unit_vector(c);
 
-    const std::string spread = std::string("Resultant force ") + "xy"[c];
-    for (const auto &[name, force] :
-         c == 0 ? boundary.resultant_force_x : boundary.resultant_force_y)
+    const std::string spread = std::string("Resultant force ") + "xyz"[c];
+    for (const auto &[name, force] : boundary.resultant_force[c])
       {
         // The shares add up to the length; of rings, to their area.
         const Vector<double> shares =
           integrate_boundary(name,
                              spread,
-                             [&](const Point<2> &, const Tensor<1, 2> &) {
+                             [&](const Point<dim> &, const Tensor<1, dim> &) {
                                return direction;
                              });
         const double area = shares.mean_value() * shares.size();
@@ -70,9 +74,8 @@ namespace Contact
         load_of(spread).add(force / area, shares);
       }
 
-    const std::string nodal = std::string("Force ") + "xy"[c];
-    for (const auto &[name, force] :
-         c == 0 ? boundary.force_x : boundary.force_y)
+    const std::string nodal = std::string("Force ") + "xyz"[c];
+    for (const auto &[name, force] : boundary.force[c])
       {
         const auto dof =
           discretization
@@ -85,33 +88,33 @@ namespace Contact
 
 
   // Forces in the direction c by area and by volume, as formulas.
-  void DeadLoads::collect_densities(const unsigned int c)
+  template<int dim>
+  void DeadLoads<dim>::collect_densities(const unsigned int c)
   {
-    const auto        &boundary  = discretization.boundary;
-    const Tensor<1, 2> direction = Point<2>::unit_vector(c);
+    const auto          &boundary  = discretization.boundary;
+    const Tensor<1, dim> direction = Point<dim>::unit_vector(c);
 
-    const std::string traction = std::string("Traction ") + "xy"[c];
-    for (const auto &[name, formula] :
-         c == 0 ? boundary.traction_x : boundary.traction_y)
+    const std::string traction = std::string("Traction ") + "xyz"[c];
+    for (const auto &[name, formula] : boundary.traction[c])
       {
-        const auto value = parse_formula<2>(formula, "x,y", section + traction);
+        const auto value =
+          parse_formula<dim>(formula, variables<dim>, section + traction);
         load_of(traction) +=
           integrate_boundary(name,
                              traction,
-                             [&](const Point<2> &X, const Tensor<1, 2> &) {
+                             [&](const Point<dim> &X, const Tensor<1, dim> &) {
                                return value(X) * direction;
                              });
       }
 
-    const std::string body_force = std::string("Body force ") + "xy"[c];
-    for (const auto &[name, formula] :
-         c == 0 ? boundary.body_force_x : boundary.body_force_y)
+    const std::string body_force = std::string("Body force ") + "xyz"[c];
+    for (const auto &[name, formula] : boundary.body_force[c])
       {
         const auto value =
-          parse_formula<2>(formula, "x,y", section + body_force);
+          parse_formula<dim>(formula, variables<dim>, section + body_force);
         load_of(body_force) +=
           integrate_body(discretization.mesh.body(name, section + body_force),
-                         [&](const Point<2> &X) {
+                         [&](const Point<dim> &X) {
                            return value(X) * direction;
                          });
       }
@@ -120,22 +123,25 @@ namespace Contact
 
 
   // The integral of a traction times the shape functions, from all ranks.
-  Vector<double> DeadLoads::integrate_boundary(const std::string   &name,
-                                               const std::string   &entry,
-                                               const TractionField &traction)
+  template<int dim>
+  Vector<double>
+  DeadLoads<dim>::integrate_boundary(const std::string   &name,
+                                     const std::string   &entry,
+                                     const TractionField &traction)
   {
     const auto &ids = discretization.mesh.boundary(name, section + entry);
     loaded.insert(ids.begin(), ids.end());
 
-    const QGauss<1>     edge_quadrature(discretization.degree + 1);
-    hp::FEFaceValues<2> hp_values(discretization.mapping,
-                                  discretization.fe,
-                                  hp::QCollection<1>(edge_quadrature,
-                                                     edge_quadrature),
-                                  update_values | update_JxW_values |
-                                    update_quadrature_points |
-                                    update_normal_vectors);
-    Vector<double>      integrals(discretization.dof_handler.n_dofs());
+    hp::QCollection<dim - 1> face_quadrature;
+    while (face_quadrature.size() < discretization.fe.size())
+      face_quadrature.push_back(QGauss<dim - 1>(discretization.degree + 1));
+    hp::FEFaceValues<dim> hp_values(discretization.mapping,
+                                    discretization.fe,
+                                    face_quadrature,
+                                    update_values | update_JxW_values |
+                                      update_quadrature_points |
+                                      update_normal_vectors);
+    Vector<double>        integrals(discretization.dof_handler.n_dofs());
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (cell->is_locally_owned() && cell->face(f)->at_boundary() &&
@@ -160,16 +166,20 @@ namespace Contact
 
   // The same of a body. A constant force times the radius times the shape
   // functions is integrated exactly on straight cells.
-  Vector<double> DeadLoads::integrate_body(const types::material_id body,
-                                           const BodyForceField    &force) const
+  template<int dim>
+  Vector<double>
+  DeadLoads<dim>::integrate_body(const types::material_id body,
+                                 const BodyForceField    &force) const
   {
-    hp::FEValues<2> hp_values(
-      discretization.mapping,
-      discretization.fe,
-      hp::QCollection<2>(QGauss<2>(discretization.degree + 1),
-                         QGaussSimplex<2>(discretization.degree + 1)),
-      update_values | update_JxW_values | update_quadrature_points);
-    Vector<double> integrals(discretization.dof_handler.n_dofs());
+    hp::QCollection<dim> quadrature{QGauss<dim>(discretization.degree + 1)};
+    if (discretization.fe.size() > 1)
+      quadrature.push_back(QGaussSimplex<dim>(discretization.degree + 1));
+    hp::FEValues<dim> hp_values(discretization.mapping,
+                                discretization.fe,
+                                quadrature,
+                                update_values | update_JxW_values |
+                                  update_quadrature_points);
+    Vector<double>    integrals(discretization.dof_handler.n_dofs());
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && cell->material_id() == body)
         {
@@ -189,18 +199,19 @@ namespace Contact
 
 
 
-  void DeadLoads::add_integrals(
-    const FEValuesBase<2>                                   &values,
-    const DoFHandler<2>::active_cell_iterator               &cell,
-    const std::function<Tensor<1, 2>(const unsigned int q)> &density,
-    Vector<double>                                          &integrals) const
+  template<int dim>
+  void DeadLoads<dim>::add_integrals(
+    const FEValuesBase<dim>                                   &values,
+    const typename DoFHandler<dim>::active_cell_iterator      &cell,
+    const std::function<Tensor<1, dim>(const unsigned int q)> &density,
+    Vector<double>                                            &integrals) const
   {
     const auto                          &fe = values.get_fe();
     std::vector<types::global_dof_index> dofs(values.dofs_per_cell);
     cell->get_dof_indices(dofs);
     for (const unsigned int q : values.quadrature_point_indices())
       {
-        const Tensor<1, 2> force =
+        const Tensor<1, dim> force =
           values.JxW(q) *
           discretization.circumference(values.quadrature_point(q)) * density(q);
         for (unsigned int i = 0; i < dofs.size(); ++i)
@@ -211,7 +222,8 @@ namespace Contact
 
 
 
-  Vector<double> &DeadLoads::load_of(const std::string &entry)
+  template<int dim>
+  Vector<double> &DeadLoads<dim>::load_of(const std::string &entry)
   {
     Vector<double> &load = loads[entry];
     if (load.size() == 0)
@@ -221,7 +233,8 @@ namespace Contact
 
 
 
-  Vector<double> DeadLoads::at(const double load_factor) const
+  template<int dim>
+  Vector<double> DeadLoads<dim>::at(const double load_factor) const
   {
     Vector<double> sum(discretization.dof_handler.n_dofs());
     for (const auto &[entry, load] : loads)
@@ -231,11 +244,17 @@ namespace Contact
 
 
 
-  double DeadLoads::whole() const
+  template<int dim>
+  double DeadLoads<dim>::whole() const
   {
     double sum = 0;
     for (const auto &[entry, load] : loads)
       sum += load.l1_norm();
     return sum;
   }
+
+
+
+  template class DeadLoads<2>;
+  template class DeadLoads<3>;
 } // namespace Contact

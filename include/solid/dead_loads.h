@@ -26,13 +26,15 @@ namespace Contact
    * given by a formula is integrated over the undeformed bodies, times the
    * circumference. All ranks know all of them.
    */
+  template<int dim>
   class DeadLoads
   {
   public:
     /// Throws InputError if the mesh has no such group. Collective.
-    explicit DeadLoads(const Discretization &discretization);
+    explicit DeadLoads(const Discretization<dim> &discretization);
 
-    /// The forces under a load factor [N per mm of thickness; rings: N].
+    /// The forces under a load factor [N per mm of thickness; rings and
+    /// volumes: N].
     Vector<double> at(const double load_factor) const;
 
     /// The sum of all their magnitudes at their full values, in the same unit:
@@ -57,7 +59,7 @@ namespace Contact
 
     /// Traction [MPa] by place and outward normal.
     using TractionField =
-      std::function<Tensor<1, 2>(const Point<2> &, const Tensor<1, 2> &)>;
+      std::function<Tensor<1, dim>(const Point<dim> &, const Tensor<1, dim> &)>;
 
     /// The forces of a traction on the boundary @p name that @p entry names.
     Vector<double> integrate_boundary(const std::string   &name,
@@ -65,7 +67,7 @@ namespace Contact
                                       const TractionField &traction);
 
     /// Force by volume [N/mm^3] by place.
-    using BodyForceField = std::function<Tensor<1, 2>(const Point<2> &)>;
+    using BodyForceField = std::function<Tensor<1, dim>(const Point<dim> &)>;
 
     Vector<double> integrate_body(const types::material_id body,
                                   const BodyForceField    &force) const;
@@ -73,15 +75,15 @@ namespace Contact
     /// Add the integrals of a density times the shape functions of a cell, over
     /// the cell or one of its faces.
     void add_integrals(
-      const FEValuesBase<2>                                   &values,
-      const DoFHandler<2>::active_cell_iterator               &cell,
-      const std::function<Tensor<1, 2>(const unsigned int q)> &density,
-      Vector<double>                                          &integrals) const;
+      const FEValuesBase<dim>                                   &values,
+      const typename DoFHandler<dim>::active_cell_iterator      &cell,
+      const std::function<Tensor<1, dim>(const unsigned int q)> &density,
+      Vector<double> &integrals) const;
 
     /// The sum of the magnitudes of the forces of an entry.
     Vector<double> &load_of(const std::string &entry);
 
-    const Discretization                 &discretization;
+    const Discretization<dim>            &discretization;
     std::map<std::string, Vector<double>> loads; // at their full values
     std::set<types::global_dof_index>     nodal_forces;
     std::set<types::boundary_id>          loaded;

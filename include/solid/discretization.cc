@@ -38,13 +38,44 @@ namespace Contact
       return {{{1. / 6, 1. / 6}, {2. / 3, 1. / 6}, {1. / 6, 2. / 3}},
               {1. / 6, 1. / 6, 1. / 6}};
     }
+
+
+
+    /// What quadrangles and triangles have, or hexahedra.
+    template<int dim>
+    hp::MappingCollection<dim> make_mapping(const unsigned int degree)
+    {
+      hp::MappingCollection<dim> mapping{MappingQ<dim>(degree)};
+      if constexpr (dim == 2)
+        mapping.push_back(MappingFE<2>(FE_SimplexP<2>(degree)));
+      return mapping;
+    }
+
+    template<int dim>
+    hp::FECollection<dim> make_fe(const unsigned int degree)
+    {
+      hp::FECollection<dim> fe{FESystem<dim>(FE_Q<dim>(degree), dim)};
+      if constexpr (dim == 2)
+        fe.push_back(FESystem<2>(FE_SimplexP<2>(degree), 2));
+      return fe;
+    }
+
+    template<int dim>
+    hp::QCollection<dim> make_quadrature(const unsigned int degree)
+    {
+      hp::QCollection<dim> quadrature{QGauss<dim>(degree + 1)};
+      if constexpr (dim == 2)
+        quadrature.push_back(triangle_rule(degree));
+      return quadrature;
+    }
   } // namespace
 
 
 
-  void distribute_dofs(const Mesh<2>             &mesh,
-                       const hp::FECollection<2> &fe,
-                       DoFHandler<2>             &dof_handler)
+  template<int dim>
+  void distribute_dofs(const Mesh<dim>             &mesh,
+                       const hp::FECollection<dim> &fe,
+                       DoFHandler<dim>             &dof_handler)
   {
     if (mesh.has_only_hypercubes())
       dof_handler.distribute_dofs(fe[0]);
@@ -60,9 +91,10 @@ namespace Contact
 
 
 
-  Discretization::Discretization(const Mesh<2>         &mesh,
-                                 const Parameters::All &parameters,
-                                 const MPI_Comm         communicator)
+  template<int dim>
+  Discretization<dim>::Discretization(const Mesh<dim>       &mesh,
+                                      const Parameters::All &parameters,
+                                      const MPI_Comm         communicator)
     : mesh(mesh)
     , communicator(communicator)
     , degree(parameters.element.degree)
@@ -70,13 +102,22 @@ namespace Contact
                                    Parameters::CentreNode::serendipity)
     , axisymmetric(parameters.solids.symmetry ==
                    Parameters::Symmetry::axisymmetric)
-    , mapping(MappingQ<2>(degree), MappingFE<2>(FE_SimplexP<2>(degree)))
-    , fe(FESystem<2>(FE_Q<2>(degree), 2),
-         FESystem<2>(FE_SimplexP<2>(degree), 2))
-    , quadrature(QGauss<2>(degree + 1), triangle_rule(degree))
+    , mapping(make_mapping<dim>(degree))
+    , fe(make_fe<dim>(degree))
+    , quadrature(make_quadrature<dim>(degree))
     , dof_handler(mesh.triangulation)
     , boundary(parameters.boundary)
   {
+    if (const std::string entry = boundary.entry_in_z();
+        dim == 2 && !entry.empty())
+      throw InputError("the mesh is plane and has no direction z",
+                       "Boundary conditions/" + entry,
+                       "remove the entry, or take a mesh of volumes");
+    if (dim == 3 && axisymmetric)
+      throw InputError("a mesh of volumes is no section of rings",
+                       "Solids/Symmetry",
+                       "remove the entry, or mesh the section");
+
     // Their values at once, not in the middle of a long run.
     const unsigned int n = parameters.solution.n_increments;
     for (const auto &[entry, formula] : boundary.histories)
@@ -94,7 +135,8 @@ namespace Contact
 
 
   // On the coarse mesh, which every rank has.
-  void Discretization::check_radii()
+  template<int dim>
+  void Discretization<dim>::check_radii()
   {
     double largest = 0;
     for (const auto &cell : mesh.triangulation.cell_iterators_on_level(0))
@@ -104,7 +146,7 @@ namespace Contact
 
     for (const auto &cell : mesh.triangulation.cell_iterators_on_level(0))
       for (const unsigned int v : cell->vertex_indices())
-        if (const Point<2> X = cell->vertex(v); X[0] < -axis_tolerance)
+        if (const Point<dim> X = cell->vertex(v); X[0] < -axis_tolerance)
           throw InputError("with axisymmetry x is the radius, but the node at "
                            "(" +
                              brief(X[0]) + ", " + brief(X[1]) +
@@ -116,7 +158,8 @@ namespace Contact
 
 
 
-  void Discretization::redistribute()
+  template<int dim>
+  void Discretization<dim>::redistribute()
   {
     distribute_dofs(mesh, fe, dof_handler);
 
@@ -132,17 +175,21 @@ namespace Contact
 
 
 
-  std::array<double, 2>
-  Discretization::support_factors(const double load_factor) const
+  template<int dim>
+  std::array<double, dim>
+  Discretization<dim>::support_factors(const double load_factor) const
   {
-    return {{factor("Displacement x", load_factor),
-             factor("Displacement y", load_factor)}};
+    std::array<double, dim> factors;
+    for (unsigned int c = 0; c < dim; ++c)
+      factors[c] = factor(std::string("Displacement ") + "xyz"[c], load_factor);
+    return factors;
   }
 
 
 
-  void Discretization::constrain_update(const Vector<double> &u,
-                                        const double          load_factor)
+  template<int dim>
+  void Discretization<dim>::constrain_update(const Vector<double> &u,
+                                             const double          load_factor)
   {
     std::map<types::global_dof_index, double> updates;
     bool                                      vanish = true;
@@ -164,7 +211,9 @@ namespace Contact
 
 
 
-  void Discretization::prescribe(Vector<double> &u, const double load_factor)
+  template<int dim>
+  void Discretization<dim>::prescribe(Vector<double> &u,
+                                      const double    load_factor)
   {
     constrain_update(u, load_factor);
     if (updates_vanish)
@@ -183,8 +232,10 @@ namespace Contact
 
 
 
-  Vector<double> Discretization::support_motion(const Vector<double> &u,
-                                                const double load_factor) const
+  template<int dim>
+  Vector<double>
+  Discretization<dim>::support_motion(const Vector<double> &u,
+                                      const double          load_factor) const
   {
     const auto     factors = support_factors(load_factor);
     Vector<double> motion(dof_handler.n_dofs());
@@ -196,8 +247,10 @@ namespace Contact
 
 
 
-  double Discretization::distance_from_supports(const Vector<double> &u,
-                                                const double load_factor) const
+  template<int dim>
+  double
+  Discretization<dim>::distance_from_supports(const Vector<double> &u,
+                                              const double load_factor) const
   {
     const auto factors = support_factors(load_factor);
     double     largest = 0;
@@ -210,7 +263,8 @@ namespace Contact
 
 
 
-  void Discretization::gather(Vector<double> &u) const
+  template<int dim>
+  void Discretization<dim>::gather(Vector<double> &u) const
   {
     if (Utilities::MPI::n_mpi_processes(communicator) == 1)
       return;
@@ -223,7 +277,8 @@ namespace Contact
 
 
 
-  bool Discretization::is_fixed(const types::global_dof_index dof) const
+  template<int dim>
+  bool Discretization<dim>::is_fixed(const types::global_dof_index dof) const
   {
     // All that is prescribed is constrained, which is faster to see.
     return constraints.is_constrained(dof) && prescribed.count(dof) > 0;
@@ -231,7 +286,8 @@ namespace Contact
 
 
 
-  bool Discretization::is_moved(const types::global_dof_index dof) const
+  template<int dim>
+  bool Discretization<dim>::is_moved(const types::global_dof_index dof) const
   {
     if (!constraints.is_constrained(dof))
       return false;
@@ -241,7 +297,8 @@ namespace Contact
 
 
 
-  bool Discretization::is_tied(const types::global_dof_index dof) const
+  template<int dim>
+  bool Discretization<dim>::is_tied(const types::global_dof_index dof) const
   {
     for (const auto &[tied, partner] : ties)
       if (dof == tied || dof == partner)
@@ -251,15 +308,16 @@ namespace Contact
 
 
 
-  void Discretization::collect_vertex_dofs()
+  template<int dim>
+  void Discretization<dim>::collect_vertex_dofs()
   {
-    vertex_dofs.assign(mesh.triangulation.n_vertices(),
-                       {{numbers::invalid_dof_index,
-                         numbers::invalid_dof_index}});
+    NodeDoFs<dim> none;
+    none.fill(numbers::invalid_dof_index);
+    vertex_dofs.assign(mesh.triangulation.n_vertices(), none);
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (!cell->is_artificial())
         for (const unsigned int v : cell->vertex_indices())
-          for (unsigned int c = 0; c < 2; ++c)
+          for (unsigned int c = 0; c < dim; ++c)
             vertex_dofs[cell->vertex_index(v)][c] =
               cell->vertex_dof_index(v, c, cell->active_fe_index());
   }
@@ -267,7 +325,8 @@ namespace Contact
 
 
   // A named point is a vertex of the coarse mesh, which all ranks number alike.
-  void Discretization::gather_named_points()
+  template<int dim>
+  void Discretization<dim>::gather_named_points()
   {
     std::vector<types::global_dof_index *> shared;
     std::vector<types::global_dof_index>   dofs;
@@ -285,12 +344,13 @@ namespace Contact
 
 
 
-  void Discretization::collect_supports()
+  template<int dim>
+  void Discretization<dim>::collect_supports()
   {
     const auto collect = [this](const auto &groups, const unsigned int c) {
       const std::string entry =
-        std::string("Boundary conditions/Displacement ") + "xy"[c];
-      ComponentMask component(2, false);
+        std::string("Boundary conditions/Displacement ") + "xyz"[c];
+      ComponentMask component(dim, false);
       component.set(c, true);
 
       for (const auto &[name, value] : groups)
@@ -304,7 +364,7 @@ namespace Contact
                 mapping,
                 dof_handler,
                 id,
-                Functions::ConstantFunction<2>(value, 2),
+                Functions::ConstantFunction<dim>(value, dim),
                 values,
                 component);
 
@@ -326,8 +386,8 @@ namespace Contact
     };
 
     on_all_ranks(communicator, [&]() {
-      collect(boundary.displacement_x, 0);
-      collect(boundary.displacement_y, 1);
+      for (unsigned int c = 0; c < dim; ++c)
+        collect(boundary.displacement[c], c);
       if (axisymmetric)
         hold_axis();
     });
@@ -339,7 +399,8 @@ namespace Contact
 
 
   // u_r = 0 on the axis.
-  void Discretization::hold_axis()
+  template<int dim>
+  void Discretization<dim>::hold_axis()
   {
     std::vector<types::global_dof_index> dofs;
     for (const auto &cell : dof_handler.active_cell_iterators())
@@ -371,7 +432,8 @@ namespace Contact
 
 
 
-  void Discretization::collect_ties()
+  template<int dim>
+  void Discretization<dim>::collect_ties()
   {
     const std::string entry = "Boundary conditions/Tied y";
     for (const auto &[name, partner] : boundary.tied_y)
@@ -387,8 +449,9 @@ namespace Contact
 
 
 
-  double Discretization::factor(const std::string &entry,
-                                const double       load_factor) const
+  template<int dim>
+  double Discretization<dim>::factor(const std::string &entry,
+                                     const double       load_factor) const
   {
     const auto history = histories.find(entry);
     return history == histories.end() ? load_factor
@@ -397,7 +460,8 @@ namespace Contact
 
 
 
-  void Discretization::make_constraints(
+  template<int dim>
+  void Discretization<dim>::make_constraints(
     const std::map<types::global_dof_index, double> &updates)
   {
     constraints.clear();
@@ -420,4 +484,14 @@ namespace Contact
     constraints.close();
   }
 
+
+
+  template void distribute_dofs(const Mesh<2> &,
+                                const hp::FECollection<2> &,
+                                DoFHandler<2> &);
+  template class Discretization<2>;
+  template void distribute_dofs(const Mesh<3> &,
+                                const hp::FECollection<3> &,
+                                DoFHandler<3> &);
+  template class Discretization<3>;
 } // namespace Contact

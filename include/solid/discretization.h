@@ -27,25 +27,31 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// The two displacement unknowns of a node.
-  using NodeDoFs = std::array<types::global_dof_index, 2>;
+  /// The displacement unknowns of a node.
+  template<int dim>
+  using NodeDoFs = std::array<types::global_dof_index, dim>;
 
   /// Number the unknowns of a collection {for quadrangles, for triangles}. A
-  /// mesh of quadrangles alone takes the first element for all cells.
-  void distribute_dofs(const Mesh<2>             &mesh,
-                       const hp::FECollection<2> &fe,
-                       DoFHandler<2>             &dof_handler);
+  /// mesh of quadrangles or hexahedra alone takes the first element for all
+  /// cells.
+  template<int dim>
+  void distribute_dofs(const Mesh<dim>             &mesh,
+                       const hp::FECollection<dim> &fe,
+                       DoFHandler<dim>             &dof_handler);
 
 
 
   /**
-   * The finite element spaces of all bodies: quadrangles are FE_Q, triangles
-   * FE_SimplexP of the same degree, the geometry is isoparametric.
+   * The finite element spaces of all bodies: quadrangles and hexahedra are
+   * FE_Q, triangles FE_SimplexP of the same degree, the geometry is
+   * isoparametric.
    *
-   * Quadrature: 2x2 and 1 point at degree 1, 3x3 and 3 points at degree 2.
+   * Quadrature: degree + 1 Gauss points in each direction; in triangles 1 point
+   * at degree 1, 3 points at degree 2.
    *
    * With <code>serendipity</code> the centre value of a quadrangle of degree 2
-   * is 1/2 sum(mid-sides) - 1/4 sum(corners): the 8-node element.
+   * is 1/2 sum(mid-sides) - 1/4 sum(corners): the 8-node element; of hexahedra
+   * the 20-node one (bound_nodes()).
    *
    * With axisymmetry x is the radius and y the axis. Whatever integrates
    * multiplies with circumference(); u_x = 0 on the axis without being asked
@@ -55,17 +61,18 @@ namespace Contact
    * supports and the unknowns of named points are known to all.
    * Vectors of the displacement are held in full by every rank.
    */
+  template<int dim>
   class Discretization
   {
   public:
-    Discretization(const Mesh<2>         &mesh,
+    Discretization(const Mesh<dim>       &mesh,
                    const Parameters::All &parameters,
                    const MPI_Comm         communicator = MPI_COMM_SELF);
 
     /// The volume of the body by the area of the plane, at a place X: 1 in
-    /// plane strain, the circumference 2 pi x of its ring with axisymmetry
-    /// [mm].
-    double circumference(const Point<2> &X) const
+    /// plane strain and in space, the circumference 2 pi x of its ring with
+    /// axisymmetry [mm].
+    double circumference(const Point<dim> &X) const
     {
       return circumference_at(X[0]);
     }
@@ -78,7 +85,7 @@ namespace Contact
     }
 
     /// Whether a place is on the axis of symmetry.
-    bool is_on_axis(const Point<2> &X) const
+    bool is_on_axis(const Point<dim> &X) const
     {
       return axisymmetric && X[0] <= axis_tolerance;
     }
@@ -86,22 +93,22 @@ namespace Contact
     /// Number the unknowns anew after the mesh was refined.
     void redistribute();
 
-    const Mesh<2>     &mesh;
+    const Mesh<dim>   &mesh;
     const MPI_Comm     communicator;
     const unsigned int degree;
     const bool         serendipity;
     const bool         axisymmetric;
 
-    const hp::MappingCollection<2> mapping;
-    const hp::FECollection<2>      fe;
-    const hp::QCollection<2>       quadrature;
-    DoFHandler<2>                  dof_handler;
+    const hp::MappingCollection<dim> mapping;
+    const hp::FECollection<dim>      fe;
+    const hp::QCollection<dim>       quadrature;
+    DoFHandler<dim>                  dof_handler;
 
     /// Behind the unit N of a force: it is one by thickness, or of a whole
-    /// ring.
+    /// ring, or in space.
     std::string per_thickness() const
     {
-      return axisymmetric ? "" : "/mm";
+      return axisymmetric || dim == 3 ? "" : "/mm";
     }
 
     /// Supports, ties and loads at their full values.
@@ -117,12 +124,12 @@ namespace Contact
 
     /// By component: the groups that are supported, and the unknowns of each
     /// that this rank knows.
-    std::array<std::map<std::string, std::set<types::global_dof_index>>, 2>
+    std::array<std::map<std::string, std::set<types::global_dof_index>>, dim>
       supports;
 
     /// The unknowns of each vertex of the triangulation; invalid where no cell
     /// of this rank or its neighbors has it.
-    std::vector<NodeDoFs> vertex_dofs;
+    std::vector<NodeDoFs<dim>> vertex_dofs;
 
     /**
      * Make the constraints such that the next update brings the supported
@@ -222,8 +229,8 @@ namespace Contact
       }
     };
 
-    /// Of the displacements prescribed in x and y, by their histories.
-    std::array<double, 2> support_factors(const double load_factor) const;
+    /// Of the displacements prescribed in each direction, by their histories.
+    std::array<double, dim> support_factors(const double load_factor) const;
 
     void check_radii();
     void hold_axis();

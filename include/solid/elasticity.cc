@@ -17,8 +17,9 @@ namespace Contact
 {
   namespace
   {
+    template<int dim>
     std::map<types::material_id, Material>
-    find_materials(const Mesh<2> &mesh, const Parameters::Solids &parameters)
+    find_materials(const Mesh<dim> &mesh, const Parameters::Solids &parameters)
     {
       const std::string                      entry = "Solids/Young's modulus";
       std::map<types::material_id, Material> materials;
@@ -55,23 +56,30 @@ namespace Contact
 
   // Lexicographic, so that it does not depend on the number of ranks which of
   // several equal ones is named.
-  VolumeRatio smallest_of_all_ranks(const VolumeRatio &of_rank,
-                                    const MPI_Comm     communicator)
+  template<int dim>
+  VolumeRatio<dim> smallest_of_all_ranks(const VolumeRatio<dim> &of_rank,
+                                         const MPI_Comm          communicator)
   {
-    using Numbers     = std::array<double, 4>; // value, body, X
-    const auto of_all = Utilities::MPI::all_gather(
-      communicator,
-      Numbers{{of_rank.value, 1. * of_rank.body, of_rank.X[0], of_rank.X[1]}});
+    using Numbers = std::array<double, 2 + dim>; // value, body, X
+    Numbers of_this{{of_rank.value, 1. * of_rank.body}};
+    for (unsigned int d = 0; d < dim; ++d)
+      of_this[2 + d] = of_rank.X[d];
+    const auto    of_all  = Utilities::MPI::all_gather(communicator, of_this);
     const Numbers numbers = *std::min_element(of_all.begin(), of_all.end());
-    return {numbers[0],
-            static_cast<types::material_id>(numbers[1]),
-            Point<2>(numbers[2], numbers[3])};
+
+    VolumeRatio<dim> smallest{numbers[0],
+                              static_cast<types::material_id>(numbers[1]),
+                              Point<dim>()};
+    for (unsigned int d = 0; d < dim; ++d)
+      smallest.X[d] = numbers[2 + d];
+    return smallest;
   }
 
 
 
-  Elasticity::Elasticity(const Discretization     &discretization,
-                         const Parameters::Solids &parameters)
+  template<int dim>
+  Elasticity<dim>::Elasticity(const Discretization<dim> &discretization,
+                              const Parameters::Solids  &parameters)
     : dead_loads(discretization)
     , discretization(discretization)
     , materials(find_materials(discretization.mesh, parameters))
@@ -83,23 +91,25 @@ namespace Contact
 
 
 
+  template<int dim>
   template<class Numbers>
-  VolumeRatio Elasticity::visit(const Vector<double> &u,
-                                const bool            with_tangent,
-                                const StressStiffness stress_stiffness,
-                                const Numbers        &numbers,
-                                const CellVisitor    &visitor) const
+  VolumeRatio<dim>
+  Elasticity<dim>::visit(const Vector<double> &u,
+                         const bool            with_tangent,
+                         const StressStiffness stress_stiffness,
+                         const Numbers        &numbers,
+                         const CellVisitor    &visitor) const
   {
     FullMatrix<double>  tangent;
     FullMatrix<double> *wanted = with_tangent ? &tangent : nullptr;
     Vector<double>      forces;
-    VolumeRatio         smallest;
+    VolumeRatio<dim>    smallest;
     for (const unsigned int number : numbers)
       {
         ++discretization.counters.cell_forces;
         discretization.counters.cell_tangents += with_tangent;
-        const CellTable   &cell = tables.own[number];
-        const unsigned int n    = cell.dofs.size();
+        const CellTable<dim> &cell = tables.own[number];
+        const unsigned int    n    = cell.dofs.size();
         forces.reinit(n);
         if (with_tangent)
           tangent.reinit(n, n);
@@ -115,9 +125,11 @@ namespace Contact
 
 
 
-  VolumeRatio Elasticity::visit_cells(const Vector<double> &u,
-                                      const bool            with_tangent,
-                                      const CellVisitor    &visitor) const
+  template<int dim>
+  VolumeRatio<dim>
+  Elasticity<dim>::visit_cells(const Vector<double> &u,
+                               const bool            with_tangent,
+                               const CellVisitor    &visitor) const
   {
     return visit(
       u,
@@ -129,21 +141,25 @@ namespace Contact
 
 
 
-  VolumeRatio Elasticity::visit_cells(const Vector<double> &u,
-                                      const bool            with_tangent,
-                                      const std::vector<unsigned int> &chosen,
-                                      const CellVisitor &visitor) const
+  template<int dim>
+  VolumeRatio<dim>
+  Elasticity<dim>::visit_cells(const Vector<double>            &u,
+                               const bool                       with_tangent,
+                               const std::vector<unsigned int> &chosen,
+                               const CellVisitor               &visitor) const
   {
     return visit(u, with_tangent, StressStiffness::with, chosen, visitor);
   }
 
 
 
-  VolumeRatio Elasticity::assemble(const Vector<double> &u,
-                                   const double          load_factor,
-                                   Vector<double>       &rhs,
-                                   SparseMatrix<double> *matrix,
-                                   const StressStiffness stress_stiffness) const
+  template<int dim>
+  VolumeRatio<dim>
+  Elasticity<dim>::assemble(const Vector<double> &u,
+                            const double          load_factor,
+                            Vector<double>       &rhs,
+                            SparseMatrix<double> *matrix,
+                            const StressStiffness stress_stiffness) const
   {
     const auto &constraints = discretization.constraints;
     const auto &owned       = discretization.dof_handler.locally_owned_dofs();
@@ -154,7 +170,7 @@ namespace Contact
 
     // Bodies at rest exert nothing.
     if (matrix == nullptr && springs.held().empty() && u.all_zero())
-      return VolumeRatio();
+      return VolumeRatio<dim>();
 
     Vector<double> cell_rhs;
     return visit(
@@ -180,8 +196,9 @@ namespace Contact
 
 
 
-  Vector<double> Elasticity::forces(const Vector<double> &u,
-                                    const double          load_factor) const
+  template<int dim>
+  Vector<double> Elasticity<dim>::forces(const Vector<double> &u,
+                                         const double load_factor) const
   {
     Vector<double> forces(discretization.dof_handler.n_dofs());
     visit_cells(u,
@@ -198,13 +215,14 @@ namespace Contact
 
 
 
+  template<int dim>
   std::vector<std::vector<SymmetricTensor<2, 3>>>
-  Elasticity::stresses(const Vector<double> &u) const
+  Elasticity<dim>::stresses(const Vector<double> &u) const
   {
     std::vector<std::vector<SymmetricTensor<2, 3>>> stresses(
       discretization.mesh.triangulation.n_active_cells());
     for (const auto *part : {&tables.own, &tables.neighbors})
-      for (const CellTable &cell : *part)
+      for (const CellTable<dim> &cell : *part)
         stresses[cell.active_index] = cell_stresses(cell, u);
     return stresses;
   }
@@ -212,17 +230,18 @@ namespace Contact
 
 
   // The tables are in the order of the active cells.
+  template<int dim>
   std::vector<SymmetricTensor<2, 3>>
-  Elasticity::stresses(const unsigned int    active_index,
-                       const Vector<double> &u) const
+  Elasticity<dim>::stresses(const unsigned int    active_index,
+                            const Vector<double> &u) const
   {
     for (const auto *part : {&tables.own, &tables.neighbors})
       {
         const auto cell = std::lower_bound(part->begin(),
                                            part->end(),
                                            active_index,
-                                           [](const CellTable   &table,
-                                              const unsigned int index) {
+                                           [](const CellTable<dim> &table,
+                                              const unsigned int    index) {
                                              return table.active_index < index;
                                            });
         if (cell != part->end() && cell->active_index == active_index)
@@ -234,21 +253,23 @@ namespace Contact
 
 
 
-  double Elasticity::strain_energy(const Vector<double> &u) const
+  template<int dim>
+  double Elasticity<dim>::strain_energy(const Vector<double> &u) const
   {
     double energy = 0;
-    for (const CellTable &cell : tables.own)
+    for (const CellTable<dim> &cell : tables.own)
       energy += cell_energy(cell, u);
     return Utilities::MPI::sum(energy, discretization.communicator);
   }
 
 
 
-  double Elasticity::strain_energy(const types::material_id body,
-                                   const Vector<double>    &u) const
+  template<int dim>
+  double Elasticity<dim>::strain_energy(const types::material_id body,
+                                        const Vector<double>    &u) const
   {
     double energy = 0;
-    for (const CellTable &cell : tables.own)
+    for (const CellTable<dim> &cell : tables.own)
       if (cell.body == body)
         energy += cell_energy(cell, u);
     return Utilities::MPI::sum(energy, discretization.communicator);
@@ -256,13 +277,14 @@ namespace Contact
 
 
 
-  void Elasticity::add_internal_forces(const types::material_id body,
-                                       const double             factor,
-                                       const Vector<double>    &u,
-                                       Vector<double>          &forces) const
+  template<int dim>
+  void Elasticity<dim>::add_internal_forces(const types::material_id body,
+                                            const double             factor,
+                                            const Vector<double>    &u,
+                                            Vector<double> &forces) const
   {
     Vector<double> of_cell;
-    for (const CellTable &cell : tables.own)
+    for (const CellTable<dim> &cell : tables.own)
       if (cell.body == body)
         {
           of_cell.reinit(cell.dofs.size());
@@ -274,12 +296,22 @@ namespace Contact
 
 
 
-  void Elasticity::add_couplings(DynamicSparsityPattern &pattern) const
+  template<int dim>
+  void Elasticity<dim>::add_couplings(DynamicSparsityPattern &pattern) const
   {
-    for (const CellTable &cell : tables.own)
+    for (const CellTable<dim> &cell : tables.own)
       discretization.constraints.add_entries_local_to_global(
         cell.dofs,
         pattern,
         /*keep_constrained_entries=*/false);
   }
+
+
+
+  template VolumeRatio<2> smallest_of_all_ranks(const VolumeRatio<2> &,
+                                                const MPI_Comm);
+  template class Elasticity<2>;
+  template VolumeRatio<3> smallest_of_all_ranks(const VolumeRatio<3> &,
+                                                const MPI_Comm);
+  template class Elasticity<3>;
 } // namespace Contact

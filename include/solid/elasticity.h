@@ -30,11 +30,12 @@ namespace Contact
    * 1 and no body if no point is compressed. At zero or below a cell is turned
    * inside out: no solution, whatever the residual says.
    */
+  template<int dim>
   struct VolumeRatio
   {
     double             value = 1;
     types::material_id body  = numbers::invalid_material_id;
-    Point<2>           X;
+    Point<dim>         X;
   };
 
   /**
@@ -49,8 +50,9 @@ namespace Contact
   };
 
   /// The smallest of all ranks, on all of them. Collective.
-  VolumeRatio smallest_of_all_ranks(const VolumeRatio &of_rank,
-                                    const MPI_Comm     communicator);
+  template<int dim>
+  VolumeRatio<dim> smallest_of_all_ranks(const VolumeRatio<dim> &of_rank,
+                                         const MPI_Comm          communicator);
 
 
 
@@ -71,7 +73,7 @@ namespace Contact
    * identity in more points than elements of degree 1 can afford, and they
    * lock. P asks for one condition in a cell of degree 1 (selective
    * integration, B-bar: T. J. R. Hughes, Int. J. Numer. Methods Eng. 15, 1980)
-   * and for three at degree 2 (Q2-P1). "automatic" projects where lambda > 10
+   * and for dim + 1 at degree 2 (Q2-P1). "automatic" projects where lambda > 10
    * mu, that is nu > 5/11.
    *
    * Triangles of degree 1 have one point: P is the identity, and they lock
@@ -80,6 +82,7 @@ namespace Contact
    * tests/locking.cc), one is stable, at the price of an order. Prefer
    * quadrangles where nu is close to 1/2.
    */
+  template<int dim>
   class Elasticity
   {
   public:
@@ -87,11 +90,11 @@ namespace Contact
 
     /// The kinematics and the symmetry named in the parameters.
     static std::unique_ptr<Elasticity>
-    create(const Discretization     &discretization,
-           const Parameters::Solids &parameters);
+    create(const Discretization<dim> &discretization,
+           const Parameters::Solids  &parameters);
 
     /// The forces on the bodies.
-    const DeadLoads dead_loads;
+    const DeadLoads<dim> dead_loads;
 
     /// Add the couplings of the bodies.
     void add_couplings(DynamicSparsityPattern &pattern) const;
@@ -105,13 +108,13 @@ namespace Contact
 
     /// Visit all cells of this rank, or only those with the numbers @p chosen.
     /// Returns the smallest volume ratio among them; in small strain, 1.
-    VolumeRatio visit_cells(const Vector<double> &u,
-                            const bool            with_tangent,
-                            const CellVisitor    &visitor) const;
-    VolumeRatio visit_cells(const Vector<double>            &u,
-                            const bool                       with_tangent,
-                            const std::vector<unsigned int> &chosen,
-                            const CellVisitor               &visitor) const;
+    VolumeRatio<dim> visit_cells(const Vector<double> &u,
+                                 const bool            with_tangent,
+                                 const CellVisitor    &visitor) const;
+    VolumeRatio<dim> visit_cells(const Vector<double>            &u,
+                                 const bool                       with_tangent,
+                                 const std::vector<unsigned int> &chosen,
+                                 const CellVisitor &visitor) const;
 
     /// The number of cells of this rank, and the unknowns of one of them.
     unsigned int n_cells() const
@@ -130,7 +133,7 @@ namespace Contact
      * constraints eliminated. Of several ranks each adds its own part, and
      * returns the smallest volume ratio among its own cells.
      */
-    VolumeRatio assemble(
+    VolumeRatio<dim> assemble(
       const Vector<double> &u,
       const double          load_factor,
       Vector<double>       &rhs,
@@ -206,15 +209,15 @@ namespace Contact
 
   private:
     template<class Numbers>
-    VolumeRatio visit(const Vector<double> &u,
-                      const bool            with_tangent,
-                      const StressStiffness stress_stiffness,
-                      const Numbers        &numbers,
-                      const CellVisitor    &visitor) const;
+    VolumeRatio<dim> visit(const Vector<double> &u,
+                           const bool            with_tangent,
+                           const StressStiffness stress_stiffness,
+                           const Numbers        &numbers,
+                           const CellVisitor    &visitor) const;
 
   protected:
-    Elasticity(const Discretization     &discretization,
-               const Parameters::Solids &parameters);
+    Elasticity(const Discretization<dim> &discretization,
+               const Parameters::Solids  &parameters);
 
     /// The smallest det F of a cell, and in which of its points.
     struct SmallestInCell
@@ -224,30 +227,31 @@ namespace Contact
     };
 
     /// Internal forces and, if @p tangent is not null, tangent of a cell.
-    virtual SmallestInCell cell_forces(const CellTable      &cell,
+    virtual SmallestInCell cell_forces(const CellTable<dim> &cell,
                                        const Vector<double> &u,
                                        const StressStiffness stress_stiffness,
                                        FullMatrix<double>   *tangent,
                                        Vector<double>       &forces) const = 0;
 
     /// Strain energy of a cell.
-    virtual double cell_energy(const CellTable      &cell,
+    virtual double cell_energy(const CellTable<dim> &cell,
                                const Vector<double> &u) const = 0;
 
     /// Cauchy stress in the quadrature points of a cell.
     virtual std::vector<SymmetricTensor<2, 3>>
-    cell_stresses(const CellTable &cell, const Vector<double> &u) const = 0;
+    cell_stresses(const CellTable<dim> &cell,
+                  const Vector<double> &u) const = 0;
 
-    const Discretization                        &discretization;
+    const Discretization<dim>                   &discretization;
     const std::map<types::material_id, Material> materials;
     const std::set<types::material_id>           projected;
 
-    const CellTables tables;
+    const CellTables<dim> tables;
 
   public:
     /// The springs at the cells, which are part of their residual and of their
     /// tangent, whoever visits them.
-    StabilizationSprings springs;
+    StabilizationSprings<dim> springs;
   };
 } // namespace Contact
 

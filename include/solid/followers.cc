@@ -7,40 +7,111 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/grid/tria.h>
 
+#include <set>
 #include <vector>
 
 #include "solid/discretization.h"
 
 namespace Contact
 {
+  namespace
+  {
+    /// Add nodes in a row as leaders with the same factor.
+    void add_leaders(const unsigned int first,
+                     const unsigned int n,
+                     const double       factor,
+                     BoundNode         &bound)
+    {
+      for (unsigned int node = first; node < first + n; ++node)
+        bound.leaders.emplace_back(node, factor);
+    }
+  } // namespace
+
+
+
   // FE_Q(2) numbers the corners 0-3, the mid-sides 4-7, the centre 8.
-  void bind_centres(const DoFHandler<2>       &dof_handler,
+  template<>
+  std::vector<BoundNode> bound_nodes<2>()
+  {
+    BoundNode centre{8, {}};
+    add_leaders(0, 4, -0.25, centre);
+    add_leaders(4, 4, 0.5, centre);
+    return {centre};
+  }
+
+
+
+  // FE_Q(2) numbers the corners 0-7, the mid-sides 8-19, the centres of faces
+  // 20-25, the centre 26.
+  template<>
+  std::vector<BoundNode> bound_nodes<3>()
+  {
+    std::vector<BoundNode> bound;
+    for (unsigned int f = 0; f < 6; ++f)
+      {
+        BoundNode centre{20 + f, {}};
+        for (unsigned int v = 0; v < 4; ++v)
+          add_leaders(GeometryInfo<3>::face_to_cell_vertices(f, v),
+                      1,
+                      -0.25,
+                      centre);
+        for (unsigned int l = 0; l < 4; ++l)
+          add_leaders(8 + GeometryInfo<3>::face_to_cell_lines(f, l),
+                      1,
+                      0.5,
+                      centre);
+        bound.push_back(centre);
+      }
+    BoundNode centre{26, {}};
+    add_leaders(0, 8, -0.25, centre);
+    add_leaders(8, 12, 0.25, centre);
+    bound.push_back(centre);
+    return bound;
+  }
+
+
+
+  template<int dim>
+  void bind_centres(const DoFHandler<dim>     &dof_handler,
                     AffineConstraints<double> &constraints)
   {
+    const std::vector<BoundNode>         bound = bound_nodes<dim>();
+    std::set<types::global_dof_index>    hanging, seen;
     std::vector<types::global_dof_index> dofs;
+    if (dim == 3)
+      for (const auto &line : constraints.get_lines())
+        hanging.insert(line.index);
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (!cell->is_artificial() && cell->reference_cell().is_hyper_cube())
         {
           dofs.resize(cell->get_fe().n_dofs_per_cell());
           cell->get_dof_indices(dofs);
-          for (unsigned int c = 0; c < 2; ++c)
+          for (unsigned int c = 0; c < dim; ++c)
             {
               const auto dof = [&](const unsigned int node) {
                 return dofs[cell->get_fe().component_to_system_index(c, node)];
               };
-              constraints.add_line(dof(8));
-              for (unsigned int node = 0; node < 4; ++node)
-                constraints.add_entry(dof(8), dof(node), -0.25);
-              for (unsigned int node = 4; node < 8; ++node)
-                constraints.add_entry(dof(8), dof(node), 0.5);
+              for (const BoundNode &follower : bound)
+                {
+                  // Of a face in common with a cell before: it is bound.
+                  const auto index = dof(follower.node);
+                  if (dim == 3 &&
+                      (hanging.count(index) > 0 || !seen.insert(index).second))
+                    continue;
+                  constraints.add_line(index);
+                  for (const auto &[node, factor] : follower.leaders)
+                    constraints.add_entry(index, dof(node), factor);
+                }
             }
         }
   }
 
 
 
-  AffineConstraints<double> followers(const Discretization &discretization)
+  template<int dim>
+  AffineConstraints<double> followers(const Discretization<dim> &discretization)
   {
     AffineConstraints<double> constraints;
     if (discretization.mesh.triangulation.has_hanging_nodes())
@@ -59,8 +130,9 @@ namespace Contact
 
 
 
-  void hand_over_from_followers(const Discretization &discretization,
-                                Vector<double>       &forces)
+  template<int dim>
+  void hand_over_from_followers(const Discretization<dim> &discretization,
+                                Vector<double>            &forces)
   {
     const auto constraints = followers(discretization);
     if (Utilities::MPI::max(constraints.n_constraints(),
@@ -78,4 +150,17 @@ namespace Contact
     Utilities::MPI::sum(handed_over, discretization.communicator, handed_over);
     forces += handed_over;
   }
+
+
+
+  template void                      bind_centres(const DoFHandler<2> &,
+                                                  AffineConstraints<double> &);
+  template AffineConstraints<double> followers(const Discretization<2> &);
+  template void hand_over_from_followers(const Discretization<2> &,
+                                         Vector<double> &);
+  template void bind_centres(const DoFHandler<3> &,
+                             AffineConstraints<double> &);
+  template AffineConstraints<double> followers(const Discretization<3> &);
+  template void hand_over_from_followers(const Discretization<3> &,
+                                         Vector<double> &);
 } // namespace Contact

@@ -10,15 +10,35 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/vector.h>
 
+#include <vector>
+
 namespace Contact
 {
   using namespace dealii;
 
+  template<int dim>
   class Discretization;
 
-  /// Add the constraints of serendipity elements: the centre of a quadrangle of
-  /// degree 2 follows the corners (-1/4) and the mid-side nodes (1/2).
-  void bind_centres(const DoFHandler<2>       &dof_handler,
+  /// A node of FE_Q(2) that follows others of its cell, and by how much.
+  struct BoundNode
+  {
+    unsigned int                                 node;
+    std::vector<std::pair<unsigned int, double>> leaders;
+  };
+
+  /**
+   * The bound nodes of the serendipity element: the centre of a quadrangle of
+   * degree 2 follows the corners (-1/4) and the mid-side nodes (1/2), so do the
+   * centres of the faces of a hexahedron; its own centre follows its corners
+   * (-1/4) and its mid-side nodes (1/4).
+   */
+  template<int dim>
+  std::vector<BoundNode> bound_nodes();
+
+  /// Add the constraints of serendipity elements. Nodes that hang are left out:
+  /// they follow the face of a larger cell, which is one of these elements.
+  template<int dim>
+  void bind_centres(const DoFHandler<dim>     &dof_handler,
                     AffineConstraints<double> &constraints);
 
   /**
@@ -26,12 +46,15 @@ namespace Contact
    * without supports. The constraints of an update no longer know of those
    * whose leaders a support fixes.
    */
-  AffineConstraints<double> followers(const Discretization &discretization);
+  template<int dim>
+  AffineConstraints<double>
+  followers(const Discretization<dim> &discretization);
 
   /// Hand over forces on followers to the unknowns that they follow: then a
   /// node carries what it exerts on its support. Collective.
-  void hand_over_from_followers(const Discretization &discretization,
-                                Vector<double>       &forces);
+  template<int dim>
+  void hand_over_from_followers(const Discretization<dim> &discretization,
+                                Vector<double>            &forces);
 } // namespace Contact
 
 #endif

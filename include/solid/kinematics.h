@@ -13,14 +13,23 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// The part of a stress in the plane.
-  inline SymmetricTensor<2, 2> in_plane(const SymmetricTensor<2, 3> &stress)
+  /// The part of a stress in the space of the mesh: in the plane, or all of it.
+  template<int dim>
+  SymmetricTensor<2, dim> in_space(const SymmetricTensor<2, 3> &stress)
   {
-    SymmetricTensor<2, 2> s;
-    for (unsigned int i = 0; i < 2; ++i)
+    SymmetricTensor<2, dim> s;
+    for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j <= i; ++j)
         s[i][j] = stress[i][j];
     return s;
+  }
+
+
+
+  /// The part of a stress in the plane.
+  inline SymmetricTensor<2, 2> in_plane(const SymmetricTensor<2, 3> &stress)
+  {
+    return in_space<2>(stress);
   }
 
 
@@ -41,23 +50,27 @@ namespace Contact
     {
     }
 
-    /// The stress in the plane, in plane strain.
-    SymmetricTensor<2, 2> stress(const SymmetricTensor<2, 2> &strain) const
+    /// The stress in the plane, in plane strain; or in space.
+    template<int dim>
+    SymmetricTensor<2, dim> stress(const SymmetricTensor<2, dim> &strain) const
     {
       return stress(strain, trace(strain));
     }
 
     /**
      * The same with any value in the place of tr(strain), and with a strain
-     * across the plane, the @p hoop strain (none in plane strain): the stress
+     * across the plane, the @p hoop strain (none in plane strain or in space):
+     * the stress
      * in the plane, the stress across it, and the energy by volume
      *   1/2 lambda dilatation^2 + mu (strain : strain + hoop^2)
      * [MPa].
      */
-    SymmetricTensor<2, 2> stress(const SymmetricTensor<2, 2> &strain,
-                                 const double                 dilatation) const
+    template<int dim>
+    SymmetricTensor<2, dim> stress(const SymmetricTensor<2, dim> &strain,
+                                   const double dilatation) const
     {
-      return lambda * dilatation * unit_symmetric_tensor<2>() + 2 * mu * strain;
+      return lambda * dilatation * unit_symmetric_tensor<dim>() +
+             2 * mu * strain;
     }
 
     double hoop_stress(const double hoop, const double dilatation) const
@@ -65,9 +78,10 @@ namespace Contact
       return lambda * dilatation + 2 * mu * hoop;
     }
 
-    double stored_energy(const SymmetricTensor<2, 2> &strain,
-                         const double                 hoop,
-                         const double                 dilatation) const
+    template<int dim>
+    double stored_energy(const SymmetricTensor<2, dim> &strain,
+                         const double                   hoop,
+                         const double                   dilatation) const
     {
       return 0.5 * lambda * dilatation * dilatation +
              mu * (strain * strain + hoop * hoop);
@@ -103,7 +117,7 @@ namespace Contact
    * The two kinematics have the same functions, of the displacement gradient
    * H = grad u with respect to the reference configuration, and of h across the
    * plane, where the third axis stretches but does not turn (see
-   * symmetry.h; in plane strain h = 0):
+   * symmetry.h; in plane strain and in space h = 0):
    *  - strain(H), strain(h) and their variations through the gradient of motion
    *    F: delta strain = sym(F^T grad delta u), f delta h;
    *  - cauchy(H, h, S): the true stress of a material stress S;
@@ -115,9 +129,10 @@ namespace Contact
   {
     static constexpr bool has_geometric_stiffness = false;
 
-    static Tensor<2, 2> gradient_of_motion(const Tensor<2, 2> &)
+    template<int dim>
+    static Tensor<2, dim> gradient_of_motion(const Tensor<2, dim> &)
     {
-      return unit_symmetric_tensor<2>();
+      return unit_symmetric_tensor<dim>();
     }
 
     static double gradient_of_motion(const double)
@@ -125,7 +140,8 @@ namespace Contact
       return 1;
     }
 
-    static SymmetricTensor<2, 2> strain(const Tensor<2, 2> &H)
+    template<int dim>
+    static SymmetricTensor<2, dim> strain(const Tensor<2, dim> &H)
     {
       return symmetrize(H);
     }
@@ -135,8 +151,9 @@ namespace Contact
       return h;
     }
 
+    template<int dim>
     static SymmetricTensor<2, 3>
-    cauchy(const Tensor<2, 2> &, const double, const SymmetricTensor<2, 3> &S)
+    cauchy(const Tensor<2, dim> &, const double, const SymmetricTensor<2, 3> &S)
     {
       return S;
     }
@@ -149,9 +166,10 @@ namespace Contact
   {
     static constexpr bool has_geometric_stiffness = true;
 
-    static Tensor<2, 2> gradient_of_motion(const Tensor<2, 2> &H)
+    template<int dim>
+    static Tensor<2, dim> gradient_of_motion(const Tensor<2, dim> &H)
     {
-      return H + static_cast<Tensor<2, 2>>(unit_symmetric_tensor<2>());
+      return H + static_cast<Tensor<2, dim>>(unit_symmetric_tensor<dim>());
     }
 
     static double gradient_of_motion(const double h)
@@ -159,7 +177,8 @@ namespace Contact
       return 1 + h;
     }
 
-    static SymmetricTensor<2, 2> strain(const Tensor<2, 2> &H)
+    template<int dim>
+    static SymmetricTensor<2, dim> strain(const Tensor<2, dim> &H)
     {
       return symmetrize(H) + 0.5 * symmetrize(transpose(H) * H);
     }
@@ -169,15 +188,16 @@ namespace Contact
       return h + 0.5 * h * h;
     }
 
-    static SymmetricTensor<2, 3> cauchy(const Tensor<2, 2>          &H,
+    template<int dim>
+    static SymmetricTensor<2, 3> cauchy(const Tensor<2, dim>        &H,
                                         const double                 h,
                                         const SymmetricTensor<2, 3> &S)
     {
       Tensor<2, 3> F;
-      for (unsigned int i = 0; i < 2; ++i)
-        for (unsigned int j = 0; j < 2; ++j)
-          F[i][j] = H[i][j];
       F[2][2] = h;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          F[i][j] = H[i][j];
       for (unsigned int i = 0; i < 3; ++i)
         F[i][i] += 1;
       return symmetrize(F * static_cast<Tensor<2, 3>>(S) * transpose(F)) /

@@ -16,12 +16,13 @@ namespace Contact
 {
   namespace
   {
-    IndexSet unknowns_at(const Discretization               &discretization,
+    template<int dim>
+    IndexSet unknowns_at(const Discretization<dim>          &discretization,
                          const std::set<types::boundary_id> &boundary,
                          const unsigned int                  direction,
                          const bool                          of_supports)
     {
-      ComponentMask mask(2, false);
+      ComponentMask mask(dim, false);
       mask.set(direction, true);
       IndexSet unknowns(discretization.dof_handler.n_dofs());
       for (const auto dof :
@@ -36,11 +37,12 @@ namespace Contact
 
 
 
-  Resultant::Resultant(const Elasticity                   &elasticity,
-                       const Discretization               &discretization,
-                       const std::set<types::boundary_id> &boundary,
-                       const unsigned int                  direction,
-                       const bool                          of_supports)
+  template<int dim>
+  Resultant<dim>::Resultant(const Elasticity<dim>              &elasticity,
+                            const Discretization<dim>          &discretization,
+                            const std::set<types::boundary_id> &boundary,
+                            const unsigned int                  direction,
+                            const bool                          of_supports)
     : unknowns(unknowns_at(discretization, boundary, direction, of_supports))
     , elasticity(elasticity)
     , discretization(discretization)
@@ -49,8 +51,9 @@ namespace Contact
 
 
 
-  double Resultant::value(const Vector<double> &solution,
-                          const double          load_factor) const
+  template<int dim>
+  double Resultant<dim>::value(const Vector<double> &solution,
+                               const double          load_factor) const
   {
     Vector<double> forces = elasticity.forces(solution, load_factor);
     hand_over_from_followers(discretization, forces);
@@ -63,7 +66,8 @@ namespace Contact
 
 
 
-  Vector<double> Resultant::test_function() const
+  template<int dim>
+  Vector<double> Resultant<dim>::test_function() const
   {
     Vector<double> v(discretization.dof_handler.n_dofs());
     for (const auto dof : unknowns)
@@ -74,9 +78,10 @@ namespace Contact
 
 
 
-  void Resultant::add_derivative(const Vector<double> &solution,
-                                 const double          factor,
-                                 Vector<double>       &derivative) const
+  template<int dim>
+  void Resultant<dim>::add_derivative(const Vector<double> &solution,
+                                      const double          factor,
+                                      Vector<double>       &derivative) const
   {
     const Vector<double>      v = test_function();
     std::vector<unsigned int> chosen;
@@ -100,4 +105,9 @@ namespace Contact
                                    factor * v[dofs[i]] * tangent(i, j);
                            });
   }
+
+
+
+  template class Resultant<2>;
+  template class Resultant<3>;
 } // namespace Contact

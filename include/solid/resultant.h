@@ -22,14 +22,15 @@ namespace Contact
    *   R_i = sum_a f_ai,
    * f the internal forces minus the loads, a the nodes of that boundary that
    * supports hold in that direction, or those that they do not [N per mm of
-   * thickness; rings: N]. Hanging nodes and bound centres have handed over
-   * their forces.
+   * thickness; rings and volumes: N]. Hanging nodes and bound centres have
+   * handed over their forces.
    */
+  template<int dim>
   class Resultant
   {
   public:
-    Resultant(const Elasticity                   &elasticity,
-              const Discretization               &discretization,
+    Resultant(const Elasticity<dim>              &elasticity,
+              const Discretization<dim>          &discretization,
               const std::set<types::boundary_id> &boundary,
               const unsigned int                  direction,
               const bool                          of_supports);
@@ -52,8 +53,8 @@ namespace Contact
     const IndexSet unknowns;
 
   private:
-    const Elasticity     &elasticity;
-    const Discretization &discretization;
+    const Elasticity<dim>     &elasticity;
+    const Discretization<dim> &discretization;
   };
 } // namespace Contact
 

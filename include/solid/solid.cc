@@ -15,12 +15,14 @@ namespace Contact
     /// The bodies with one kinematics and one symmetry, which no quadrature
     /// loop has to ask for.
     template<class Kinematics, class Symmetry>
-    class Solid : public Elasticity
+    class Solid : public Elasticity<Symmetry::dim>
     {
     public:
-      Solid(const Discretization     &discretization,
-            const Parameters::Solids &parameters)
-        : Elasticity(discretization, parameters)
+      static constexpr int dim = Symmetry::dim;
+
+      Solid(const Discretization<dim> &discretization,
+            const Parameters::Solids  &parameters)
+        : Elasticity<dim>(discretization, parameters)
       {
       }
 
@@ -32,42 +34,50 @@ namespace Contact
       double energy_density(const types::material_id     body,
                             const SymmetricTensor<2, 3> &stress) const override
       {
-        return Symmetry::energy_density(material(body), stress);
+        return Symmetry::energy_density(this->material(body), stress);
       }
 
     private:
-      /// By quadrature point, of which there are nine at most.
-      using AtPoints = std::array<double, 9>;
+      using typename Elasticity<dim>::SmallestInCell;
 
-      SmallestInCell cell_forces(const CellTable      &cell,
+      /// The nodes of a cell, and its quadrature points, at most.
+      static constexpr unsigned int n_max    = dim == 2 ? 9 : 27;
+      static constexpr unsigned int n_modes  = dim + 1;
+      static constexpr unsigned int n_shears = dim == 2 ? 1 : 3;
+
+      /// By quadrature point.
+      using AtPoints = std::array<double, n_max>;
+
+      SmallestInCell cell_forces(const CellTable<dim> &cell,
                                  const Vector<double> &u,
                                  const StressStiffness stress_stiffness,
                                  FullMatrix<double>   *tangent,
                                  Vector<double>       &forces) const override;
 
-      double cell_energy(const CellTable      &cell,
+      double cell_energy(const CellTable<dim> &cell,
                          const Vector<double> &u) const override;
 
       std::vector<SymmetricTensor<2, 3>>
-      cell_stresses(const CellTable      &cell,
+      cell_stresses(const CellTable<dim> &cell,
                     const Vector<double> &u) const override;
 
       /// By direction, what an unknown of a node adds to the strains.
-      using StrainRows = std::array<typename Symmetry::StrainRow, 2>;
+      using StrainRows = std::array<typename Symmetry::StrainRow, dim>;
 
       /// A quadrature point: the derivatives N_a,i and N_a/X of the shape
       /// functions, the gradient F of the motion, the stress S, and the rows
-      /// B_a. Of what is across the plane, plane strain uses nothing.
+      /// B_a. Of what is across the plane, plane strain uses nothing, nor does
+      /// a body in space.
       struct PointState
       {
-        double                    JxW;
-        const Tensor<1, 2>       *N;
-        const double             *N_X;
-        Tensor<2, 2>              F;
-        double                    f33;
-        SymmetricTensor<2, 2>     S;
-        double                    S33;
-        std::array<StrainRows, 9> B;
+        double                        JxW;
+        const Tensor<1, dim>         *N;
+        const double                 *N_X;
+        Tensor<2, dim>                F;
+        double                        f33;
+        SymmetricTensor<2, dim>       S;
+        double                        S33;
+        std::array<StrainRows, n_max> B;
 
         void drop_stresses()
         {
@@ -77,40 +87,40 @@ namespace Contact
       };
 
       template<bool with_tangent, bool projected>
-      SmallestInCell assemble_cell(const CellTable      &cell,
+      SmallestInCell assemble_cell(const CellTable<dim> &cell,
                                    const Vector<double> &u,
                                    const StressStiffness stress_stiffness,
                                    FullMatrix<double>   &matrix,
                                    Vector<double>       &residual) const;
 
-      static Tensor<2, 2> displacement_gradient(const CellTable      &cell,
-                                                const unsigned int    q,
-                                                const Vector<double> &u)
+      static Tensor<2, dim> displacement_gradient(const CellTable<dim> &cell,
+                                                  const unsigned int    q,
+                                                  const Vector<double> &u)
       {
-        const unsigned int  n = cell.n_nodes();
-        const Tensor<1, 2> *N = cell.gradients.data() + q * n;
-        Tensor<2, 2>        H;
+        const unsigned int    n = cell.n_nodes();
+        const Tensor<1, dim> *N = cell.gradients.data() + q * n;
+        Tensor<2, dim>        H;
         for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int i = 0; i < 2; ++i)
-            H[i] += u[cell.dofs[2 * a + i]] * N[a];
+          for (unsigned int i = 0; i < dim; ++i)
+            H[i] += u[cell.dofs[dim * a + i]] * N[a];
         return H;
       }
 
       /// The hoop part of it, u_x/X; zero if nothing strains across the plane.
-      static double hoop_gradient(const CellTable      &cell,
+      static double hoop_gradient(const CellTable<dim> &cell,
                                   const unsigned int    q,
                                   const Vector<double> &u)
       {
         double h = 0;
         if constexpr (Symmetry::has_hoop)
           for (unsigned int a = 0; a < cell.n_nodes(); ++a)
-            h +=
-              u[cell.dofs[2 * a]] * cell.hoop_gradients[q * cell.n_nodes() + a];
+            h += u[cell.dofs[dim * a]] *
+                 cell.hoop_gradients[q * cell.n_nodes() + a];
         return h;
       }
 
       /// tr E without projection.
-      static double dilatation(const CellTable      &cell,
+      static double dilatation(const CellTable<dim> &cell,
                                const unsigned int    q,
                                const Vector<double> &u)
       {
@@ -120,40 +130,40 @@ namespace Contact
 
       /// P tr E: with the orthonormal modes phi_m of the cell
       ///   P tr E = sum_m theta_m phi_m,   theta_m = sum_q JxW phi_m tr E.
-      static AtPoints dilatations(const CellTable      &cell,
+      static AtPoints dilatations(const CellTable<dim> &cell,
                                   const Vector<double> &u)
       {
-        AtPoints              dilatations{};
-        std::array<double, 3> theta{};
+        AtPoints                    dilatations{};
+        std::array<double, n_modes> theta{};
         for (unsigned int q = 0; q < cell.JxW.size(); ++q)
           {
             dilatations[q] = dilatation(cell, q, u);
             if (!cell.modes.empty())
-              for (unsigned int m = 0; m < 3; ++m)
+              for (unsigned int m = 0; m < n_modes; ++m)
                 theta[m] += cell.JxW[q] * cell.modes[q][m] * dilatations[q];
           }
         if (!cell.modes.empty())
           for (unsigned int q = 0; q < cell.JxW.size(); ++q)
             {
               dilatations[q] = 0;
-              for (unsigned int m = 0; m < 3; ++m)
+              for (unsigned int m = 0; m < n_modes; ++m)
                 dilatations[q] += theta[m] * cell.modes[q][m];
             }
         return dilatations;
       }
 
       template<bool projected>
-      static PointState state_at(const CellTable      &cell,
+      static PointState state_at(const CellTable<dim> &cell,
                                  const unsigned int    q,
                                  const Vector<double> &u,
                                  const AtPoints       &P_tr_E)
       {
-        const unsigned int n    = cell.n_nodes();
-        const Tensor<2, 2> H    = displacement_gradient(cell, q, u);
-        const double       h    = hoop_gradient(cell, q, u);
-        const auto         E    = Kinematics::strain(H);
-        const double       E33  = Kinematics::strain(h);
-        const double       tr_E = projected ? P_tr_E[q] : trace(E) + E33;
+        const unsigned int   n    = cell.n_nodes();
+        const Tensor<2, dim> H    = displacement_gradient(cell, q, u);
+        const double         h    = hoop_gradient(cell, q, u);
+        const auto           E    = Kinematics::strain(H);
+        const double         E33  = Kinematics::strain(h);
+        const double         tr_E = projected ? P_tr_E[q] : trace(E) + E33;
 
         PointState at;
         at.JxW = cell.JxW[q];
@@ -164,13 +174,23 @@ namespace Contact
         at.S   = cell.material->stress(E, tr_E);
         at.S33 = cell.material->hoop_stress(E33, tr_E);
         for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int i = 0; i < 2; ++i)
-            at.B[a][i] = {{at.F[i][0] * at.N[a][0],
-                           at.F[i][1] * at.N[a][1],
-                           at.F[i][0] * at.N[a][1] + at.F[i][1] * at.N[a][0]}};
+          for (unsigned int i = 0; i < dim; ++i)
+            {
+              for (unsigned int d = 0; d < dim; ++d)
+                at.B[a][i][d] = at.F[i][d] * at.N[a][d];
+              for (unsigned int k = dim; k < dim + n_shears; ++k)
+                {
+                  const auto [d, e] = Symmetry::components[k];
+                  at.B[a][i][k] =
+                    at.F[i][d] * at.N[a][e] + at.F[i][e] * at.N[a][d];
+                }
+            }
         if constexpr (Symmetry::has_hoop)
           for (unsigned int a = 0; a < n; ++a)
-            at.B[a][0][3] = at.f33 * at.N_X[a];
+            {
+              at.B[a][0][3] = at.f33 * at.N_X[a];
+              at.B[a][1][3] = 0;
+            }
         return at;
       }
 
@@ -180,14 +200,21 @@ namespace Contact
                              const unsigned int n,
                              Vector<double>    &residual)
       {
+        // In the order of the strains.
+        std::array<double, dim + n_shears> S;
+        for (unsigned int k = 0; k < dim + n_shears; ++k)
+          S[k] = at.S[Symmetry::components[k][0]][Symmetry::components[k][1]];
         for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int i = 0; i < 2; ++i)
-            residual[2 * a + i] += at.JxW * (at.B[a][i][0] * at.S[0][0] +
-                                             at.B[a][i][1] * at.S[1][1] +
-                                             at.B[a][i][2] * at.S[0][1]);
+          for (unsigned int i = 0; i < dim; ++i)
+            {
+              double work = at.B[a][i][0] * S[0];
+              for (unsigned int k = 1; k < dim + n_shears; ++k)
+                work += at.B[a][i][k] * S[k];
+              residual[dim * a + i] += at.JxW * work;
+            }
         if constexpr (Symmetry::has_hoop)
           for (unsigned int a = 0; a < n; ++a)
-            residual[2 * a] += at.JxW * at.B[a][0][3] * at.S33;
+            residual[dim * a] += at.JxW * at.B[a][0][3] * at.S33;
       }
 
       static void add_tangent(const PointState   &at,
@@ -209,33 +236,37 @@ namespace Contact
       for (unsigned int a = 0; a < n; ++a)
         {
           StrainRows DB;
-          for (unsigned int i = 0; i < 2; ++i)
+          for (unsigned int i = 0; i < dim; ++i)
             {
               const double tr = lambda * Symmetry::trace(at.B[a][i]);
-              DB[i]           = {{at.JxW * (tr + 2 * mu * at.B[a][i][0]),
-                                  at.JxW * (tr + 2 * mu * at.B[a][i][1]),
-                                  at.JxW * mu * at.B[a][i][2]}};
+              for (unsigned int d = 0; d < dim; ++d)
+                DB[i][d] = at.JxW * (tr + 2 * mu * at.B[a][i][d]);
+              for (unsigned int k = dim; k < dim + n_shears; ++k)
+                DB[i][k] = at.JxW * mu * at.B[a][i][k];
               if constexpr (Symmetry::has_hoop)
                 DB[i][3] = at.JxW * (tr + 2 * mu * at.B[a][i][3]);
             }
-          const Tensor<1, 2> SN = at.JxW * (at.S * at.N[a]);
+          const Tensor<1, dim> SN = at.JxW * (at.S * at.N[a]);
           for (unsigned int b = a; b < n; ++b)
             {
-              for (unsigned int i = 0; i < 2; ++i)
-                for (unsigned int j = 0; j < 2; ++j)
-                  matrix(2 * a + i, 2 * b + j) += DB[i][0] * at.B[b][j][0] +
-                                                  DB[i][1] * at.B[b][j][1] +
-                                                  DB[i][2] * at.B[b][j][2];
+              for (unsigned int i = 0; i < dim; ++i)
+                for (unsigned int j = 0; j < dim; ++j)
+                  {
+                    double sum = DB[i][0] * at.B[b][j][0];
+                    for (unsigned int k = 1; k < dim + n_shears; ++k)
+                      sum += DB[i][k] * at.B[b][j][k];
+                    matrix(dim * a + i, dim * b + j) += sum;
+                  }
               if constexpr (Symmetry::has_hoop)
-                for (unsigned int i = 0; i < 2; ++i)
-                  matrix(2 * a + i, 2 * b) += DB[i][3] * at.B[b][0][3];
+                for (unsigned int i = 0; i < dim; ++i)
+                  matrix(dim * a + i, dim * b) += DB[i][3] * at.B[b][0][3];
               if constexpr (Kinematics::has_geometric_stiffness)
                 {
                   const double geometric = SN * at.N[b];
-                  matrix(2 * a, 2 * b) += geometric;
-                  matrix(2 * a + 1, 2 * b + 1) += geometric;
+                  for (unsigned int i = 0; i < dim; ++i)
+                    matrix(dim * a + i, dim * b + i) += geometric;
                   if constexpr (Symmetry::has_hoop)
-                    matrix(2 * a, 2 * b) +=
+                    matrix(dim * a, dim * b) +=
                       at.JxW * at.S33 * at.N_X[a] * at.N_X[b];
                 }
             }
@@ -248,7 +279,8 @@ namespace Contact
     //   B_a = [ f11 N,1            f21 N,1
     //           f12 N,2            f22 N,2
     //           f11 N,2 + f12 N,1  f21 N,2 + f22 N,1 ],
-    // and the tangent of the nodes a and b is
+    // in space likewise in the order of Symmetry::components, and the tangent
+    // of the nodes a and b is
     //   K_ab = B_a^T D B_b + (grad N_a . S grad N_b) I,
     // symmetric: the upper half is computed and mirrored. Of rings E33 varies
     // by the row (f33 N/X, 0) of B_a, and S33 N_a N_b/X^2 is added to K_ab in
@@ -259,7 +291,7 @@ namespace Contact
     template<bool with_tangent, bool projected>
     typename Solid<Kinematics, Symmetry>::SmallestInCell
     Solid<Kinematics, Symmetry>::assemble_cell(
-      const CellTable      &cell,
+      const CellTable<dim> &cell,
       const Vector<double> &u,
       const StressStiffness stress_stiffness,
       FullMatrix<double>   &matrix,
@@ -269,8 +301,8 @@ namespace Contact
       const double       lambda = projected ? 0. : cell.material->lambda;
 
       // Without projection they are neither filled nor read.
-      AtPoints                              P_tr_E;
-      std::array<std::array<double, 18>, 3> g;
+      AtPoints                                             P_tr_E;
+      std::array<std::array<double, dim * n_max>, n_modes> g;
       if constexpr (projected)
         {
           P_tr_E = dilatations(cell, u);
@@ -295,21 +327,21 @@ namespace Contact
           if constexpr (with_tangent)
             add_tangent(at, n, lambda, cell.material->mu, matrix);
           if constexpr (with_tangent && projected)
-            for (unsigned int m = 0; m < 3; ++m)
+            for (unsigned int m = 0; m < n_modes; ++m)
               for (unsigned int a = 0; a < n; ++a)
-                for (unsigned int i = 0; i < 2; ++i)
-                  g[m][2 * a + i] +=
+                for (unsigned int i = 0; i < dim; ++i)
+                  g[m][dim * a + i] +=
                     at.JxW * cell.modes[q][m] * Symmetry::trace(at.B[a][i]);
         }
 
       if constexpr (with_tangent && projected)
-        for (unsigned int m = 0; m < 3; ++m)
-          for (unsigned int i = 0; i < 2 * n; ++i)
-            for (unsigned int j = i; j < 2 * n; ++j)
+        for (unsigned int m = 0; m < n_modes; ++m)
+          for (unsigned int i = 0; i < dim * n; ++i)
+            for (unsigned int j = i; j < dim * n; ++j)
               matrix(i, j) += cell.material->lambda * g[m][i] * g[m][j];
 
       if constexpr (with_tangent)
-        for (unsigned int i = 0; i < 2 * n; ++i)
+        for (unsigned int i = 0; i < dim * n; ++i)
           for (unsigned int j = 0; j < i; ++j)
             matrix(i, j) = matrix(j, i);
       return smallest;
@@ -320,13 +352,13 @@ namespace Contact
     template<class Kinematics, class Symmetry>
     typename Solid<Kinematics, Symmetry>::SmallestInCell
     Solid<Kinematics, Symmetry>::cell_forces(
-      const CellTable      &cell,
+      const CellTable<dim> &cell,
       const Vector<double> &u,
       const StressStiffness stress_stiffness,
       FullMatrix<double>   *tangent,
       Vector<double>       &forces) const
     {
-      discretization.counters.large_displacement_cells += !is_linear();
+      this->discretization.counters.large_displacement_cells += !is_linear();
       const bool projected     = !cell.modes.empty();
       const auto assemble_with = [&](auto with_tangent, auto projected) {
         FullMatrix<double> none;
@@ -348,7 +380,7 @@ namespace Contact
 
     template<class Kinematics, class Symmetry>
     double
-    Solid<Kinematics, Symmetry>::cell_energy(const CellTable      &cell,
+    Solid<Kinematics, Symmetry>::cell_energy(const CellTable<dim> &cell,
                                              const Vector<double> &u) const
     {
       const AtPoints P_tr_E = dilatations(cell, u);
@@ -366,23 +398,23 @@ namespace Contact
 
     template<class Kinematics, class Symmetry>
     std::vector<SymmetricTensor<2, 3>>
-    Solid<Kinematics, Symmetry>::cell_stresses(const CellTable      &cell,
+    Solid<Kinematics, Symmetry>::cell_stresses(const CellTable<dim> &cell,
                                                const Vector<double> &u) const
     {
       std::vector<SymmetricTensor<2, 3>> stresses(cell.JxW.size());
       const AtPoints                     P_tr_E = dilatations(cell, u);
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)
         {
-          const Tensor<2, 2> H      = displacement_gradient(cell, q, u);
-          const double       h      = hoop_gradient(cell, q, u);
-          const auto         strain = Kinematics::strain(H);
-          const auto         plane  = cell.material->stress(strain, P_tr_E[q]);
+          const Tensor<2, dim> H      = displacement_gradient(cell, q, u);
+          const double         h      = hoop_gradient(cell, q, u);
+          const auto           strain = Kinematics::strain(H);
+          const auto           inner = cell.material->stress(strain, P_tr_E[q]);
           SymmetricTensor<2, 3> S;
-          for (unsigned int i = 0; i < 2; ++i)
-            for (unsigned int j = 0; j <= i; ++j)
-              S[i][j] = plane[i][j];
           S[2][2] =
             cell.material->hoop_stress(Kinematics::strain(h), P_tr_E[q]);
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int j = 0; j <= i; ++j)
+              S[i][j] = inner[i][j];
           stresses[q] = Kinematics::cauchy(H, h, S);
         }
       return stresses;
@@ -391,12 +423,13 @@ namespace Contact
 
 
 
-  std::unique_ptr<Elasticity>
-  Elasticity::create(const Discretization     &discretization,
-                     const Parameters::Solids &parameters)
+  template<int dim>
+  std::unique_ptr<Elasticity<dim>>
+  Elasticity<dim>::create(const Discretization<dim> &discretization,
+                          const Parameters::Solids  &parameters)
   {
     const auto create_with =
-      [&](const auto symmetry) -> std::unique_ptr<Elasticity> {
+      [&](const auto symmetry) -> std::unique_ptr<Elasticity<dim>> {
       using Symmetry = std::decay_t<decltype(symmetry)>;
       if (parameters.kinematics == Parameters::Strains::small)
         return std::make_unique<Solid<SmallStrain, Symmetry>>(discretization,
@@ -405,7 +438,17 @@ namespace Contact
         discretization,
         parameters);
     };
-    return discretization.axisymmetric ? create_with(Axisymmetric())
-                                       : create_with(PlaneStrain());
+    if constexpr (dim == 3)
+      return create_with(Space());
+    else
+      return discretization.axisymmetric ? create_with(Axisymmetric())
+                                         : create_with(PlaneStrain());
   }
+
+
+
+  template std::unique_ptr<Elasticity<2>>
+  Elasticity<2>::create(const Discretization<2> &, const Parameters::Solids &);
+  template std::unique_ptr<Elasticity<3>>
+  Elasticity<3>::create(const Discretization<3> &, const Parameters::Solids &);
 } // namespace Contact

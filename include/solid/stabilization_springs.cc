@@ -12,15 +12,16 @@
 
 namespace Contact
 {
-  StabilizationSprings::StabilizationSprings(
-    const Discretization         &discretization,
-    const std::vector<CellTable> &cells)
+  template<int dim>
+  StabilizationSprings<dim>::StabilizationSprings(
+    const Discretization<dim>         &discretization,
+    const std::vector<CellTable<dim>> &cells)
     : discretization(discretization)
     , cells(cells)
     , areas(discretization.mesh.pieces.size())
     , volumes(areas.size())
   {
-    for (const CellTable &cell : cells)
+    for (const CellTable<dim> &cell : cells)
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)
         {
           volumes[cell.piece] += cell.JxW[q];
@@ -33,7 +34,8 @@ namespace Contact
 
 
 
-  void StabilizationSprings::hold(
+  template<int dim>
+  void StabilizationSprings<dim>::hold(
     const std::map<unsigned int, SpringStiffness> &stiffness,
     const Vector<double>                          &rest)
   {
@@ -57,7 +59,8 @@ namespace Contact
 
 
 
-  void StabilizationSprings::release()
+  template<int dim>
+  void StabilizationSprings<dim>::release()
   {
     if (!stiffness.empty())
       ++n_changes;
@@ -67,8 +70,9 @@ namespace Contact
 
 
 
-  StabilizationSprings::CellSprings
-  StabilizationSprings::springs_of(const CellTable &cell) const
+  template<int dim>
+  typename StabilizationSprings<dim>::CellSprings
+  StabilizationSprings<dim>::springs_of(const CellTable<dim> &cell) const
   {
     CellSprings springs;
     const auto  held = stiffness.find(cell.piece);
@@ -81,41 +85,51 @@ namespace Contact
     if (springs.rotation == 0)
       return springs;
 
-    springs.row.reinit(cell.dofs.size());
-    for (unsigned int q = 0; q < cell.JxW.size(); ++q)
-      for (unsigned int a = 0; a < cell.n_nodes(); ++a)
-        {
-          const Tensor<1, 2> mean =
-            cell.JxW[q] / (2 * volume) * cell.gradients[q * cell.n_nodes() + a];
-          springs.row[2 * a] -= mean[1];
-          springs.row[2 * a + 1] += mean[0];
-        }
+    for (unsigned int axis = 0; axis < n_axes; ++axis)
+      {
+        // From direction i to direction j.
+        const unsigned int i   = dim == 2 ? 0 : (axis + 1) % 3;
+        const unsigned int j   = dim == 2 ? 1 : (axis + 2) % 3;
+        Vector<double>    &row = springs.rows[axis];
+        row.reinit(cell.dofs.size());
+        for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+          for (unsigned int a = 0; a < cell.n_nodes(); ++a)
+            {
+              const Tensor<1, dim> mean =
+                cell.JxW[q] / (2 * volume) *
+                cell.gradients[q * cell.n_nodes() + a];
+              row[dim * a + i] -= mean[j];
+              row[dim * a + j] += mean[i];
+            }
+      }
     return springs;
   }
 
 
 
-  double StabilizationSprings::rotation(const CellTable      &cell,
-                                        const CellSprings    &springs,
-                                        const Vector<double> &u) const
+  template<int dim>
+  double StabilizationSprings<dim>::rotation(const CellTable<dim> &cell,
+                                             const Vector<double> &row,
+                                             const Vector<double> &u) const
   {
     double angle = 0;
-    for (unsigned int i = 0; i < springs.row.size(); ++i)
-      angle += springs.row[i] * (u[cell.dofs[i]] - rest[cell.dofs[i]]);
+    for (unsigned int i = 0; i < row.size(); ++i)
+      angle += row[i] * (u[cell.dofs[i]] - rest[cell.dofs[i]]);
     return angle;
   }
 
 
 
-  void StabilizationSprings::add_springs(const CellTable      &cell,
-                                         const Vector<double> &u,
-                                         FullMatrix<double>   *tangent,
-                                         Vector<double>       &forces) const
+  template<int dim>
+  void StabilizationSprings<dim>::add_springs(const CellTable<dim> &cell,
+                                              const Vector<double> &u,
+                                              FullMatrix<double>   *tangent,
+                                              Vector<double> &forces) const
   {
     if (stiffness.empty())
       return;
     const CellSprings springs = springs_of(cell);
-    for (unsigned int i = 0; i < 2 * cell.n_corners(); ++i)
+    for (unsigned int i = 0; i < dim * cell.n_corners(); ++i)
       {
         forces[i] += springs.corner * (u[cell.dofs[i]] - rest[cell.dofs[i]]);
         if (tangent != nullptr)
@@ -123,32 +137,36 @@ namespace Contact
       }
     if (springs.rotation == 0)
       return;
-    forces.add(springs.rotation * rotation(cell, springs, u), springs.row);
-    if (tangent != nullptr)
-      for (unsigned int i = 0; i < springs.row.size(); ++i)
-        for (unsigned int j = 0; j < springs.row.size(); ++j)
-          (*tangent)(i, j) +=
-            springs.rotation * springs.row[i] * springs.row[j];
+    for (const Vector<double> &row : springs.rows)
+      {
+        forces.add(springs.rotation * rotation(cell, row, u), row);
+        if (tangent != nullptr)
+          for (unsigned int i = 0; i < row.size(); ++i)
+            for (unsigned int j = 0; j < row.size(); ++j)
+              (*tangent)(i, j) += springs.rotation * row[i] * row[j];
+      }
   }
 
 
 
+  template<int dim>
   std::map<unsigned int, double>
-  StabilizationSprings::energy(const Vector<double> &u) const
+  StabilizationSprings<dim>::energy(const Vector<double> &u) const
   {
     std::map<unsigned int, double> energies;
     for (const auto &of_piece : stiffness)
       energies[of_piece.first] = 0;
-    for (const CellTable &cell : cells)
+    for (const CellTable<dim> &cell : cells)
       if (stiffness.count(cell.piece) > 0)
         {
           const CellSprings springs = springs_of(cell);
           double           &energy  = energies[cell.piece];
-          for (unsigned int i = 0; i < 2 * cell.n_corners(); ++i)
+          for (unsigned int i = 0; i < dim * cell.n_corners(); ++i)
             energy += 0.5 * springs.corner *
                       std::pow(u[cell.dofs[i]] - rest[cell.dofs[i]], 2);
-          energy +=
-            0.5 * springs.rotation * std::pow(rotation(cell, springs, u), 2);
+          for (const Vector<double> &row : springs.rows)
+            energy +=
+              0.5 * springs.rotation * std::pow(rotation(cell, row, u), 2);
         }
     for (auto &[piece, energy] : energies)
       energy = Utilities::MPI::sum(energy, discretization.communicator);
@@ -157,9 +175,15 @@ namespace Contact
 
 
 
+  template<int dim>
   double
-  StabilizationSprings::mean_circumference(const unsigned int piece) const
+  StabilizationSprings<dim>::mean_circumference(const unsigned int piece) const
   {
     return volumes[piece] / areas[piece];
   }
+
+
+
+  template class StabilizationSprings<2>;
+  template class StabilizationSprings<3>;
 } // namespace Contact

@@ -9,6 +9,7 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <array>
 #include <map>
 #include <vector>
 
@@ -44,25 +45,26 @@ namespace Contact
   /**
    * Springs that hold a piece of a body (MeshPieces) for a while, before it
    * touches another one, from where it was under the displacement "rest": at
-   * the corners of its cells, to x and to y, and in each cell against its mean
-   * rotation.
+   * the corners of its cells, in all directions, and in each cell against its
+   * mean rotation.
    */
+  template<int dim>
   class StabilizationSprings
   {
   public:
     /// Of the pieces that the cells @p cells of all ranks make up. Holds
     /// nothing yet. Collective.
-    StabilizationSprings(const Discretization         &discretization,
-                         const std::vector<CellTable> &cells);
+    StabilizationSprings(const Discretization<dim>         &discretization,
+                         const std::vector<CellTable<dim>> &cells);
 
     /**
      * Hold pieces, by piece with a stiffness: under a rigid translation d away
      * from @p rest the springs of the piece exert k d together. Each cell gives
      * its corners equal shares of its part of the volume of the piece. With
-     * theta the mean over a cell of (du_y/dx - du_x/dy)/2, less that at rest,
-     * its part of the moment is kappa theta. A piece that is not named, or
-     * without stiffness, is not held. Replaces what held before. Not
-     * collective, but has to be the same on all ranks.
+     * theta the mean over a cell of (du_y/dx - du_x/dy)/2, in space of curl
+     * u/2, less that at rest, its part of the moment is kappa theta. A piece
+     * that is not named, or without stiffness, is not held. Replaces what held
+     * before. Not collective, but has to be the same on all ranks.
      */
     void hold(const std::map<unsigned int, SpringStiffness> &stiffness,
               const Vector<double>                          &rest);
@@ -85,7 +87,7 @@ namespace Contact
 
     /// Add the forces of the springs of a cell under the displacement @p u and,
     /// unless @p tangent is null, their stiffness.
-    void add_springs(const CellTable      &cell,
+    void add_springs(const CellTable<dim> &cell,
                      const Vector<double> &u,
                      FullMatrix<double>   *tangent,
                      Vector<double>       &forces) const;
@@ -101,26 +103,29 @@ namespace Contact
     double mean_circumference(const unsigned int piece) const;
 
   private:
-    /// The springs of a cell: of each corner, and of its rotation, whose
-    /// derivative by the displacements of the cell is a row.
+    /// The axes of rotation: one across the plane, three in space.
+    static constexpr unsigned int n_axes = dim == 2 ? 1 : 3;
+
+    /// The springs of a cell: of each corner, and of its rotation about each
+    /// axis, whose derivative by the displacements of the cell is a row.
     struct CellSprings
     {
-      double         corner = 0, rotation = 0;
-      Vector<double> row;
+      double                             corner = 0, rotation = 0;
+      std::array<Vector<double>, n_axes> rows;
     };
 
-    CellSprings springs_of(const CellTable &cell) const;
+    CellSprings springs_of(const CellTable<dim> &cell) const;
 
     /// The rotation of a cell since it was at rest.
-    double rotation(const CellTable      &cell,
-                    const CellSprings    &springs,
+    double rotation(const CellTable<dim> &cell,
+                    const Vector<double> &row,
                     const Vector<double> &u) const;
 
-    const Discretization         &discretization;
-    const std::vector<CellTable> &cells;
-    std::vector<double>           areas, volumes; // by piece, of all ranks
-    Vector<double>                rest;
-    unsigned int                  n_changes = 0;
+    const Discretization<dim>         &discretization;
+    const std::vector<CellTable<dim>> &cells;
+    std::vector<double>                areas, volumes; // by piece, of all ranks
+    Vector<double>                     rest;
+    unsigned int                       n_changes = 0;
 
     std::map<unsigned int, SpringStiffness> stiffness;
   };

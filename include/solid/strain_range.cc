@@ -18,32 +18,47 @@ namespace Contact
 {
   namespace
   {
-    /// Take the deformation gradient of a point into the range.
-    void extend(const Tensor<2, 2> &F, StrainRange &range)
+    double rotation_of(const Tensor<2, 2> &F)
     {
-      const SymmetricTensor<2, 2> E =
-        0.5 * (symmetrize(transpose(F) * F) - unit_symmetric_tensor<2>());
+      return std::abs(std::atan2(F[1][0] - F[0][1], F[0][0] + F[1][1]));
+    }
+
+
+
+    double rotation_of(const Tensor<2, 3> &F)
+    {
+      const double cosine = (trace(project_onto_orthogonal_tensors(F)) - 1) / 2;
+      return std::acos(std::min(1., std::max(-1., cosine)));
+    }
+
+
+
+    /// Take the deformation gradient of a point into the range.
+    template<int dim>
+    void extend(const Tensor<2, dim> &F, StrainRange &range)
+    {
+      const SymmetricTensor<2, dim> E =
+        0.5 * (symmetrize(transpose(F) * F) - unit_symmetric_tensor<dim>());
       for (const double principal : eigenvalues(E))
         range.strain = std::max(range.strain, std::abs(principal));
-      range.rotation =
-        std::max(range.rotation,
-                 std::abs(std::atan2(F[1][0] - F[0][1], F[0][0] + F[1][1])));
+      range.rotation = std::max(range.rotation, rotation_of(F));
     }
   } // namespace
 
 
 
-  StrainRange strain_range(const Discretization &discretization,
-                           const Vector<double> &u)
+  template<int dim>
+  StrainRange strain_range(const Discretization<dim> &discretization,
+                           const Vector<double>      &u)
   {
     const FEValuesExtractors::Vector displacement(0);
-    hp::FEValues<2>                  fe_values(discretization.mapping,
-                              discretization.fe,
-                              discretization.quadrature,
-                              update_values | update_gradients |
-                                update_quadrature_points);
-    std::vector<Tensor<2, 2>>        gradients;
-    std::vector<Tensor<1, 2>>        values;
+    hp::FEValues<dim>                fe_values(discretization.mapping,
+                                discretization.fe,
+                                discretization.quadrature,
+                                update_values | update_gradients |
+                                  update_quadrature_points);
+    std::vector<Tensor<2, dim>>      gradients;
+    std::vector<Tensor<1, dim>>      values;
     StrainRange                      range;
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       {
@@ -55,7 +70,7 @@ namespace Contact
         here[displacement].get_function_values(u, values);
         for (unsigned int q = 0; q < here.n_quadrature_points; ++q)
           {
-            extend(gradients[q] + unit_symmetric_tensor<2>(), range);
+            extend<dim>(gradients[q] + unit_symmetric_tensor<dim>(), range);
             if (!discretization.axisymmetric)
               continue;
             const double stretch =
@@ -91,4 +106,11 @@ namespace Contact
                  brief(100 * (linear / hencky - 1)) + " % there"
              : "";
   }
+
+
+
+  template StrainRange strain_range(const Discretization<2> &,
+                                    const Vector<double> &);
+  template StrainRange strain_range(const Discretization<3> &,
+                                    const Vector<double> &);
 } // namespace Contact

@@ -24,10 +24,12 @@ namespace Contact
   /**
    * That of the displacements @p u: with the strain of Green and Lagrange,
    * E = (F^T F - 1)/2, the hoop strain of rings included. In a plane the
-   * rotation of F is atan2(F_21 - F_12, F_11 + F_22).
+   * rotation of F is atan2(F_21 - F_12, F_11 + F_22); in space, with the
+   * rotation R next to F, acos((tr R - 1)/2).
    */
-  StrainRange strain_range(const Discretization &discretization,
-                           const Vector<double> &u);
+  template<int dim>
+  StrainRange strain_range(const Discretization<dim> &discretization,
+                           const Vector<double>      &u);
 
   /**
    * Whether the kinematics are beyond their range there: a sentence, or

@@ -12,14 +12,15 @@
 
 namespace Contact
 {
-  StressRecovery::StressRecovery(const Discretization &discretization)
+  template<int dim>
+  StressRecovery<dim>::StressRecovery(const Discretization<dim> &discretization)
     : discretization(discretization)
   {
     for (unsigned int e = 0; e < discretization.fe.size(); ++e)
       {
-        const auto           cell       = discretization.fe[e].reference_cell();
-        const Quadrature<2> &quadrature = discretization.quadrature[e];
-        FullMatrix<double>   values(quadrature.size(), cell.n_vertices());
+        const auto             cell = discretization.fe[e].reference_cell();
+        const Quadrature<dim> &quadrature = discretization.quadrature[e];
+        FullMatrix<double>     values(quadrature.size(), cell.n_vertices());
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           for (unsigned int v = 0; v < cell.n_vertices(); ++v)
             values(q, v) = cell.d_linear_shape_function(quadrature.point(q), v);
@@ -34,9 +35,10 @@ namespace Contact
 
 
 
+  template<int dim>
   std::vector<SymmetricTensor<2, 3>>
-  StressRecovery::vertex_stresses(const Elasticity     &elasticity,
-                                  const Vector<double> &u) const
+  StressRecovery<dim>::vertex_stresses(const Elasticity<dim> &elasticity,
+                                       const Vector<double>  &u) const
   {
     const auto         at_points = elasticity.stresses(u);
     const unsigned int n_vertices =
@@ -64,10 +66,11 @@ namespace Contact
 
 
 
-  SymmetricTensor<2, 3> StressRecovery::at_vertex(
-    const DoFHandler<2>::active_cell_iterator &cell,
-    const unsigned int                         v,
-    const std::vector<SymmetricTensor<2, 3>>  &at_points) const
+  template<int dim>
+  SymmetricTensor<2, 3> StressRecovery<dim>::at_vertex(
+    const typename DoFHandler<dim>::active_cell_iterator &cell,
+    const unsigned int                                    v,
+    const std::vector<SymmetricTensor<2, 3>>             &at_points) const
   {
     const auto           &fit = fits[cell->active_fe_index()];
     SymmetricTensor<2, 3> stress;
@@ -78,8 +81,9 @@ namespace Contact
 
 
 
-  StressRecovery::Cells
-  StressRecovery::cells_at(const unsigned int vertex) const
+  template<int dim>
+  typename StressRecovery<dim>::Cells
+  StressRecovery<dim>::cells_at(const unsigned int vertex) const
   {
     Cells cells;
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
@@ -91,10 +95,12 @@ namespace Contact
 
 
 
-  SymmetricTensor<2, 3> StressRecovery::stress_at(const unsigned int vertex,
-                                                  const Cells       &cells,
-                                                  const Elasticity  &elasticity,
-                                                  const Vector<double> &u) const
+  template<int dim>
+  SymmetricTensor<2, 3>
+  StressRecovery<dim>::stress_at(const unsigned int     vertex,
+                                 const Cells           &cells,
+                                 const Elasticity<dim> &elasticity,
+                                 const Vector<double>  &u) const
   {
     SymmetricTensor<2, 3> sum;
     for (const auto &cell : cells)
@@ -109,7 +115,8 @@ namespace Contact
 
 
   // A rank that has a cell at a vertex knows all cells around it.
-  void StressRecovery::gather_named_points(
+  template<int dim>
+  void StressRecovery<dim>::gather_named_points(
     std::vector<SymmetricTensor<2, 3>> &at_vertices) const
   {
     const MPI_Comm communicator = discretization.communicator;
@@ -139,4 +146,9 @@ namespace Contact
   {
     return std::sqrt(1.5) * deviator(stress).norm();
   }
+
+
+
+  template class StressRecovery<2>;
+  template class StressRecovery<3>;
 } // namespace Contact

@@ -16,38 +16,40 @@ namespace Contact
 
   /**
    * Cauchy stress [MPa] at the vertices: in each cell the least-squares fit of
-   * the vertex shape functions (bilinear, linear in triangles) to the values in
-   * the quadrature points, evaluated at the vertices; then the mean over the
-   * cells at a vertex. With one point in a triangle the fit is the constant.
+   * the vertex shape functions (bilinear or trilinear, linear in triangles) to
+   * the values in the quadrature points, evaluated at the vertices; then the
+   * mean over the cells at a vertex. With one point in a triangle the fit is
+   * the constant.
    */
+  template<int dim>
   class StressRecovery
   {
   public:
-    StressRecovery(const Discretization &discretization);
+    StressRecovery(const Discretization<dim> &discretization);
 
     /// By vertex of the triangulation.
     std::vector<SymmetricTensor<2, 3>>
-    vertex_stresses(const Elasticity     &elasticity,
-                    const Vector<double> &u) const;
+    vertex_stresses(const Elasticity<dim> &elasticity,
+                    const Vector<double>  &u) const;
 
     /// The cells around a vertex, and the stress there by them alone.
-    using Cells = std::vector<DoFHandler<2>::active_cell_iterator>;
+    using Cells = std::vector<typename DoFHandler<dim>::active_cell_iterator>;
     Cells                 cells_at(const unsigned int vertex) const;
-    SymmetricTensor<2, 3> stress_at(const unsigned int    vertex,
-                                    const Cells          &cells,
-                                    const Elasticity     &elasticity,
-                                    const Vector<double> &u) const;
+    SymmetricTensor<2, 3> stress_at(const unsigned int     vertex,
+                                    const Cells           &cells,
+                                    const Elasticity<dim> &elasticity,
+                                    const Vector<double>  &u) const;
 
   private:
     SymmetricTensor<2, 3>
-    at_vertex(const DoFHandler<2>::active_cell_iterator &cell,
-              const unsigned int                         v,
-              const std::vector<SymmetricTensor<2, 3>>  &at_points) const;
+    at_vertex(const typename DoFHandler<dim>::active_cell_iterator &cell,
+              const unsigned int                                    v,
+              const std::vector<SymmetricTensor<2, 3>> &at_points) const;
 
     void
     gather_named_points(std::vector<SymmetricTensor<2, 3>> &at_vertices) const;
 
-    const Discretization &discretization;
+    const Discretization<dim> &discretization;
 
     /// Quadrature point values -> vertex values, for each element.
     std::vector<FullMatrix<double>> fits;

@@ -15,10 +15,13 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * The body that the plane of the mesh is a section of. Both symmetries have
+   * The body that the mesh is, or that its plane is a section of. All have
+   *  - dim: the dimension of the mesh;
+   *  - components: the indices of the strains in that space, (1, 1) and so on
+   *    before (1, 2) and so on;
    *  - has_hoop: whether the bodies strain across the plane;
-   *  - StrainRow: what an unknown adds to the strains (E11, E22, 2 E12 and,
-   *    with a hoop, E33), and the trace of that;
+   *  - StrainRow: what an unknown adds to these strains (E11, 2 E12, ... and,
+   *    with a hoop, E33 at last), and the trace of that;
    *  - energy_density(material, s): s : D^-1 : s [MPa], twice the energy of a
    *    stress s by volume.
    *
@@ -27,7 +30,11 @@ namespace Contact
    */
   struct PlaneStrain
   {
+    static constexpr int  dim      = 2;
     static constexpr bool has_hoop = false;
+
+    static constexpr std::array<std::array<unsigned int, 2>, 3> components = {
+      {{{0, 0}}, {{1, 1}}, {{0, 1}}}};
 
     using StrainRow = std::array<double, 3>;
 
@@ -54,13 +61,42 @@ namespace Contact
    */
   struct Axisymmetric
   {
+    static constexpr int  dim      = 2;
     static constexpr bool has_hoop = true;
+
+    static constexpr std::array<std::array<unsigned int, 2>, 3> components =
+      PlaneStrain::components;
 
     using StrainRow = std::array<double, 4>;
 
     static double trace(const StrainRow &row)
     {
       return row[0] + row[1] + row[3];
+    }
+
+    static double energy_density(const Material              &material,
+                                 const SymmetricTensor<2, 3> &stress)
+    {
+      return material.energy_density(stress);
+    }
+  };
+
+
+
+  /// A body in space: nothing is left out.
+  struct Space
+  {
+    static constexpr int  dim      = 3;
+    static constexpr bool has_hoop = false;
+
+    static constexpr std::array<std::array<unsigned int, 2>, 6> components = {
+      {{{0, 0}}, {{1, 1}}, {{2, 2}}, {{0, 1}}, {{0, 2}}, {{1, 2}}}};
+
+    using StrainRow = std::array<double, 6>;
+
+    static double trace(const StrainRow &row)
+    {
+      return row[0] + row[1] + row[2];
     }
 
     static double energy_density(const Material              &material,

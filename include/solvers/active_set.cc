@@ -14,7 +14,7 @@
 namespace Contact
 {
   ActiveSetSearch::ActiveSetSearch(
-    const Discretization               &discretization,
+    const Discretization<2>            &discretization,
     ContactInterface                   &interface,
     const DirectSolver                 &solver,
     const ContactKernel::Linearization &linearization)

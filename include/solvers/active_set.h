@@ -32,7 +32,7 @@ namespace Contact
   class ActiveSetSearch
   {
   public:
-    ActiveSetSearch(const Discretization               &discretization,
+    ActiveSetSearch(const Discretization<2>            &discretization,
                     ContactInterface                   &interface,
                     const DirectSolver                 &solver,
                     const ContactKernel::Linearization &linearization);

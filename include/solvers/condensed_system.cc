@@ -16,8 +16,8 @@
 
 namespace Contact
 {
-  CondensedSystem::CondensedSystem(const Discretization        &discretization,
-                                   const Elasticity            &elasticity,
+  CondensedSystem::CondensedSystem(const Discretization<2>     &discretization,
+                                   const Elasticity<2>         &elasticity,
                                    const ContactInterface      *interface,
                                    ContactElimination          &elimination,
                                    const Parameters::SolverKind solver_kind,

@@ -31,8 +31,8 @@ namespace Contact
   {
   public:
     /// @p interface may be null. Phases are measured by @p timer.
-    CondensedSystem(const Discretization        &discretization,
-                    const Elasticity            &elasticity,
+    CondensedSystem(const Discretization<2>     &discretization,
+                    const Elasticity<2>         &elasticity,
                     const ContactInterface      *interface,
                     ContactElimination          &elimination,
                     const Parameters::SolverKind solver_kind,
@@ -84,11 +84,11 @@ namespace Contact
     void for_interface_rows(
       const std::function<void(const int n, double *values)> &visit);
 
-    const Discretization &discretization;
-    const Elasticity     &elasticity;
-    ContactElimination   &elimination;
-    TimerOutput          &timer;
-    const IndexSet        owned;
+    const Discretization<2> &discretization;
+    const Elasticity<2>     &elasticity;
+    ContactElimination      &elimination;
+    TimerOutput             &timer;
+    const IndexSet           owned;
 
     /// The unknowns that have been eliminated or may be.
     std::set<types::global_dof_index> eliminable;

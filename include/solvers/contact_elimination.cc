@@ -49,9 +49,10 @@ namespace Contact
 
 
 
-  ContactElimination::ContactElimination(const Discretization   &discretization,
-                                         const ContactInterface *interface,
-                                         const bool              moving_bound)
+  ContactElimination::ContactElimination(
+    const Discretization<2> &discretization,
+    const ContactInterface  *interface,
+    const bool               moving_bound)
     : discretization(discretization)
     , interface(interface)
     , moving_bound(moving_bound)

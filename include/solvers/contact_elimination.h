@@ -50,9 +50,9 @@ namespace Contact
     /// @p interface may be null: then there is nothing to eliminate. With
     /// @p moving_bound the bound of the shear traction moves with the pressure
     /// within a Newton step.
-    ContactElimination(const Discretization   &discretization,
-                       const ContactInterface *interface,
-                       const bool              moving_bound = false);
+    ContactElimination(const Discretization<2> &discretization,
+                       const ContactInterface  *interface,
+                       const bool               moving_bound = false);
 
     /// The unknowns of the slave nodes of all points: those that are eliminated
     /// as a rule.
@@ -143,9 +143,9 @@ namespace Contact
               const Row          &test_row,
               const double        smallest) const;
 
-    const Discretization   &discretization;
-    const ContactInterface *interface;
-    const bool              moving_bound;
+    const Discretization<2> &discretization;
+    const ContactInterface  *interface;
+    const bool               moving_bound;
 
     AffineConstraints<double> lines, test_lines;
     Dofs                      eliminated;

@@ -12,9 +12,9 @@
 
 namespace Contact
 {
-  ForceScale::ForceScale(const Discretization   &discretization,
-                         const Elasticity       &elasticity,
-                         const ContactInterface *interface)
+  ForceScale::ForceScale(const Discretization<2> &discretization,
+                         const Elasticity<2>     &elasticity,
+                         const ContactInterface  *interface)
     : discretization(discretization)
     , elasticity(elasticity)
     , interface(interface)

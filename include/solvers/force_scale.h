@@ -40,9 +40,9 @@ namespace Contact
   public:
     /// @p interface may be null; its points have to be paired in the
     /// undeformed state. Collective.
-    ForceScale(const Discretization   &discretization,
-               const Elasticity       &elasticity,
-               const ContactInterface *interface);
+    ForceScale(const Discretization<2> &discretization,
+               const Elasticity<2>     &elasticity,
+               const ContactInterface  *interface);
 
     /// F in the state @p solution under @p load_factor. Collective.
     double in(const Vector<double> &solution,
@@ -70,9 +70,9 @@ namespace Contact
     double reactions(const Vector<double> &solution,
                      const double          load_factor) const;
 
-    const Discretization   &discretization;
-    const Elasticity       &elasticity;
-    const ContactInterface *interface;
+    const Discretization<2> &discretization;
+    const Elasticity<2>     &elasticity;
+    const ContactInterface  *interface;
 
     double modulus    = 0; // M, of rings times the largest circumference
     double coordinate = 0; // X [mm]

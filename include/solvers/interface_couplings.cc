@@ -9,8 +9,9 @@
 
 namespace Contact
 {
-  InterfaceCouplings::InterfaceCouplings(const Discretization   &discretization,
-                                         const ContactInterface *interface)
+  InterfaceCouplings::InterfaceCouplings(
+    const Discretization<2> &discretization,
+    const ContactInterface  *interface)
     : discretization(discretization)
     , interface(interface)
   {
@@ -33,7 +34,7 @@ namespace Contact
         for (unsigned int b = 0; b < surface.n_nodes_per_edge(); ++b)
           for (unsigned int c = 0; c < 2; ++c)
             {
-              const NodeDoFs &around = surface.nodes[edge.nodes[b]].dofs;
+              const NodeDoFs<2> &around = surface.nodes[edge.nodes[b]].dofs;
               neighbors[surface.nodes[edge.nodes[a]].dofs[c]]
                 .insert(around.begin(), around.end());
             }

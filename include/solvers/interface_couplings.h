@@ -32,8 +32,8 @@ namespace Contact
     using Dofs = std::vector<types::global_dof_index>;
 
     /// @p interface may be null: nothing is coupled.
-    InterfaceCouplings(const Discretization   &discretization,
-                       const ContactInterface *interface);
+    InterfaceCouplings(const Discretization<2> &discretization,
+                       const ContactInterface  *interface);
 
     /// Take the partners from the points of now.
     void make();
@@ -56,8 +56,8 @@ namespace Contact
     void collect_neighbors(const Surface &surface);
     Dofs reachable(const ContactPoint &point) const;
 
-    const Discretization   &discretization;
-    const ContactInterface *interface;
+    const Discretization<2> &discretization;
+    const ContactInterface  *interface;
 
     /// Of each point, the unknowns that it may see.
     std::vector<Dofs> provided;

@@ -29,7 +29,7 @@ namespace Contact
 
 
   LinearizedContact::LinearizedContact(
-    const Discretization               &discretization,
+    const Discretization<2>            &discretization,
     const ContactInterface             &interface,
     const DirectSolver                 &solver,
     const ContactKernel::Linearization &linearization)

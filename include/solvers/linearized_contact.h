@@ -59,7 +59,7 @@ namespace Contact
       Vector<double> W;
     };
 
-    LinearizedContact(const Discretization               &discretization,
+    LinearizedContact(const Discretization<2>            &discretization,
                       const ContactInterface             &interface,
                       const DirectSolver                 &solver,
                       const ContactKernel::Linearization &linearization);
@@ -114,9 +114,9 @@ namespace Contact
                         Vector<double>       &z,
                         FullMatrix<double>   &G) const;
 
-    const Discretization   &discretization;
-    const ContactInterface &interface;
-    const DirectSolver     &solver;
+    const Discretization<2> &discretization;
+    const ContactInterface  &interface;
+    const DirectSolver      &solver;
   };
 } // namespace Contact
 

@@ -11,10 +11,11 @@
 
 namespace Contact
 {
-  MultiplierRecovery::MultiplierRecovery(const Discretization   &discretization,
-                                         const ContactInterface &interface,
-                                         const std::vector<Dof> &eliminated,
-                                         const bool              moving_bound)
+  MultiplierRecovery::MultiplierRecovery(
+    const Discretization<2> &discretization,
+    const ContactInterface  &interface,
+    const std::vector<Dof>  &eliminated,
+    const bool               moving_bound)
     : discretization(discretization)
     , points(interface.points())
     , interface(interface)

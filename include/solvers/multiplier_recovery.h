@@ -31,8 +31,8 @@ namespace Contact
   {
   public:
     /// @p eliminated: what the points eliminate.
-    MultiplierRecovery(const Discretization   &discretization,
-                       const ContactInterface &interface,
+    MultiplierRecovery(const Discretization<2> &discretization,
+                       const ContactInterface  &interface,
                        const std::vector<types::global_dof_index> &eliminated,
                        const bool moving_bound);
 
@@ -89,7 +89,7 @@ namespace Contact
     static Vector<double> least_squares(const std::vector<Equation> &system,
                                         const unsigned int           n);
 
-    const Discretization            &discretization;
+    const Discretization<2>         &discretization;
     const std::vector<ContactPoint> &points;
     const ContactInterface          &interface;
     const bool                       moving_bound;

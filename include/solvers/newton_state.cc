@@ -74,11 +74,12 @@ namespace Contact
     pairing.follow(state.solution, /*after_a_step=*/n_steps > 0);
     {
       TimerOutput::Scope scope(timer, "residual");
-      rhs                        = 0;
-      const VolumeRatio smallest = model.elasticity->assemble(state.solution,
-                                                              state.load_factor,
-                                                              rhs,
-                                                              nullptr);
+      rhs = 0;
+      const VolumeRatio<2> smallest =
+        model.elasticity->assemble(state.solution,
+                                   state.load_factor,
+                                   rhs,
+                                   nullptr);
       Utilities::MPI::sum(rhs, communicator, rhs);
       smallest_volume = smallest_of_all_ranks(smallest, communicator);
     }

@@ -98,7 +98,7 @@ namespace Contact
     TimerOutput                         &timer;
 
     Vector<double> rhs; // minus the residual
-    VolumeRatio    smallest_volume;
+    VolumeRatio<2> smallest_volume;
     unsigned int   n_status_changes = 0;
 
     NewtonGlobalization      guard;

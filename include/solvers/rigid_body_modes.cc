@@ -135,8 +135,8 @@ namespace Contact
 
     /// Supports, vertex by vertex, and what rings resist by themselves: growing
     /// and turning inside out.
-    void resist_by_supports(const Discretization &discretization,
-                            ResistedMotions      &motions)
+    void resist_by_supports(const Discretization<2> &discretization,
+                            ResistedMotions         &motions)
     {
       const Mesh<2> &mesh = discretization.mesh;
       for (const auto &cell : mesh.triangulation.active_cell_iterators())
@@ -157,8 +157,8 @@ namespace Contact
 
 
     /// Ties, and the nodes that two pieces have in common.
-    void resist_by_joints(const Discretization &discretization,
-                          ResistedMotions      &motions)
+    void resist_by_joints(const Discretization<2> &discretization,
+                          ResistedMotions         &motions)
     {
       const Mesh<2> &mesh = discretization.mesh;
       for (const auto &[piece, other, X] : mesh.pieces.joints())
@@ -288,8 +288,8 @@ namespace Contact
 
 
   // The cells that have the nodes may be those of other ranks.
-  PieceOfNode pieces_of_nodes(const Discretization   &discretization,
-                              const ContactInterface &interface)
+  PieceOfNode pieces_of_nodes(const Discretization<2> &discretization,
+                              const ContactInterface  &interface)
   {
     PieceOfNode of_node;
     const auto  add = [&](const Surface &surface) {
@@ -327,9 +327,9 @@ namespace Contact
 
 
   std::vector<RigidBodyMode>
-  rigid_body_modes(const Discretization   &discretization,
-                   const ContactInterface *interface,
-                   const Tangents          tangents)
+  rigid_body_modes(const Discretization<2> &discretization,
+                   const ContactInterface  *interface,
+                   const Tangents           tangents)
   {
     ResistedMotions motions(discretization.mesh.pieces);
     resist_by_supports(discretization, motions);
@@ -344,8 +344,8 @@ namespace Contact
 
 
 
-  void check_supports(const Discretization   &discretization,
-                      const ContactInterface *interface)
+  void check_supports(const Discretization<2> &discretization,
+                      const ContactInterface  *interface)
   {
     ResistedMotions motions(discretization.mesh.pieces);
     resist_by_supports(discretization, motions);

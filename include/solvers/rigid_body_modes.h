@@ -51,15 +51,15 @@ namespace Contact
    * null space of the sum of the rows' squares. Collective.
    */
   std::vector<RigidBodyMode>
-  rigid_body_modes(const Discretization   &discretization,
-                   const ContactInterface *interface,
-                   const Tangents          tangents = Tangents::by_status);
+  rigid_body_modes(const Discretization<2> &discretization,
+                   const ContactInterface  *interface,
+                   const Tangents           tangents = Tangents::by_status);
 
   /// The pieces of the nodes of all surfaces, by the first unknown of the node.
   /// Collective.
   std::map<types::global_dof_index, unsigned int>
-  pieces_of_nodes(const Discretization   &discretization,
-                  const ContactInterface &interface);
+  pieces_of_nodes(const Discretization<2> &discretization,
+                  const ContactInterface  &interface);
 
   /**
    * Check that every piece of a body is held, or can come to be: by supports,
@@ -67,8 +67,8 @@ namespace Contact
    * InputError with the name of the body, the place of the piece if the body
    * has several, and a motion that is free. Collective.
    */
-  void check_supports(const Discretization   &discretization,
-                      const ContactInterface *interface);
+  void check_supports(const Discretization<2> &discretization,
+                      const ContactInterface  *interface);
 } // namespace Contact
 
 #endif

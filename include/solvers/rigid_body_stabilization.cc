@@ -88,8 +88,8 @@ namespace Contact
 
   Vector<double> RigidBodyStabilization::release(const IncrementState &state)
   {
-    Elasticity &elasticity = *model.elasticity;
-    const bool  is_held    = !elasticity.springs.held().empty();
+    Elasticity<2> &elasticity = *model.elasticity;
+    const bool     is_held    = !elasticity.springs.held().empty();
     if (!is_held)
       {
         elasticity.springs.release();

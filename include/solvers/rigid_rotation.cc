@@ -43,10 +43,10 @@ namespace Contact
 
 
     /// The largest strain of a piece.
-    double largest_strain(const Discretization &discretization,
-                          const Elasticity     &elasticity,
-                          const unsigned int    piece,
-                          const Vector<double> &u)
+    double largest_strain(const Discretization<2> &discretization,
+                          const Elasticity<2>     &elasticity,
+                          const unsigned int       piece,
+                          const Vector<double>    &u)
     {
       const auto stresses = elasticity.stresses(u);
       double     largest  = 0;
@@ -67,8 +67,8 @@ namespace Contact
     /// Of each piece the corners of all its surfaces; nothing of one that
     /// sticks or is glued somewhere.
     std::map<unsigned int, std::vector<Point<2>>>
-    frictionless_corners(const Discretization   &discretization,
-                         const ContactInterface &interface)
+    frictionless_corners(const Discretization<2> &discretization,
+                         const ContactInterface  &interface)
     {
       const auto of_node = pieces_of_nodes(discretization, interface);
       std::map<unsigned int, std::vector<Point<2>>> corners;
@@ -122,9 +122,9 @@ namespace Contact
 
 
     /// e_z x (X - C) at the nodes of a piece.
-    Vector<double> rotation_about(const Discretization &discretization,
-                                  const unsigned int    piece,
-                                  const Point<2>       &centre)
+    Vector<double> rotation_about(const Discretization<2> &discretization,
+                                  const unsigned int       piece,
+                                  const Point<2>          &centre)
     {
       Vector<double> rotation(discretization.dof_handler.n_dofs());
       const auto    &owned = discretization.dof_handler.locally_owned_dofs();
@@ -169,8 +169,8 @@ namespace Contact
 
 
 
-    bool has_joint(const Discretization &discretization,
-                   const unsigned int    piece)
+    bool has_joint(const Discretization<2> &discretization,
+                   const unsigned int       piece)
     {
       const auto &joints = discretization.mesh.pieces.joints();
       return !discretization.boundary.tied_y.empty() ||
@@ -183,7 +183,7 @@ namespace Contact
 
 
   std::vector<std::vector<double>>
-  rigid_modes(const Discretization &discretization)
+  rigid_modes(const Discretization<2> &discretization)
   {
     const IndexSet &owned = discretization.dof_handler.locally_owned_dofs();
     std::vector<std::vector<double>> modes(3,
@@ -230,8 +230,8 @@ namespace Contact
 
 
 
-  std::vector<double> rigid_rotations(const Discretization &discretization,
-                                      const Vector<double> &u)
+  std::vector<double> rigid_rotations(const Discretization<2> &discretization,
+                                      const Vector<double>    &u)
   {
     const MeshPieces<2> &pieces = discretization.mesh.pieces;
     std::vector<double>  sums(n_sum * pieces.size());
@@ -242,7 +242,7 @@ namespace Contact
           const unsigned int piece = pieces.of_cell(cell);
           for (const unsigned int v : cell->vertex_indices())
             {
-              const NodeDoFs &dofs =
+              const NodeDoFs<2> &dofs =
                 discretization.vertex_dofs[cell->vertex_index(v)];
               const Sums of_corner =
                 terms(cell->measure(),
@@ -268,9 +268,10 @@ namespace Contact
 
 
 
-  std::vector<TurningPiece> turning_pieces(const Discretization &discretization,
-                                           const Elasticity     &elasticity,
-                                           const ContactInterface &interface)
+  std::vector<TurningPiece>
+  turning_pieces(const Discretization<2> &discretization,
+                 const Elasticity<2>     &elasticity,
+                 const ContactInterface  &interface)
   {
     std::vector<TurningPiece> turning;
     const auto corners = frictionless_corners(discretization, interface);
@@ -297,7 +298,7 @@ namespace Contact
 
 
 
-  void remove_rotations(const Discretization            &discretization,
+  void remove_rotations(const Discretization<2>         &discretization,
                         const std::vector<TurningPiece> &pieces,
                         Vector<double>                  &u)
   {
@@ -311,9 +312,9 @@ namespace Contact
 
 
 
-  void check_rotations(const Discretization &discretization,
-                       const Elasticity     &elasticity,
-                       const Vector<double> &u)
+  void check_rotations(const Discretization<2> &discretization,
+                       const Elasticity<2>     &elasticity,
+                       const Vector<double>    &u)
   {
     if (!elasticity.is_linear())
       return;

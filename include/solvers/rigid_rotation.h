@@ -21,7 +21,7 @@ namespace Contact
    * do not reach from body to body except where these touch.
    */
   std::vector<std::vector<double>>
-  rigid_modes(const Discretization &discretization);
+  rigid_modes(const Discretization<2> &discretization);
 
   /**
    * The rigid rotation of each piece (MeshPieces) in the linear theory: the
@@ -29,8 +29,8 @@ namespace Contact
    * that is closest to the displacement @p u in the mean of the squares over
    * the piece, by the corners of its cells. Collective.
    */
-  std::vector<double> rigid_rotations(const Discretization &discretization,
-                                      const Vector<double> &u);
+  std::vector<double> rigid_rotations(const Discretization<2> &discretization,
+                                      const Vector<double>    &u);
 
   /**
    * A piece that can turn in itself: nothing but contact holds it, without
@@ -49,12 +49,13 @@ namespace Contact
   };
 
   /// All such pieces. Collective.
-  std::vector<TurningPiece> turning_pieces(const Discretization &discretization,
-                                           const Elasticity     &elasticity,
-                                           const ContactInterface &interface);
+  std::vector<TurningPiece>
+  turning_pieces(const Discretization<2> &discretization,
+                 const Elasticity<2>     &elasticity,
+                 const ContactInterface  &interface);
 
   /// Take the rigid rotations of these pieces out of @p u. Collective.
-  void remove_rotations(const Discretization            &discretization,
+  void remove_rotations(const Discretization<2>         &discretization,
                         const std::vector<TurningPiece> &pieces,
                         Vector<double>                  &u);
 
@@ -71,9 +72,9 @@ namespace Contact
    * the result means nothing: throws NotConverged with the name of the piece
    * and the angle. Does nothing with large displacements. Collective.
    */
-  void check_rotations(const Discretization &discretization,
-                       const Elasticity     &elasticity,
-                       const Vector<double> &u);
+  void check_rotations(const Discretization<2> &discretization,
+                       const Elasticity<2>     &elasticity,
+                       const Vector<double>    &u);
 } // namespace Contact
 
 #endif

@@ -12,8 +12,8 @@
 namespace Contact
 {
   SaddlePointSystem::SaddlePointSystem(
-    const Discretization               &discretization,
-    const Elasticity                   &elasticity,
+    const Discretization<2>            &discretization,
+    const Elasticity<2>                &elasticity,
     ContactInterface                   *interface,
     const ContactKernel::Linearization &linearization,
     const bool                          geometry_follows,

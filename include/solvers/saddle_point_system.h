@@ -41,8 +41,8 @@ namespace Contact
     /// bodies that have moved. @p keeps_factorization: one may serve for steps
     /// that reduce the residual well. @p linearization may change from step to
     /// step. Phases are measured by @p timer.
-    SaddlePointSystem(const Discretization               &discretization,
-                      const Elasticity                   &elasticity,
+    SaddlePointSystem(const Discretization<2>            &discretization,
+                      const Elasticity<2>                &elasticity,
                       ContactInterface                   *interface,
                       const ContactKernel::Linearization &linearization,
                       const bool                          geometry_follows,
@@ -114,8 +114,8 @@ namespace Contact
                       Vector<double>                     &rhs_and_update);
     void add_tangent_of_linear_bodies(const Vector<double> &solution);
 
-    const Discretization               &discretization;
-    const Elasticity                   &elasticity;
+    const Discretization<2>            &discretization;
+    const Elasticity<2>                &elasticity;
     ContactInterface                   *interface;
     const ContactKernel::Linearization &linearization;
     const bool                          geometry_follows;

@@ -26,7 +26,7 @@ namespace Contact
 
 
 
-  ContactCheck::ContactCheck(const Discretization       &discretization,
+  ContactCheck::ContactCheck(const Discretization<2>    &discretization,
                              const ContactInterface     &interface,
                              const Parameters::Solution &parameters,
                              const Vector<double>       &solution,

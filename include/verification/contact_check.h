@@ -124,7 +124,7 @@ namespace Contact
     /// Of the state @p solution at the end of an increment that began with the
     /// displacement @p u_start; since they were paired the surfaces have moved
     /// by @p moved [mm]. All arguments have to outlive the object.
-    ContactCheck(const Discretization       &discretization,
+    ContactCheck(const Discretization<2>    &discretization,
                  const ContactInterface     &interface,
                  const Parameters::Solution &parameters,
                  const Vector<double>       &solution,
@@ -194,7 +194,7 @@ namespace Contact
     /// The place of a point, in a sentence.
     std::string at(const ContactPoint &point) const;
 
-    const Discretization       &discretization;
+    const Discretization<2>    &discretization;
     const ContactInterface     &interface;
     const Parameters::Solution &parameters;
     const Vector<double>       &solution, &u_start;

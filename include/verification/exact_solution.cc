@@ -21,8 +21,8 @@ namespace Contact
   namespace
   {
     /// The slave node with the smallest initial gap.
-    unsigned int first_touch(const ContactPair    &contact_pair,
-                             const Discretization &discretization)
+    unsigned int first_touch(const ContactPair       &contact_pair,
+                             const Discretization<2> &discretization)
     {
       const Vector<double> no_displacement(discretization.dof_handler.n_dofs());
       const SurfaceSearch  search(*contact_pair.master, no_displacement);
@@ -46,10 +46,10 @@ namespace Contact
 
 
 
-    HertzLineContact hertz_contact(const Parameters::All &parameters,
-                                   const Discretization  &discretization,
-                                   const ContactPair     &contact_pair,
-                                   const ContactResults  &results)
+    HertzLineContact hertz_contact(const Parameters::All   &parameters,
+                                   const Discretization<2> &discretization,
+                                   const ContactPair       &contact_pair,
+                                   const ContactResults    &results)
     {
       const auto &solids = parameters.solids;
       const auto &given  = parameters.probes.hertz;
@@ -118,10 +118,10 @@ namespace Contact
 
 
 
-    ExactSolution make_hertz(const Parameters::All &parameters,
-                             const Discretization  &discretization,
-                             const ContactPair     &contact_pair,
-                             const ContactResults  &results)
+    ExactSolution make_hertz(const Parameters::All   &parameters,
+                             const Discretization<2> &discretization,
+                             const ContactPair       &contact_pair,
+                             const ContactResults    &results)
     {
       const HertzLineContact hertz =
         hertz_contact(parameters, discretization, contact_pair, results);
@@ -160,9 +160,9 @@ namespace Contact
 
 
 
-    ExactSolution make_cylinders(const Parameters::All &parameters,
-                                 const Discretization  &discretization,
-                                 const ContactPair     &contact_pair)
+    ExactSolution make_cylinders(const Parameters::All   &parameters,
+                                 const Discretization<2> &discretization,
+                                 const ContactPair       &contact_pair)
     {
       // The inner body is the one with the convex surface.
       const auto           slave  = contact_pair.slave.edges[0].body;
@@ -259,8 +259,8 @@ namespace Contact
 
 
     void add_errors_in_bodies(const ExactSolution           &exact,
-                              const Discretization          &discretization,
-                              const Elasticity              &elasticity,
+                              const Discretization<2>       &discretization,
+                              const Elasticity<2>           &elasticity,
                               const Vector<double>          &u,
                               std::map<std::string, double> &errors)
     {
@@ -309,10 +309,10 @@ namespace Contact
 
 
   std::optional<ExactSolution>
-  make_exact_solution(const Parameters::All &parameters,
-                      const Discretization  &discretization,
-                      const ContactPair     &contact_pair,
-                      const ContactResults  &results)
+  make_exact_solution(const Parameters::All   &parameters,
+                      const Discretization<2> &discretization,
+                      const ContactPair       &contact_pair,
+                      const ContactResults    &results)
   {
     if (!parameters.probes.hertz.empty())
       return make_hertz(parameters, discretization, contact_pair, results);
@@ -324,12 +324,12 @@ namespace Contact
 
 
   std::map<std::string, double>
-  solution_errors(const ExactSolution    &exact,
-                  const Discretization   &discretization,
-                  const Elasticity       &elasticity,
-                  const ContactInterface &interface,
-                  const ContactPair      &contact_pair,
-                  const Vector<double>   &solution)
+  solution_errors(const ExactSolution     &exact,
+                  const Discretization<2> &discretization,
+                  const Elasticity<2>     &elasticity,
+                  const ContactInterface  &interface,
+                  const ContactPair       &contact_pair,
+                  const Vector<double>    &solution)
   {
     std::map<std::string, double> errors;
     const auto                    add_on_slave =

@@ -44,10 +44,10 @@ namespace Contact
    * results.
    */
   std::optional<ExactSolution>
-  make_exact_solution(const Parameters::All &parameters,
-                      const Discretization  &discretization,
-                      const ContactPair     &contact_pair,
-                      const ContactResults  &results);
+  make_exact_solution(const Parameters::All   &parameters,
+                      const Discretization<2> &discretization,
+                      const ContactPair       &contact_pair,
+                      const ContactResults    &results);
 
   /**
    * The errors of a solution by name, relative to the norm of the exact one,
@@ -58,12 +58,12 @@ namespace Contact
    *    between the nodes.
    */
   std::map<std::string, double>
-  solution_errors(const ExactSolution    &exact,
-                  const Discretization   &discretization,
-                  const Elasticity       &elasticity,
-                  const ContactInterface &interface,
-                  const ContactPair      &contact_pair,
-                  const Vector<double>   &solution);
+  solution_errors(const ExactSolution     &exact,
+                  const Discretization<2> &discretization,
+                  const Elasticity<2>     &elasticity,
+                  const ContactInterface  &interface,
+                  const ContactPair       &contact_pair,
+                  const Vector<double>    &solution);
 } // namespace Contact
 
 #endif

@@ -52,8 +52,8 @@ namespace Contact
 
 
 
-  InvariantCheck::InvariantCheck(const Discretization       &discretization,
-                                 const Elasticity           &elasticity,
+  InvariantCheck::InvariantCheck(const Discretization<2>    &discretization,
+                                 const Elasticity<2>        &elasticity,
                                  const ContactInterface     *interface,
                                  const Parameters::Solution &parameters)
     : discretization(discretization)

@@ -125,8 +125,8 @@ namespace Contact
 
     /// Start from the undeformed bodies without loads. @p interface may be
     /// null.
-    InvariantCheck(const Discretization       &discretization,
-                   const Elasticity           &elasticity,
+    InvariantCheck(const Discretization<2>    &discretization,
+                   const Elasticity<2>        &elasticity,
                    const ContactInterface     *interface,
                    const Parameters::Solution &parameters);
 
@@ -174,8 +174,8 @@ namespace Contact
     /// whole way @p d.
     double work_at_middle(const Vector<double> &d) const;
 
-    const Discretization      &discretization;
-    const Elasticity          &elasticity;
+    const Discretization<2>   &discretization;
+    const Elasticity<2>       &elasticity;
     const ContactInterface    *interface;
     const Parameters::Solution parameters;
 
