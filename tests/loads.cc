@@ -39,9 +39,9 @@ namespace
 
   Resultant resultant(const Bodies &bodies, const Vector<double> &load)
   {
-    const auto   X = bodies.support_points();
-    const auto   c = bodies.components();
-    Resultant sum;
+    const auto X = bodies.support_points();
+    const auto c = bodies.components();
+    Resultant  sum;
     for (unsigned int i = 0; i < load.size(); ++i)
       {
         Tensor<1, 2> F;
@@ -60,7 +60,7 @@ namespace
   Resultant integrate(const Surface &surface, const Field &pressure)
   {
     const QGauss<1> quadrature(10);
-    Resultant    sum;
+    Resultant       sum;
     for (const auto &edge : surface.edges)
       for (unsigned int q = 0; q < quadrature.size(); ++q)
         {
@@ -225,8 +225,8 @@ namespace
                     const unsigned int degree,
                     const Split       &split)
   {
-    const std::string text = name + ", degree " + std::to_string(degree);
-    const auto deviation   = [&](const auto &set, const Resultant &exact) {
+    const std::string text      = name + ", degree " + std::to_string(degree);
+    const auto        deviation = [&](const auto &set, const Resultant &exact) {
       auto parameters = body(degree, false, split);
       set(parameters.boundary);
       const Bodies bodies(parameters);

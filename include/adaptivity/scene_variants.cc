@@ -205,6 +205,10 @@ namespace Contact
 
 
 
+    using Parameters::Boundary;
+
+
+
     /// An entry of the boundary conditions without one of its groups; a history
     /// of nothing goes, too.
     template<typename Groups, typename Access>
@@ -260,50 +264,36 @@ namespace Contact
 
 
 
+    /// Each group of an entry of loads, in each direction.
+    template<typename Value>
+    void add_directions(const std::string           &entry,
+                        Boundary::ByDirection<Value> Boundary::*const values,
+                        Variants                                     &variants)
+    {
+      for (const unsigned int c : {0, 1})
+        add_groups(
+          entry + ' ' + "xy"[c],
+          [&](auto &boundary) -> auto & { return (boundary.*values)[c]; },
+          variants);
+    }
+
+
+
     void add_loads(Variants &variants)
     {
-      const auto by_direction =
-        [&](const std::string &entry, const auto &values, const auto &add) {
-          for (const unsigned int c : {0, 1})
-            add(
-              entry + ' ' + "xy"[c],
-              [c, &values](auto &boundary) -> auto & {
-                return values(boundary)[c];
-              },
-              variants);
-        };
-      const auto displacements =
-        [](const auto &entry, const auto &values, Variants &variants) {
-          add_displacements(entry, values, variants);
-        };
-      const auto loads =
-        [](const std::string &entry, const auto &values, Variants &variants) {
-          add_groups(entry, values, variants);
-        };
-      by_direction(
-        "Displacement",
-        [](auto &boundary) -> auto & { return boundary.displacement; },
-        displacements);
-      by_direction(
-        "Force",
-        [](auto &boundary) -> auto & { return boundary.force; },
-        loads);
-      by_direction(
-        "Resultant force",
-        [](auto &boundary) -> auto & { return boundary.resultant_force; },
-        loads);
+      for (const unsigned int c : {0, 1})
+        add_displacements(
+          std::string("Displacement ") + "xy"[c],
+          [c](auto &boundary) -> auto & { return boundary.displacement[c]; },
+          variants);
+      add_directions("Force", &Boundary::force, variants);
+      add_directions("Resultant force", &Boundary::resultant_force, variants);
       add_groups(
         "Pressure",
         [](auto &boundary) -> auto & { return boundary.pressure; },
         variants);
-      by_direction(
-        "Traction",
-        [](auto &boundary) -> auto & { return boundary.traction; },
-        loads);
-      by_direction(
-        "Body force",
-        [](auto &boundary) -> auto & { return boundary.body_force; },
-        loads);
+      add_directions("Traction", &Boundary::traction, variants);
+      add_directions("Body force", &Boundary::body_force, variants);
     }
 
 

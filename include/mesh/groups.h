@@ -17,9 +17,9 @@ namespace Contact
   /// entry is the entry of the parameters that names the group.
   template<typename T>
   const T &find_group(const std::map<std::string, T> &groups,
-                const char                     *kind,
-                const std::string              &name,
-                const std::string              &entry)
+                      const char                     *kind,
+                      const std::string              &name,
+                      const std::string              &entry)
   {
     if (groups.count(name) > 0)
       return groups.at(name);
@@ -27,8 +27,7 @@ namespace Contact
     std::string names;
     for (const auto &group : groups)
       names += (names.empty() ? "'" : ", '") + group.first + "'";
-    throw InputError(std::string("the mesh has no ") + kind + " '" + name +
-                       "'",
+    throw InputError(std::string("the mesh has no ") + kind + " '" + name + "'",
                      "entry '" + entry + "'",
                      "of this kind it has: " +
                        (names.empty() ? "none" : names));

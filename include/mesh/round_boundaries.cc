@@ -57,11 +57,12 @@ namespace Contact
 
     /// Make the boundaries of one entry round: those of a surface by its
     /// numbers, where the body that they bound has it.
-    void make_parts_round(const std::map<std::string, std::vector<double>> &surfaces,
-                    const std::string                                &entry,
-                    const SurfaceIn    &surface_in,
-                    Mesh<3>            &mesh,
-                    types::manifold_id &n_manifolds)
+    void
+    make_parts_round(const std::map<std::string, std::vector<double>> &surfaces,
+                     const std::string                                &entry,
+                     const SurfaceIn    &surface_in,
+                     Mesh<3>            &mesh,
+                     types::manifold_id &n_manifolds)
     {
       for (const auto &[name, numbers] : surfaces)
         {

@@ -156,7 +156,7 @@ namespace Contact
     std::string Boundary::entry_in_z() const
     {
       for (const auto &[entry, is_set] : entries_with_history())
-        if (is_set && entry.back() == 'z')
+        if (entry.back() == 'z' && (is_set || histories.count(entry) > 0))
           return entry;
       return "";
     }

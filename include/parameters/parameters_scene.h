@@ -166,7 +166,7 @@ namespace Contact
       /// whether each is set.
       std::vector<std::pair<std::string, bool>> entries_with_history() const;
 
-      /// The first entry with values in direction z, or nothing.
+      /// The first entry with values, or a history, in direction z, or nothing.
       std::string entry_in_z() const;
 
     private:

@@ -6,10 +6,6 @@
 #ifndef contact_discretization_h
 #define contact_discretization_h
 
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/hp/fe_collection.h>
-#include <deal.II/hp/mapping_collection.h>
-#include <deal.II/hp/q_collection.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/vector.h>
 
@@ -22,6 +18,7 @@
 #include "base/counters.h"
 #include "mesh/mesh.h"
 #include "parameters/parameters.h"
+#include "solid/element_spaces.h"
 
 namespace Contact
 {
@@ -30,16 +27,6 @@ namespace Contact
   /// The displacement unknowns of a node.
   template<int dim>
   using NodeDoFs = std::array<types::global_dof_index, dim>;
-
-  /// Number the unknowns of a collection {for quadrangles, for triangles}. A
-  /// mesh of quadrangles or hexahedra alone takes the first element for all
-  /// cells.
-  template<int dim>
-  void distribute_dofs(const Mesh<dim>             &mesh,
-                       const hp::FECollection<dim> &fe,
-                       DoFHandler<dim>             &dof_handler);
-
-
 
   /**
    * The finite element spaces of all bodies: quadrangles and hexahedra are

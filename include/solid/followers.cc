@@ -78,11 +78,11 @@ namespace Contact
                     AffineConstraints<double> &constraints)
   {
     const std::vector<BoundNode>         bound = bound_nodes<dim>();
-    std::set<types::global_dof_index>    hanging, seen;
+    std::set<types::global_dof_index>    constrained, seen;
     std::vector<types::global_dof_index> dofs;
     if (dim == 3)
       for (const auto &line : constraints.get_lines())
-        hanging.insert(line.index);
+        constrained.insert(line.index);
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (!cell->is_artificial() && cell->reference_cell().is_hyper_cube())
         {
@@ -97,8 +97,8 @@ namespace Contact
                 {
                   // Of a face in common with a cell before: it is bound.
                   const auto index = dof(follower.node);
-                  if (dim == 3 &&
-                      (hanging.count(index) > 0 || !seen.insert(index).second))
+                  if (dim == 3 && (constrained.count(index) > 0 ||
+                                   !seen.insert(index).second))
                     continue;
                   constraints.add_line(index);
                   for (const auto &[node, factor] : follower.leaders)

@@ -35,8 +35,9 @@ namespace Contact
   template<int dim>
   std::vector<BoundNode> bound_nodes();
 
-  /// Add the constraints of serendipity elements. Nodes that hang are left out:
-  /// they follow the face of a larger cell, which is one of these elements.
+  /// Add the constraints of serendipity elements. Nodes on faces that supports
+  /// hold are left out, and those that hang: they follow the face of a larger
+  /// cell, which is one of these elements.
   template<int dim>
   void bind_centres(const DoFHandler<dim>     &dof_handler,
                     AffineConstraints<double> &constraints);

@@ -40,13 +40,11 @@ namespace Contact
     private:
       using typename Elasticity<dim>::SmallestInCell;
 
-      /// The nodes of a cell, and its quadrature points, at most.
-      static constexpr unsigned int n_max    = dim == 2 ? 9 : 27;
+      static constexpr unsigned int n_max    = dim == 2 ? 9 : 27; // nodes
       static constexpr unsigned int n_modes  = dim + 1;
       static constexpr unsigned int n_shears = dim == 2 ? 1 : 3;
 
-      /// By quadrature point.
-      using AtPoints = std::array<double, n_max>;
+      using AtPoints = std::array<double, n_max>; // by quadrature point
 
       SmallestInCell cell_forces(const CellTable<dim> &cell,
                                  const Vector<double> &u,
@@ -66,8 +64,7 @@ namespace Contact
 
       /// A quadrature point: the derivatives N_a,i and N_a/X of the shape
       /// functions, the gradient F of the motion, the stress S, and the rows
-      /// B_a. Of what is across the plane, plane strain uses nothing, nor does
-      /// a body in space.
+      /// B_a. What is across the plane only rings use.
       struct PointState
       {
         double                        JxW;
@@ -200,8 +197,7 @@ namespace Contact
                              const unsigned int n,
                              Vector<double>    &residual)
       {
-        // In the order of the strains.
-        std::array<double, dim + n_shears> S;
+        std::array<double, dim + n_shears> S; // in the order of the strains
         for (unsigned int k = 0; k < dim + n_shears; ++k)
           S[k] = at.S[Symmetry::components[k][0]][Symmetry::components[k][1]];
         for (unsigned int a = 0; a < n; ++a)

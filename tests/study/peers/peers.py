@@ -43,6 +43,7 @@ PENALTIES = "3.5e5", "3.5e6"
 REQUESTS = "1 %", "0.1 %", "0.01 %"
 # Adaptive refinements that make the reference.
 REFERENCE_LEVELS, REFERENCE_LEVELS_QUICK = 16, 12
+RULES = "mortar", "Gauss"
 BEST_OF = 2
 GROWTH, GROWTH_OF_FAILED = 4, 16
 OURS = "contact"
@@ -93,9 +94,12 @@ def words(entries):
 
 
 def contact_sequences(cases, friction):
-    """Mortar on the meshes of the peers, and on the program's own."""
-    for degree, element in ELEMENTS.items():
-        yield Sequence(OURS, "mortar", element, degree, friction, cases)
+    """Mortar and Gauss points on the meshes of the peers, and mortar on the
+    program's own."""
+    for rule in RULES:
+        for degree, element in ELEMENTS.items():
+            yield Sequence(OURS, rule, element, degree, friction, cases,
+                           entries=(("Contact/Discretization", rule),))
     requests = tuple(
         Case(f"asked {text}", 0, (("Probes/Accuracy", f"DY(B): {text}"),))
         for text in REQUESTS)
