@@ -117,6 +117,7 @@ namespace Contact
   // the loops, from the outside to the inside; Newton's method, in which a
   // contact problem is like any other but for the status of its points; and the
   // next mesh.
+  template<int dim>
   class ContactProblem
   {
   public:
@@ -153,32 +154,33 @@ namespace Contact
     void estimate_effects();
 
     // The next mesh.
+    void flag_cells();
     void refine();
 
     // The invariants.
     void check_invariants(const Vector<double> &springs);
 
     const Parameters::All parameters;
-    Report                report;
+    Report<dim>           report;
 
     // The scene on the present mesh, its linear system, and its state.
-    ContactModel                    model;
-    IncrementState                  state;
-    Pairing                         pairing;
-    std::unique_ptr<LinearSystem>   system;
-    RigidBodyStabilization          stabilization;
-    std::unique_ptr<InvariantCheck> invariants;
-    NewtonState                     newton;
-    Postprocessor                   postprocessor;
-    Checkpoint                      checkpoint;
+    ContactModel<dim>                    model;
+    IncrementState<dim>                  state;
+    Pairing<dim>                         pairing;
+    std::unique_ptr<LinearSystem<dim>>   system;
+    RigidBodyStabilization<dim>          stabilization;
+    std::unique_ptr<InvariantCheck<dim>> invariants;
+    NewtonState<dim>                     newton;
+    Postprocessor<dim>                   postprocessor;
+    Checkpoint<dim>                      checkpoint;
 
     // Nested iteration: the level, and on the level before the solutions and
     // the states of the surfaces after each increment.
     struct CoarserLevel
     {
-      std::vector<Vector<double>>            solutions;
-      std::vector<std::vector<SurfaceState>> surfaces;
-      Vector<float>                          indicators; // see GoalErrors
+      std::vector<Vector<double>>                 solutions;
+      std::vector<std::vector<SurfaceState<dim>>> surfaces;
+      Vector<float>                               indicators; // see GoalErrors
     };
 
     Levels       levels;
@@ -190,9 +192,26 @@ namespace Contact
 
 
 
-  ContactProblem::ContactProblem(const Parameters::All  &parameters,
-                                 const ParameterHandler &prm,
-                                 const bool              verbose)
+  // What is estimated is so in the plane.
+  template<>
+  ProbeErrors ContactProblem<2>::estimate_errors();
+  template<>
+  ProbeErrors ContactProblem<3>::estimate_errors();
+  template<>
+  void ContactProblem<2>::estimate_effects();
+  template<>
+  void ContactProblem<3>::estimate_effects();
+  template<>
+  void ContactProblem<2>::flag_cells();
+  template<>
+  void ContactProblem<3>::flag_cells();
+
+
+
+  template<int dim>
+  ContactProblem<dim>::ContactProblem(const Parameters::All  &parameters,
+                                      const ParameterHandler &prm,
+                                      const bool              verbose)
     : parameters(parameters)
     , report(this->parameters, prm, verbose, MPI_COMM_WORLD)
     , pairing(model, this->parameters, report.timer)
@@ -220,7 +239,8 @@ namespace Contact
   // An error in the input leaves here as an exception; a case that does not
   // converge has a result as well: the summary says so, and nothing that was
   // written looks as if it had converged.
-  RunSummary ContactProblem::run()
+  template<int dim>
+  RunSummary ContactProblem<dim>::run()
   {
     RunSummary &summary = report.summary;
     setup_system();
@@ -262,18 +282,19 @@ namespace Contact
   // All errors of the input are found here, before anything is computed or
   // written: a body that nothing holds would otherwise show as a singular
   // matrix much later.
-  void ContactProblem::setup_system()
+  template<int dim>
+  void ContactProblem<dim>::setup_system()
   {
     {
       TimerOutput::Scope scope(report.timer, "setup");
       model.mesh =
-        std::make_unique<Mesh<2>>(parameters.mesh, report.communicator);
+        std::make_unique<Mesh<dim>>(parameters.mesh, report.communicator);
       if (parameters.refines_adaptively(model.mesh->has_only_hypercubes()))
         check_adaptive(*model.mesh);
       model.discretization =
-        std::make_unique<Discretization<2>>(*model.mesh,
-                                            parameters,
-                                            report.communicator);
+        std::make_unique<Discretization<dim>>(*model.mesh,
+                                              parameters,
+                                              report.communicator);
     }
     setup_level();
     if (model.interface)
@@ -291,31 +312,32 @@ namespace Contact
   // @sect4{ContactProblem::setup_level}
   //
   // The objects that belong to one mesh.
-  void ContactProblem::setup_level()
+  template<int dim>
+  void ContactProblem<dim>::setup_level()
   {
     {
       TimerOutput::Scope scope(report.timer, "setup");
       model.elasticity =
-        Elasticity<2>::create(*model.discretization, parameters.solids);
+        Elasticity<dim>::create(*model.discretization, parameters.solids);
       auto pairs = parameters.pairs();
       for (Parameters::Contact &contact_pair : pairs)
         contact_pair.ends_are_corners = ends_are_corners;
       if (!pairs.empty())
         model.interface =
-          std::make_unique<ContactInterface>(*model.discretization,
-                                             *model.elasticity,
-                                             pairs);
+          std::make_unique<ContactInterface<dim>>(*model.discretization,
+                                                  *model.elasticity,
+                                                  pairs);
       state.reinit(model.n_unknowns());
-      invariants = std::make_unique<InvariantCheck>(*model.discretization,
-                                                    *model.elasticity,
-                                                    model.interface.get(),
-                                                    parameters.solution);
+      invariants = std::make_unique<InvariantCheck<dim>>(*model.discretization,
+                                                         *model.elasticity,
+                                                         model.interface.get(),
+                                                         parameters.solution);
       report.record_size(model);
-      system = LinearSystem::create(model,
-                                    parameters,
-                                    pairing.linearization(),
-                                    report.screen,
-                                    report.timer);
+      system = LinearSystem<dim>::create(model,
+                                         parameters,
+                                         pairing.linearization(),
+                                         report.screen,
+                                         report.timer);
       pairing.begin_level(*system);
     }
     pairing.pair(state.solution);
@@ -335,7 +357,8 @@ namespace Contact
   //
   // Return to the undeformed state, with points of contact at the ends of the
   // masters.
-  void ContactProblem::begin_anew()
+  template<int dim>
+  void ContactProblem<dim>::begin_anew()
   {
     ends_are_corners = true;
     report.begin_anew(*model.discretization);
@@ -362,7 +385,8 @@ namespace Contact
   // discretizations do not see. Only if the first attempt does not converge
   // does that end get a contact point of its own, see make_corner_points():
   // elsewhere the point would merely add a singular force.
-  void ContactProblem::solve_first_level()
+  template<int dim>
+  void ContactProblem<dim>::solve_first_level()
   {
     try
       {
@@ -387,7 +411,8 @@ namespace Contact
   //
   // All load increments on one mesh. Coarser meshes only yield the start of the
   // next level: the results of the last mesh are written.
-  void ContactProblem::solve_level()
+  template<int dim>
+  void ContactProblem<dim>::solve_level()
   {
     CoarserLevel here;
     LoadSteps    steps(parameters.solution.n_increments,
@@ -452,7 +477,8 @@ namespace Contact
   //
   // The dual problems, one for each probe, are linear: they are solved under
   // the statuses that the last increment has ended with.
-  ProbeErrors ContactProblem::estimate_errors()
+  template<>
+  ProbeErrors ContactProblem<2>::estimate_errors()
   {
     if (!parameters.probes.dual_weighted_residuals &&
         !parameters.asks_for_accuracy())
@@ -463,10 +489,17 @@ namespace Contact
     return errors;
   }
 
+  template<>
+  ProbeErrors ContactProblem<3>::estimate_errors()
+  {
+    return {};
+  }
+
 
 
   // @sect4{ContactProblem::solve_increment}
-  void ContactProblem::solve_increment(const LoadSteps::Step &step)
+  template<int dim>
+  void ContactProblem<dim>::solve_increment(const LoadSteps::Step &step)
   {
     state.begin(model, step.to);
     pairing.begin_increment((step.to - step.from) *
@@ -500,7 +533,9 @@ namespace Contact
 
 
 
-  void ContactProblem::start_from_coarser_level(const unsigned int increment)
+  template<int dim>
+  void
+  ContactProblem<dim>::start_from_coarser_level(const unsigned int increment)
   {
     const Vector<double> &u = coarser.solutions[increment - 1];
     std::copy(u.begin(), u.end(), state.solution.begin());
@@ -519,9 +554,10 @@ namespace Contact
   // state is that of the increment's start; the pattern of the matrix is made
   // anew. A body that contact alone held may have come loose on the way: then
   // it is held, too. Else the load is applied in smaller steps.
-  bool ContactProblem::try_again(LoadSteps             &steps,
-                                 const LoadSteps::Step &step,
-                                 const std::string     &reason)
+  template<int dim>
+  bool ContactProblem<dim>::try_again(LoadSteps             &steps,
+                                      const LoadSteps::Step &step,
+                                      const std::string     &reason)
   {
     report.increment().message = reason;
     report.screen << "  " << reason << std::endl;
@@ -551,11 +587,12 @@ namespace Contact
   // Slip counts from the start of an increment. Where bodies come to touch, the
   // way that they move before they do would count as well, and friction would
   // remember it: they first touch in a step as small as may be.
-  void ContactProblem::make_first_contact(LoadSteps &steps)
+  template<int dim>
+  void ContactProblem<dim>::make_first_contact(LoadSteps &steps)
   {
     if (!steps.next().starts_increment || !model.has_friction() ||
         model.interface->count().active > 0 ||
-        rigid_body_modes(*model.discretization, nullptr).empty())
+        rigid_body_modes<dim>(*model.discretization, nullptr).empty())
       return;
     bool is_cut = false;
     while (steps.cut())
@@ -572,7 +609,8 @@ namespace Contact
   //
   // A body that nothing holds is held by soft springs until contact holds it;
   // see RigidBodyStabilization.
-  void ContactProblem::solve_with_stabilization()
+  template<int dim>
+  void ContactProblem<dim>::solve_with_stabilization()
   {
     if (!stabilization.is_needed())
       {
@@ -620,7 +658,8 @@ namespace Contact
   // the surfaces is asked for, not that under a nodal force, which never ends.
   // The criterion is the one of the reference solution: the largest change of a
   // displacement against the largest displacement of the increment before.
-  void ContactProblem::solve_with_geometry_loop()
+  template<int dim>
+  void ContactProblem<dim>::solve_with_geometry_loop()
   {
     if (!pairing.follows() || pairing.follows_each_step())
       {
@@ -676,7 +715,8 @@ namespace Contact
   // of the shear traction, update the bounds from the pressures, until they
   // stay. A body that friction alone holds would have nothing to hold it where
   // no pressure is known: there it sticks in the first turn.
-  void ContactProblem::solve_with_friction_loop()
+  template<int dim>
+  void ContactProblem<dim>::solve_with_friction_loop()
   {
     const bool has_friction = model.has_friction();
     if (!has_friction ||
@@ -689,8 +729,10 @@ namespace Contact
         return;
       }
 
-    ContactInterface &interface = *model.interface;
-    if (!rigid_body_modes(*model.discretization, &interface, Tangents::free)
+    ContactInterface<dim> &interface = *model.interface;
+    if (!rigid_body_modes<dim>(*model.discretization,
+                               &interface,
+                               Tangents::free)
            .empty())
       interface.raise_unknown_bounds();
 
@@ -730,7 +772,8 @@ namespace Contact
   // together. It has converged when the residual, forces and constraints, is
   // small against the forces, under the status that each point has in the
   // present state, and under a pairing of the present state.
-  void ContactProblem::solve_newton()
+  template<int dim>
+  void ContactProblem<dim>::solve_newton()
   {
     IncrementRecord   &record = report.increment();
     const unsigned int limit  = parameters.solution.newton_limit(
@@ -790,7 +833,8 @@ namespace Contact
   //
   // How much the probes change by an effect that the scene has, or leaves out,
   // follows from the residual of the other scene in this one's state.
-  void ContactProblem::estimate_effects()
+  template<>
+  void ContactProblem<2>::estimate_effects()
   {
     if (!parameters.solution.estimate_effects)
       return;
@@ -809,14 +853,20 @@ namespace Contact
       }
   }
 
+  template<>
+  void ContactProblem<3>::estimate_effects()
+  {
+  }
+
 
 
   // @sect3{The next mesh}
 
-  // @sect4{ContactProblem::refine}
+  // @sect4{ContactProblem::flag_cells}
   //
-  // The old matrices go first: two meshes at a time would take their memory.
-  void ContactProblem::refine()
+  // In space all meshes are refined uniformly.
+  template<>
+  void ContactProblem<2>::flag_cells()
   {
     if (!parameters.refines_adaptively(model.mesh->has_only_hypercubes()))
       flag_all_cells(*model.mesh);
@@ -830,7 +880,23 @@ namespace Contact
                          postprocessor.recovered_stresses(),
                          state.solution);
       }
+  }
 
+  template<>
+  void ContactProblem<3>::flag_cells()
+  {
+    flag_all_cells(*model.mesh);
+  }
+
+
+
+  // @sect4{ContactProblem::refine}
+  //
+  // The old matrices go first: two meshes at a time would take their memory.
+  template<int dim>
+  void ContactProblem<dim>::refine()
+  {
+    flag_cells();
     {
       TimerOutput::Scope scope(report.timer, "setup");
       system.reset();
@@ -856,7 +922,8 @@ namespace Contact
   //
   // Conditions on every solution, by a computation of their own. A result that
   // violates one is wrong, whatever Newton's method says.
-  void ContactProblem::check_invariants(const Vector<double> &springs)
+  template<int dim>
+  void ContactProblem<dim>::check_invariants(const Vector<double> &springs)
   {
     TimerOutput::Scope scope(report.timer, "invariants");
     Invariants         found =
@@ -876,10 +943,24 @@ namespace Contact
 
 
 // @sect3{The main function}
+//
+// Whether a scene is one in the plane or in space, its mesh tells.
 int main(int argc, char **argv)
 {
   using namespace Contact;
-  return run_application(argc, argv, [](const auto &...arguments) {
-    return ContactProblem(arguments...).run();
-  });
+  return run_application(
+    argc,
+    argv,
+    [](const Parameters::All  &parameters,
+       const ParameterHandler &prm,
+       const bool              verbose) {
+      try
+        {
+          return ContactProblem<2>(parameters, prm, verbose).run();
+        }
+      catch (const MeshOfVolumes &)
+        {
+          return ContactProblem<3>(parameters.for_space(), prm, verbose).run();
+        }
+    });
 }

@@ -52,7 +52,7 @@ namespace
     model.interface.pair(model.solution);
     double       sum = 0, smallest = 1e9;
     unsigned int n_on_axis = 0;
-    for (const ContactPoint &point : model.interface.points())
+    for (const ContactPoint<2> &point : model.interface.points())
       {
         const bool on_axis =
           model.discretization.is_on_axis(point.X[0]) && degree == 2;
@@ -82,7 +82,7 @@ namespace
       const Bodies bodies(parameters);
       std::cout << "  " << name << ':';
       for (const RigidBodyMode &motion :
-           rigid_body_modes(bodies.discretization, nullptr))
+           rigid_body_modes<2>(bodies.discretization, nullptr))
         std::cout << ' '
                   << bodies.mesh.body_name(
                        bodies.mesh.pieces[motion.piece].body)
@@ -115,8 +115,8 @@ namespace
       "degree " + std::to_string(degree) + ", slave " + slave;
     check(name + ", converged", model.newton(1) > 0);
 
-    double             deviation    = 0;
-    const ContactPair &contact_pair = *model.interface->pairs[0];
+    double                deviation    = 0;
+    const ContactPair<2> &contact_pair = *model.interface->pairs[0];
     for (unsigned int n = 0; n < contact_pair.slave.nodes.size(); ++n)
       deviation =
         std::max(deviation,

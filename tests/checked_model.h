@@ -82,10 +82,10 @@ namespace Tests
     {
       load_factor = load;
       return ContactModel::solve(load,
-                                 parameters.contact.discretization !=
-                                   Parameters::ContactDiscretization::mortar,
-                                 /*pairs_anew=*/true,
-                                 force) > 0;
+                                    parameters.contact.discretization !=
+                                      Parameters::ContactDiscretization::mortar,
+                                    /*pairs_anew=*/true,
+                                    force) > 0;
     }
 
     Invariants check()
@@ -104,9 +104,9 @@ namespace Tests
     }
 
     /// The first point of a status.
-    const ContactPoint *find(const Status status) const
+    const ContactPoint<2> *find(const Status status) const
     {
-      for (const ContactPoint &point : interface.points())
+      for (const ContactPoint<2> &point : interface.points())
         if (point.status.kind == status && point.facing &&
             (status != Status::slip || point.status.slip_direction != 0))
           return &point;
@@ -114,20 +114,20 @@ namespace Tests
     }
 
     /// Change the first point of a status.
-    void change(const Status                               status,
-                const std::function<void(ContactPoint &)> &change_point)
+    void change(const Status                                  status,
+                const std::function<void(ContactPoint<2> &)> &change_point)
     {
       auto points = interface.points();
       change_point(points[find(status) - interface.points().data()]);
       interface.set_points(points);
     }
 
-    double &lambda_n(const ContactPoint &point)
+    double &lambda_n(const ContactPoint<2> &point)
     {
       return solution[interface.normal_index(point.multipliers[0])];
     }
 
-    double &lambda_t(const ContactPoint &point)
+    double &lambda_t(const ContactPoint<2> &point)
     {
       return solution[interface.tangential_index(point.multipliers[0])];
     }
@@ -136,7 +136,7 @@ namespace Tests
     static constexpr double force     = 10; // [N/mm], about that of the contact
 
     const Parameters::All parameters;
-    InvariantCheck        invariants;
+    InvariantCheck<2>     invariants;
     double                load_factor = 0;
   };
 } // namespace Tests

@@ -18,7 +18,7 @@ using namespace Tests;
 
 namespace
 {
-  std::string counts(const ContactInterface &interface)
+  std::string counts(const ContactInterface<2> &interface)
   {
     const StatusCount count = interface.count();
     return std::to_string(interface.points().size() - count.active) +
@@ -32,7 +32,7 @@ namespace
   void compare(const std::string &name, const Case &c)
   {
     const Parameters::All parameters = make_case(c);
-    ContactModel          saddle(parameters);
+    ContactModel       saddle(parameters);
     CondensedModel        condensed(parameters);
     bool                  converged = true;
     for (const double load_factor : {0.6, 1.})

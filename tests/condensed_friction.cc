@@ -68,7 +68,7 @@ namespace
             model.elimination->recover_pressures(model.rhs, model.solution);
             model.elimination->recover_shears(model.rhs, model.solution);
           }
-        ContactKernel(*model.interface)
+        ContactKernel<2>(*model.interface)
           .assemble(model.solution,
                     model.start,
                     {false, true},
@@ -131,7 +131,7 @@ namespace
     headline("the same solution, " + rule + " rule, degree " +
              std::to_string(degree) + ", " + kinematics);
     const Parameters::All parameters = sliding_block(rule, degree, kinematics);
-    ContactModel          saddle(parameters);
+    ContactModel       saddle(parameters);
     CondensedModel        condensed(parameters, "CHOLMOD", true);
     bool                  converged = true;
     for (const double load_factor : {0.5, 1.})

@@ -20,9 +20,9 @@ namespace Tests
                             const bool             moving_bound = false)
       : Bodies(parameters)
       , moving_bound(moving_bound)
-      , interface(std::make_unique<ContactInterface>(discretization,
-                                                     *elasticity,
-                                                     parameters.pairs()))
+      , interface(std::make_unique<ContactInterface<2>>(discretization,
+                                                        *elasticity,
+                                                        parameters.pairs()))
       , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
       , solution(n_dofs() + interface->n_multipliers())
       , start(solution)
@@ -35,10 +35,10 @@ namespace Tests
     void make_system(const std::string &solver_name)
     {
       condensed.reset();
-      elimination = std::make_unique<ContactElimination>(discretization,
-                                                         interface.get(),
-                                                         moving_bound);
-      condensed   = std::make_unique<CondensedSystem>(
+      elimination = std::make_unique<ContactElimination<2>>(discretization,
+                                                            interface.get(),
+                                                            moving_bound);
+      condensed   = std::make_unique<CondensedSystem<2>>(
         discretization,
         *elasticity,
         interface.get(),
@@ -54,9 +54,9 @@ namespace Tests
       condensed.reset();
       interface.reset();
       elasticity = Elasticity<2>::create(discretization, parameters.solids);
-      interface  = std::make_unique<ContactInterface>(discretization,
-                                                     *elasticity,
-                                                     parameters.pairs());
+      interface  = std::make_unique<ContactInterface<2>>(discretization,
+                                                        *elasticity,
+                                                        parameters.pairs());
       solution.reinit(n_dofs() + interface->n_multipliers());
       start.reinit(solution.size());
       rhs.reinit(solution.size());
@@ -85,7 +85,7 @@ namespace Tests
         }
       const unsigned int n_changes =
         interface->update_statuses(solution, start, moving_bound, after_a_step);
-      ContactKernel(*interface)
+      ContactKernel<2>(*interface)
         .assemble(solution, start, {false, moving_bound}, rhs, nullptr);
       return n_changes;
     }
@@ -131,12 +131,12 @@ namespace Tests
       return false;
     }
 
-    const bool                          moving_bound;
-    std::unique_ptr<ContactInterface>   interface;
-    std::unique_ptr<ContactElimination> elimination;
-    std::unique_ptr<CondensedSystem>    condensed;
-    TimerOutput                         timer;
-    Vector<double>                      solution, start, rhs, update;
+    const bool                             moving_bound;
+    std::unique_ptr<ContactInterface<2>>   interface;
+    std::unique_ptr<ContactElimination<2>> elimination;
+    std::unique_ptr<CondensedSystem<2>>    condensed;
+    TimerOutput                            timer;
+    Vector<double>                         solution, start, rhs, update;
   };
 
 

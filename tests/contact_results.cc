@@ -52,14 +52,14 @@ namespace
     }
 
     // The place of a point.
-    double x(const ContactPoint &point) const
+    double x(const ContactPoint<2> &point) const
     {
       const auto     &slave = interface.pairs[0]->slave;
       const EdgeShape shape(slave.degree, point.slave_xi);
       double          x = 0;
-      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
         x += shape.value[a] *
-             slave.nodes[slave.edges[point.slave_edge].nodes[a]].X[0];
+             slave.nodes[slave.facets[point.slave_facet].nodes[a]].X[0];
       return x;
     }
 
@@ -67,7 +67,7 @@ namespace
     // otherwise slip in its direction under the bound @p bound.
     void set(const Profile &pressure, const Profile &slip, const double bound)
     {
-      change_points(interface, [&](ContactPoint &point) {
+      change_points(interface, [&](ContactPoint<2> &point) {
         const double p = pressure(x(point)), s = slip(x(point));
         point.status = {p <= 0   ? Status::open
                         : s == 0 ? Status::stick
@@ -76,7 +76,7 @@ namespace
         point.psi.fill(0);
         point.psi[0]         = std::max(0., p);
         point.friction_bound = bound;
-        point.tangent *= s / point.tangent.norm();
+        point.tangents[0] *= s / point.tangents[0].norm();
       });
     }
 

@@ -65,20 +65,20 @@ namespace
       }
     model.interface.pair(model.solution);
 
-    const ContactPoint &corner = model.interface.points().back();
-    unsigned int        n      = 0;
-    for (const ContactPoint &point : model.interface.points())
+    const ContactPoint<2> &corner = model.interface.points().back();
+    unsigned int           n      = 0;
+    for (const ContactPoint<2> &point : model.interface.points())
       n += point.is_master_corner;
     check("one corner, which faces the edge",
           n == 1 && corner.is_master_corner && corner.facing);
     check_small("the normal is that of the slave, outward",
                 (corner.normal - Tensor<1, 2>({0, 1})).norm(),
                 1e-12);
-    const ContactState now =
+    const ContactState<2> now =
       model.interface.state(corner, model.solution, model.start);
     check_small("the gap is the height", std::abs(now.gap - up), 1e-7);
     check_small("the slip is along n turned by +90 degrees",
-                std::abs(now.slip + sideways),
+                std::abs(now.slip[0] + sideways),
                 1e-12);
     check_small("own coefficient", std::abs(corner.C[0] - 1), 1e-12);
     double place = 0, sum = 0;
@@ -122,7 +122,7 @@ namespace
     ContactModel model(parameters);
     check("converges", model.solve(1, true) > 0);
 
-    const ContactPoint &corner = model.interface.points().back();
+    const ContactPoint<2> &corner = model.interface.points().back();
     check("the corner is in contact, and nothing else",
           corner.status.kind != Status::open &&
             model.interface.count().active == 1);
@@ -132,12 +132,12 @@ namespace
 
     Tensor<1, 2>         on_slave, on_master;
     const Vector<double> forces = model.contact_forces();
-    const auto           add = [&](const Surface &surface, Tensor<1, 2> &sum) {
+    const auto add = [&](const Surface<2> &surface, Tensor<1, 2> &sum) {
       for (const auto &node : surface.nodes)
         for (unsigned int i = 0; i < 2; ++i)
           sum[i] += forces[node.dofs[i]];
     };
-    const ContactPair &contact_pair = *model.interface.pairs[0];
+    const ContactPair<2> &contact_pair = *model.interface.pairs[0];
     add(contact_pair.slave, on_slave);
     add(*contact_pair.master, on_master);
     check("the tip is pushed up", on_master[1] > 0.1);
@@ -204,15 +204,15 @@ namespace
                                            {"up top", -0.01}};
     ContactModel model(parameters);
     unsigned int n = 0;
-    for (const ContactPoint &point : model.interface.points())
+    for (const ContactPoint<2> &point : model.interface.points())
       n += point.is_master_corner;
     check("two corners", n == 2);
     check("converges", model.solve(1, true) > 0);
     double depth = 0, tension = 0;
-    for (const ContactPoint &point : model.interface.points())
+    for (const ContactPoint<2> &point : model.interface.points())
       if (point.facing)
         {
-          const ContactState now =
+          const ContactState<2> now =
             model.interface.state(point, model.solution, model.start);
           depth   = std::max(depth, -now.gap);
           tension = std::max(tension, -now.lambda_n);
@@ -244,16 +244,16 @@ namespace
     check("though there could be", plain.interface.pairs[0]->lacks_ends());
 
     parameters.contact.ends_are_corners = true;
-    ContactModel       model(parameters);
-    const ContactPair &contact_pair = *model.interface.pairs[0];
+    ContactModel          model(parameters);
+    const ContactPair<2> &contact_pair = *model.interface.pairs[0];
     check("both ends", contact_pair.sees_ends() && !contact_pair.lacks_ends());
     check("converges", model.solve(1, true) > 0);
     unsigned int n_facing = 0;
     double       depth = 0, tension = 0;
-    for (const ContactPoint &point : model.interface.points())
+    for (const ContactPoint<2> &point : model.interface.points())
       if (point.is_master_corner && point.facing)
         {
-          const ContactState now =
+          const ContactState<2> now =
             model.interface.state(point, model.solution, model.start);
           ++n_facing;
           depth   = std::max(depth, -now.gap);

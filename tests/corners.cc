@@ -42,29 +42,30 @@ namespace
     {
     }
 
-    Surface surface_of(const Names &names) const
+    Surface<2> surface_of(const Names &names) const
     {
       std::set<types::boundary_id> ids;
       for (const std::string &name : names)
         for (const auto id : mesh.boundary(name, "test"))
           ids.insert(id);
-      return Surface(discretization, ids, names.front());
+      return Surface<2>(discretization, ids, names.front());
     }
 
-    std::vector<ContactPoint> mortar() const
+    std::vector<ContactPoint<2>> mortar() const
     {
-      MultiplierSpace            multipliers;
-      const MortarDiscretization rule(slave, master, discretization, {});
-      auto                       points = rule.make_points(multipliers);
+      MultiplierSpace               multipliers;
+      const MortarDiscretization<2> rule(slave, master, discretization, {});
+      auto                          points = rule.make_points(multipliers);
       rule.pair(points, u);
       return points;
     }
 
-    std::vector<ContactPoint> project(std::vector<ContactPoint> points) const
+    std::vector<ContactPoint<2>>
+    project(std::vector<ContactPoint<2>> points) const
     {
-      const SurfaceSearch search(master, u);
-      const auto          normals = slave.edge_normals(u);
-      for (ContactPoint &point : points)
+      const SurfaceSearch<2> search(master, u);
+      const auto             normals = slave.facet_normals(u);
+      for (ContactPoint<2> &point : points)
         pair_with_master(point,
                          directions_of(point, slave, normals),
                          master,
@@ -74,24 +75,24 @@ namespace
       return points;
     }
 
-    std::vector<ContactPoint> nodal() const
+    std::vector<ContactPoint<2>> nodal() const
     {
       MultiplierSpace multipliers;
       return project(make_nodal_points(slave, {}, multipliers));
     }
 
-    std::vector<ContactPoint> gauss() const
+    std::vector<ContactPoint<2>> gauss() const
     {
       MultiplierSpace multipliers;
       return project(make_gauss_points(slave, 4, multipliers));
     }
 
-    Point<2> position(const ContactPoint &point, const unsigned int a) const
+    Point<2> position(const ContactPoint<2> &point, const unsigned int a) const
     {
       return point.X[a] + Point<2>(u[point.dofs[a][0]], u[point.dofs[a][1]]);
     }
 
-    double gap(const ContactPoint &point) const
+    double gap(const ContactPoint<2> &point) const
     {
       double gap = 0;
       for (unsigned int a = 0; a < point.n_nodes; ++a)
@@ -99,7 +100,7 @@ namespace
       return gap;
     }
 
-    const Surface        slave, master;
+    const Surface<2>     slave, master;
     const Vector<double> u;
   };
 
@@ -118,14 +119,14 @@ namespace
 
 
   /// Of all points that face the master; with @p mirror, of the mirror image.
-  Facts facts(const std::vector<ContactPoint> &points,
-              const bool                       mirror = false)
+  Facts facts(const std::vector<ContactPoint<2>> &points,
+              const bool                          mirror = false)
   {
     const auto at = [&](const Point<2> &X) {
       return place(Point<2>(mirror ? -X[0] : X[0], X[1]));
     };
     Facts facts;
-    for (const ContactPoint &point : points)
+    for (const ContactPoint<2> &point : points)
       if (point.facing)
         {
           auto &values = facts[at(point.X[0])];
@@ -231,7 +232,7 @@ namespace
 
     double       sideways = 0, gap_of_corner = 1;
     unsigned int n = 0;
-    for (const ContactPoint &point : pair.mortar())
+    for (const ContactPoint<2> &point : pair.mortar())
       if (point.facing && point.X[0].distance(Point<2>(0, 10)) < 1e-9)
         {
           ++n;
@@ -267,7 +268,7 @@ namespace
         const auto                                points = pair.mortar();
         double                                    length = 0, smallest = 1;
         std::map<types::global_dof_index, double> loads;
-        for (const ContactPoint &point : points)
+        for (const ContactPoint<2> &point : points)
           if (point.facing)
             {
               length += point.weight;
@@ -277,7 +278,7 @@ namespace
             }
         double          error = 0;
         MultiplierSpace unused;
-        for (const ContactPoint &point :
+        for (const ContactPoint<2> &point :
              make_nodal_points(pair.master, {}, unused))
           error =
             std::max(error, std::abs(loads[point.dofs[0][0]] - point.weight));
@@ -345,7 +346,7 @@ namespace
     check_small("left and right",
                 difference(facts(points), facts(points, true)),
                 1e-12);
-    for (const ContactPoint &point : points)
+    for (const ContactPoint<2> &point : points)
       if (std::abs(point.X[0][0]) < 1e-9)
         {
           check_small("sideways", std::abs(point.normal[0]), 1e-12);

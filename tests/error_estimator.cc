@@ -90,7 +90,7 @@ namespace
                                            {"upper left", 0}};
     parameters.boundary.displacement[1] = {{"lower bottom", 0},
                                            {"upper top", -0.1}};
-    Tests::ContactModel     model(parameters);
+    Tests::ContactModel  model(parameters);
     const StressRecovery<2> recovery(model.discretization);
     const std::string       name = "uniform pressure, degree " +
                              std::to_string(degree) + ", " + kinematics + ", " +
@@ -98,7 +98,7 @@ namespace
     check(name + ", converged", model.solve(1, rule != "mortar") > 0);
 
     const ErrorEstimator estimator(model.discretization, *model.elasticity);
-    const auto           estimate = [&](const ContactInterface *interface) {
+    const auto           estimate = [&](const ContactInterface<2> *interface) {
       return sum(estimator.indicators(
         recovery.vertex_stresses(*model.elasticity, model.solution),
         interface,

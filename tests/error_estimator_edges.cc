@@ -148,7 +148,7 @@ namespace
     for (const std::string side : {"upper top", "upper left", "upper right"})
       parameters.boundary.displacement[0][side] =
         parameters.boundary.displacement[1][side] = 0;
-    Tests::ContactModel     model(parameters);
+    Tests::ContactModel  model(parameters);
     const StressRecovery<2> recovery(model.discretization);
 
     // Without lateral strain the stresses are -E u_y,y and E/2 u_x,y.

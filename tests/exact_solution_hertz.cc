@@ -100,7 +100,7 @@ namespace
                                               return std::abs(a.X[0][0] - x) <
                                                      std::abs(b.X[0][0] - x);
                                             })
-                             ->tangent[0];
+                             ->tangents[0][0];
     return (upper_is_slave ? 1 : -1) * (along_x > 0 ? 1 : -1) *
            exact.shear(Point<2>(x, 0));
   }
@@ -117,11 +117,11 @@ namespace
     ContactModel model(parameters);
     auto        &interface = model.interface;
     interface.pair(model.solution);
-    change_points(interface, [&](ContactPoint &point) {
+    change_points(interface, [&](ContactPoint<2> &point) {
       point.status = {Status::stick, 0};
       for (unsigned int k = 0; k < point.n_multipliers; ++k)
         model.solution[interface.tangential_index(point.multipliers[k])] =
-          (upper_is_slave ? sign : -sign) * (point.tangent[0] > 0 ? 1 : -1);
+          (upper_is_slave ? sign : -sign) * (point.tangents[0][0] > 0 ? 1 : -1);
     });
     const auto        results = contact_results(interface,
                                          *interface.pairs[0],

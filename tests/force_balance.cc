@@ -61,7 +61,7 @@ namespace
 
 
   /// The sum of the nodal forces on those unknowns that @p counts wants.
-  Wrench sum(const ContactModel                            &model,
+  Wrench sum(const ContactModel                         &model,
              const Vector<double>                          &forces,
              const std::function<bool(const unsigned int)> &counts)
   {
@@ -104,7 +104,7 @@ namespace
 
 
 
-  std::set<unsigned int> unknowns_of(const Surface &surface)
+  std::set<unsigned int> unknowns_of(const Surface<2> &surface)
   {
     std::set<unsigned int> dofs;
     for (const auto &node : surface.nodes)
@@ -184,7 +184,7 @@ namespace
                                    load_factor,
                                    rhs,
                                    &model.matrix);
-        ContactKernel(model.interface)
+        ContactKernel<2>(model.interface)
           .assemble(model.solution,
                     model.start,
                     {false, true},
@@ -215,7 +215,7 @@ namespace
   void print_contact(const ContactModel &model)
   {
     double largest_gap = 0;
-    for (const ContactPoint &point : model.interface.points())
+    for (const ContactPoint<2> &point : model.interface.points())
       if (point.status.kind != Status::open)
         largest_gap = std::max(
           largest_gap,

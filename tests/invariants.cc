@@ -90,7 +90,7 @@ namespace
   {
     const Vector<double> forces = model.contact_forces();
     Tensor<1, 2>         on_slave;
-    for (const Surface::Node &node : model.interface.pairs[0]->slave.nodes)
+    for (const SurfaceNode<2> &node : model.interface.pairs[0]->slave.nodes)
       for (unsigned int c = 0; c < 2; ++c)
         on_slave[c] += forces[node.dofs[c]];
     const auto &upper = found.reactions.at("upper top");
@@ -152,7 +152,7 @@ namespace
     const Invariants dragged = model.check();
     double           hand = 0, trapezoid = 0;
     bool             slips = true;
-    for (const ContactPoint &point : model.interface.points())
+    for (const ContactPoint<2> &point : model.interface.points())
       {
         slips = slips && point.status.kind == Status::slip;
         // Along x, from which the surface turns away by a little.

@@ -34,7 +34,7 @@ namespace
      [](Checked &m) { m.solution[m.find(Status::stick)->dofs[0][1]] -= 1e-4; }},
     {"an open slave node moved into the master",
      [](Checked &m) {
-       const ContactPoint &point = *m.find(Status::open);
+       const ContactPoint<2> &point = *m.find(Status::open);
        const double gap = m.interface.state(point, m.solution, m.start).gap;
        m.solution[point.dofs[0][1]] -= 2 * gap / point.C[0];
      }},
@@ -42,32 +42,33 @@ namespace
      [](Checked &m) { m.solution[m.find(Status::stick)->dofs[0][0]] += 1e-4; }},
     {"a shear above the bound",
      [](Checked &m) {
-       const ContactPoint &point = *m.find(Status::stick);
-       m.lambda_t(point)         = 2 * 0.2 * m.lambda_n(point);
+       const ContactPoint<2> &point = *m.find(Status::stick);
+       m.lambda_t(point)            = 2 * 0.2 * m.lambda_n(point);
      }},
     {"the sign of a shear",
      [](Checked &m) {
        m.lambda_t(*m.find(Status::slip)) *= -1;
-       m.change(Status::slip,
-                [](ContactPoint &point) { point.status.slip_direction *= -1; });
+       m.change(Status::slip, [](ContactPoint<2> &point) {
+         point.status.slip_direction *= -1;
+       });
      }},
     {"a point in contact left out",
      [](Checked &m) {
-       const ContactPoint &point = *m.find(Status::stick);
+       const ContactPoint<2> &point = *m.find(Status::stick);
        m.lambda_n(point) = m.lambda_t(point) = 0;
-       m.change(Status::stick, [](ContactPoint &point) {
+       m.change(Status::stick, [](ContactPoint<2> &point) {
          point.status = {Status::open, 0};
        });
      }},
     {"a force on the slave alone",
      [](Checked &m) {
-       m.change(Status::stick, [](ContactPoint &point) {
+       m.change(Status::stick, [](ContactPoint<2> &point) {
          point.C[point.n_nodes - 1] *= 1.001;
        });
      }},
     {"the foot shifted along the master",
      [](Checked &m) {
-       m.change(Status::stick, [](ContactPoint &point) {
+       m.change(Status::stick, [](ContactPoint<2> &point) {
          point.C[point.n_nodes - 1] += 0.01;
          point.C[point.n_nodes - 2] -= 0.01;
        });
@@ -149,10 +150,10 @@ namespace
       boost::archive::binary_oarchive out(file);
       out << model.invariants;
     }
-    InvariantCheck restarted(model.discretization,
-                             *model.elasticity,
-                             &model.interface,
-                             model.parameters.solution);
+    InvariantCheck<2> restarted(model.discretization,
+                                *model.elasticity,
+                                &model.interface,
+                                model.parameters.solution);
     {
       boost::archive::binary_iarchive in(file);
       in >> restarted;

@@ -57,17 +57,17 @@ namespace
 
   // Of a pressure on the discrete boundary, integrated with many points. The
   // body is to the left of the edges.
-  Resultant integrate(const Surface &surface, const Field &pressure)
+  Resultant integrate(const Surface<2> &surface, const Field &pressure)
   {
     const QGauss<1> quadrature(10);
     Resultant       sum;
-    for (const auto &edge : surface.edges)
+    for (const auto &edge : surface.facets)
       for (unsigned int q = 0; q < quadrature.size(); ++q)
         {
           const EdgeShape shape(surface.degree, 2 * quadrature.point(q)[0] - 1);
           Point<2>        X;
           Tensor<1, 2>    along;
-          for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
+          for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
             {
               const Tensor<1, 2> node = surface.nodes[edge.nodes[a]].X;
               X += shape.value[a] * node;
@@ -110,9 +110,9 @@ namespace
       {
         auto parameters              = body(degree, round, split);
         parameters.boundary.pressure = {{side, "3"}};
-        const Bodies  under_constant(parameters);
-        const Surface surface = under_constant.surface(side);
-        const auto    found =
+        const Bodies     under_constant(parameters);
+        const Surface<2> surface = under_constant.surface(side);
+        const auto       found =
           resultant(under_constant,
                     under_constant.elasticity->dead_loads.at(1));
         constant = std::max(constant,

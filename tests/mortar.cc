@@ -29,7 +29,7 @@ namespace
 
 
   /// By how much the slave side is more than the node itself.
-  double beside_the_node(const ContactPoint &point)
+  double beside_the_node(const ContactPoint<2> &point)
   {
     double sum = std::abs(point.C[0] - 1);
     for (unsigned int a = 1; a < point.n_slave_nodes; ++a)
@@ -46,8 +46,8 @@ namespace
                 pairing.largest(sum_of_coefficients),
                 1e-12);
     check_small("tangential offset",
-                pairing.largest([&](const ContactPoint &point) {
-                  return std::abs(point.tangent * pairing.offset(point));
+                pairing.largest([&](const ContactPoint<2> &point) {
+                  return std::abs(point.tangents[0] * pairing.offset(point));
                 }),
                 1e-11);
     check_small("weights and length",
@@ -74,7 +74,7 @@ namespace
                 pairing.largest(beside_the_node),
                 1e-12);
     check("the gap is open at all of them",
-          pairing.largest([&](const ContactPoint &point) {
+          pairing.largest([&](const ContactPoint<2> &point) {
             return -point.normal * pairing.offset(point);
           }) == 0);
   }
@@ -89,16 +89,16 @@ namespace
                           stay);
     check("all points face the master", pairing.all_facing());
     check_points(pairing, 2.5);
-    check("pairs of two nodes", pairing.largest([](const ContactPoint &point) {
-      return point.n_nodes;
-    }) == 2);
+    check("pairs of two nodes",
+          pairing.largest(
+            [](const ContactPoint<2> &point) { return point.n_nodes; }) == 2);
     check_small("distance of the partners",
-                pairing.largest([](const ContactPoint &point) {
+                pairing.largest([](const ContactPoint<2> &point) {
                   return point.X[0].distance(point.X[1]);
                 }),
                 1e-13);
     check_small("coefficients but one and minus one",
-                pairing.largest([](const ContactPoint &point) {
+                pairing.largest([](const ContactPoint<2> &point) {
                   return std::abs(point.C[0] - 1) + std::abs(point.C[1] + 1);
                 }),
                 1e-12);
@@ -116,7 +116,7 @@ namespace
                 pairing.largest(beside_the_node),
                 1e-11);
     check_small("gap",
-                pairing.largest([&](const ContactPoint &point) {
+                pairing.largest([&](const ContactPoint<2> &point) {
                   return pairing.offset(point).norm();
                 }),
                 1e-13);
@@ -155,12 +155,12 @@ namespace
     double difference = 0;
     for (unsigned int i = 0; i < before.points.size(); ++i)
       {
-        const ContactPoint &a = before.points[i], &b = after.points[i];
+        const ContactPoint<2> &a = before.points[i], &b = after.points[i];
         same_nodes = same_nodes && a.dofs == b.dofs;
         difference = std::max({difference,
                                std::abs(a.weight - b.weight),
                                (R * a.normal - b.normal).norm(),
-                               (R * a.tangent - b.tangent).norm()});
+                               (R * a.tangents[0] - b.tangents[0]).norm()});
         for (unsigned int c = 0; same_nodes && c < a.n_nodes; ++c)
           difference = std::max(difference, std::abs(a.C[c] - b.C[c]));
       }
@@ -193,26 +193,27 @@ namespace
     for (double &value : other)
       value += random(-0.1, 0.1);
 
-    double              error = 0, largest = 0;
-    ContactKernel::Rows rows;
-    for (const ContactPoint &point : model.interface.points())
+    double                 error = 0, largest = 0;
+    ContactKernel<2>::Rows rows;
+    for (const ContactPoint<2> &point : model.interface.points())
       {
         const auto &interface = model.interface;
-        ContactKernel(interface).rows(point,
-                                      model.solution,
-                                      model.start,
-                                      {false, true},
-                                      rows);
+        ContactKernel<2>(interface).rows(point,
+                                         model.solution,
+                                         model.start,
+                                         {false, true},
+                                         rows);
         const auto from = interface.state(point, model.solution, model.start);
         const auto to   = interface.state(point, other, model.start);
-        double     p = from.p_trial - to.p_trial, q = from.q_trial - to.q_trial;
-        largest = std::max({largest, std::abs(p), std::abs(q)});
+        double     p    = from.p_trial - to.p_trial,
+               q        = from.q_trial[0] - to.q_trial[0];
+        largest         = std::max({largest, std::abs(p), std::abs(q)});
         for (unsigned int j = 0; j < rows.unknowns.size(); ++j)
           {
             const auto   i    = rows.unknowns[j];
             const double step = other[i] - model.solution[i];
             p += rows.p_trial[j] * step;
-            q += rows.q_trial[j] * step;
+            q += rows.q_trial[0][j] * step;
           }
         error = std::max({error, std::abs(p), std::abs(q)});
       }

@@ -60,18 +60,21 @@ namespace Tests
       , master(surface(parameters.contact.master))
       , u(displacement(move))
     {
-      const MortarDiscretization rule(slave, master, discretization, excluded);
+      const MortarDiscretization<2> rule(slave,
+                                         master,
+                                         discretization,
+                                         excluded);
       points = rule.make_points(multipliers);
       rule.pair(points, u);
     }
 
-    Point<2> position(const ContactPoint &point, const unsigned int a) const
+    Point<2> position(const ContactPoint<2> &point, const unsigned int a) const
     {
       return point.X[a] + Point<2>(u[point.dofs[a][0]], u[point.dofs[a][1]]);
     }
 
     /// sum C x: the weighted gap vector.
-    Tensor<1, 2> offset(const ContactPoint &point) const
+    Tensor<1, 2> offset(const ContactPoint<2> &point) const
     {
       Tensor<1, 2> sum;
       for (unsigned int a = 0; a < point.n_nodes; ++a)
@@ -81,10 +84,10 @@ namespace Tests
 
     /// The largest value of a function over the points that face the master.
     double
-    largest(const std::function<double(const ContactPoint &)> &value) const
+    largest(const std::function<double(const ContactPoint<2> &)> &value) const
     {
       double result = 0;
-      for (const ContactPoint &point : points)
+      for (const ContactPoint<2> &point : points)
         if (point.facing)
           result = std::max(result, value(point));
       return result;
@@ -94,7 +97,7 @@ namespace Tests
     double shared_length() const
     {
       double sum = 0;
-      for (const ContactPoint &point : points)
+      for (const ContactPoint<2> &point : points)
         sum += point.facing ? point.weight : 0;
       return sum;
     }
@@ -103,18 +106,18 @@ namespace Tests
     {
       return std::all_of(points.begin(),
                          points.end(),
-                         [](const ContactPoint &p) { return p.facing; });
+                         [](const ContactPoint<2> &p) { return p.facing; });
     }
 
-    const Surface             slave, master;
-    const Vector<double>      u;
-    MultiplierSpace           multipliers;
-    std::vector<ContactPoint> points;
+    const Surface<2>             slave, master;
+    const Vector<double>         u;
+    MultiplierSpace              multipliers;
+    std::vector<ContactPoint<2>> points;
   };
 
 
 
-  inline double sum_of_coefficients(const ContactPoint &point)
+  inline double sum_of_coefficients(const ContactPoint<2> &point)
   {
     return std::abs(std::accumulate(point.C.begin(), point.C.end(), 0.));
   }
@@ -139,7 +142,7 @@ namespace Tests
   loads_on_master(const Pairing &pairing)
   {
     std::map<types::global_dof_index, double> loads;
-    for (const ContactPoint &point : pairing.points)
+    for (const ContactPoint<2> &point : pairing.points)
       for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
         loads[point.dofs[a][0]] -= point.weight * point.C[a];
     return loads;
@@ -154,7 +157,7 @@ namespace Tests
     auto            loads = loads_on_master(pairing);
     double          error = 0;
     MultiplierSpace unused;
-    for (const ContactPoint &point :
+    for (const ContactPoint<2> &point :
          make_nodal_points(pairing.master, {}, unused))
       error =
         std::max(error, std::abs(loads[point.dofs[0][0]] / point.weight - 1));

@@ -28,10 +28,11 @@ namespace
       length = std::max(length, std::abs(pairing.shared_length() - shared));
       coefficients =
         std::max(coefficients, pairing.largest(sum_of_coefficients));
-      offset = std::max(offset, pairing.largest([&](const ContactPoint &point) {
-        return pairing.offset(point).norm();
-      }));
-      for (const ContactPoint &point : pairing.points)
+      offset =
+        std::max(offset, pairing.largest([&](const ContactPoint<2> &point) {
+          return pairing.offset(point).norm();
+        }));
+      for (const ContactPoint<2> &point : pairing.points)
         if (point.facing)
           {
             // Relative to the shared length, of one edge at most.
@@ -125,15 +126,15 @@ namespace
                                 bend);
           const double  shared = pairing.shared_length();
           in_part              = in_part && shared > 0.5 && shared < 2.5;
-          for (const ContactPoint &point : pairing.points)
+          for (const ContactPoint<2> &point : pairing.points)
             if (!point.facing)
               beyond = beyond && (master[0] < 0 ? point.X[0][0] > 1 + s - 0.1
                                                 : point.X[0][0] < 1 + s + 0.1);
           coefficients =
             std::max(coefficients, pairing.largest(sum_of_coefficients));
           offset =
-            std::max(offset, pairing.largest([&](const ContactPoint &point) {
-              return std::abs(point.tangent * pairing.offset(point));
+            std::max(offset, pairing.largest([&](const ContactPoint<2> &point) {
+              return std::abs(point.tangents[0] * pairing.offset(point));
             }));
         }
     check("the surfaces overlap in part", in_part);

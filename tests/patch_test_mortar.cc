@@ -215,14 +215,14 @@ namespace
       exact_pressure(poisson) / std::sqrt(1 + slope * slope);
     double       error  = 0;
     unsigned int n_void = 0;
-    for (const ContactPoint &point : model.interface.points())
+    for (const ContactPoint<2> &point : model.interface.points())
       {
         const auto now =
           model.interface.state(point, model.solution, model.start);
         const Tensor<1, 2> sum =
           now.p_trial * point.normal + (point.tangential_row_is_void
                                           ? Tensor<1, 2>()
-                                          : now.q_trial * point.tangent);
+                                          : now.q_trial[0] * point.tangents[0]);
         const double sign = lower_is_slave ? -1 : 1;
         error             = std::max(error,
                          (sum - Tensor<1, 2>({0, sign * traction})).norm() /
@@ -302,7 +302,7 @@ namespace
     double       length = 0, coefficients = 0, force = 0, moment = 0;
     bool         positive = true, pressed = true;
     unsigned int n_facing = 0;
-    for (const ContactPoint &point : model.interface.points())
+    for (const ContactPoint<2> &point : model.interface.points())
       if (point.facing)
         {
           const double p =

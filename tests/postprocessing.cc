@@ -127,11 +127,11 @@ namespace
     const Stresses    stresses(model.mesh.triangulation.n_vertices());
     const auto [slave, master] = profiles(model, stresses);
 
-    const std::vector<PairProfile> pairs{
+    const std::vector<PairProfile<2>> pairs{
       {"", &model.interface.pairs[0]->slave, slave, master}};
 
     const std::filesystem::path directory = "files/nested";
-    ResultFiles                 files(directory, model.discretization);
+    ResultFiles<2>              files(directory, model.discretization);
     for (unsigned int k = 1; k <= 2; ++k)
       {
         files.write_bodies(k, 0.5 * k, stresses, model.solution);

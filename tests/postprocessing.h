@@ -14,7 +14,7 @@
 namespace Tests
 {
   using Stresses = std::vector<SymmetricTensor<2, 3>>;
-  using Rows     = std::vector<ProfileRow>;
+  using Rows     = std::vector<ProfileRow<2>>;
 
   /// Each block has one cell cut into triangles; the wide lower one has other
   /// nodes than the upper one. The upper one may bulge towards x = 2/3.
@@ -70,7 +70,7 @@ namespace Tests
 
   /// The profiles of slave and master.
   inline std::array<Rows, 2>
-  profiles(const ContactModel                 &model,
+  profiles(const ContactModel              &model,
            const Stresses                     &stresses,
            const std::optional<ExactSolution> &exact = {})
   {

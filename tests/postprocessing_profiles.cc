@@ -17,11 +17,11 @@ using namespace Tests;
 namespace
 {
   double deviation(const Rows &rows,
-                   double ProfileRow::*const column,
-                   const double              value)
+                   double ProfileRow<2>::*const column,
+                   const double                 value)
   {
     double largest = 0;
-    for (const ProfileRow &row : rows)
+    for (const ProfileRow<2> &row : rows)
       largest = std::max(largest, std::abs(row.*column - value));
     return largest;
   }
@@ -53,7 +53,7 @@ namespace
       recovery.vertex_stresses(*model.elasticity, model.solution);
     for (const Rows &rows : profiles(model, stresses))
       {
-        using Row = ProfileRow;
+        using Row = ProfileRow<2>;
         check_small("pressure", deviation(rows, &Row::pressure, p), 1e-9);
         check_small("extrapolated pressure",
                     deviation(rows, &Row::extrapolated_pressure, p),
@@ -61,7 +61,7 @@ namespace
         check_small("gap", deviation(rows, &Row::gap, 0), 1e-12);
 
         double force = -2 * p;
-        for (const ProfileRow &row : rows)
+        for (const ProfileRow<2> &row : rows)
           force += row.nodal_force;
         check_small("nodal forces", std::abs(force), 1e-9);
         check("slips without friction", rows[1].status == 1);
@@ -98,7 +98,7 @@ namespace
       profiles(model, Stresses(model.mesh.triangulation.n_vertices()));
     double error             = 0;
     bool   beyond_is_nothing = true;
-    for (const ProfileRow &row : master)
+    for (const ProfileRow<2> &row : master)
       if (row.X[0] >= 0 && row.X[0] <= 2)
         error = std::max(error, std::abs(row.pressure + row.X[0] - 2));
       else
@@ -129,7 +129,7 @@ namespace
                                           model.solution,
                                           model.start));
     for (const Rows &rows : profiles(model, stresses, exact))
-      for (const ProfileRow &row : rows)
+      for (const ProfileRow<2> &row : rows)
         if (row.exact_pressure > 0)
           std::cout << "  x " << row.X[0] << ", p/p0 "
                     << row.exact_pressure / exact->values.at("max_pressure")
@@ -157,7 +157,7 @@ namespace
                   Stresses(model.mesh.triangulation.n_vertices(), stress)))
       {
         check_small("extrapolated pressure",
-                    deviation(rows, &ProfileRow::extrapolated_pressure, 7),
+                    deviation(rows, &ProfileRow<2>::extrapolated_pressure, 7),
                     1e-12);
         check_small("deformed arc length",
                     std::abs(rows.back().deformed_arc_length - 3),

@@ -27,13 +27,13 @@ namespace
     });
     const Bodies bodies(
       make_parameters(mesh, {"block"}, degree, "small strain"));
-    const Surface       surface = bodies.surface("block bottom");
-    const Tensor<2, 2>  R       = rotation(numbers::PI / 6);
-    const Point<2>      origin(3, -2);
-    const SurfaceSearch search(surface,
-                               bodies.displacement([&](const Point<2> &X) {
-                                 return origin + R * X;
-                               }));
+    const Surface<2>       surface = bodies.surface("block bottom");
+    const Tensor<2, 2>     R       = rotation(numbers::PI / 6);
+    const Point<2>         origin(3, -2);
+    const SurfaceSearch<2> search(surface,
+                                  bodies.displacement([&](const Point<2> &X) {
+                                    return origin + R * X;
+                                  }));
 
     double error      = 0;
     bool   right_edge = true, clamped = true, faces = true;
@@ -47,8 +47,8 @@ namespace
           const Point<2> x =
             origin +
             R * Point<2>(ends[e] + (1 + xi) / 2 * length, random(-3, 0.5));
-          const Projection found = search.closest_point(x);
-          right_edge             = right_edge && found.edge == e;
+          const Projection<2> found = search.closest_point(x);
+          right_edge                = right_edge && found.facet == e;
           faces = faces && !found.off_the_end && !found.clipped;
           error = std::max(error, std::abs(found.xi - xi));
 
@@ -84,8 +84,8 @@ namespace
           const Point<2> x =
             origin +
             R * Point<2>(at_start ? -beyond * half : 4 + beyond * half, -0.3);
-          const Projection found = search.closest_point(x);
-          std::cout << "  " << beyond << ": edge " << found.edge << ", "
+          const Projection<2> found = search.closest_point(x);
+          std::cout << "  " << beyond << ": edge " << found.facet << ", "
                     << found.xi << (found.off_the_end ? ", off" : ", faces")
                     << std::endl;
         }
@@ -118,14 +118,15 @@ namespace
     headline("parabola, k = " + std::to_string(k));
     MeshText mesh;
     mesh.block("block", 1, 1, rectangle({-1, 0}, {1, 1}));
-    const Bodies  bodies(make_parameters(mesh, {"block"}, 2, "small strain"));
-    const Surface surface = bodies.surface("block bottom");
-    const Tensor<2, 2>  R = rotation(2.);
-    const SurfaceSearch search(surface,
-                               bodies.displacement([&](const Point<2> &X) {
-                                 return Point<2>(
-                                   R * Point<2>(X[0], X[1] + k * X[0] * X[0]));
-                               }));
+    const Bodies bodies(make_parameters(mesh, {"block"}, 2, "small strain"));
+    const Surface<2>       surface = bodies.surface("block bottom");
+    const Tensor<2, 2>     R       = rotation(2.);
+    const SurfaceSearch<2> search(surface,
+                                  bodies.displacement([&](const Point<2> &X) {
+                                    return Point<2>(
+                                      R *
+                                      Point<2>(X[0], X[1] + k * X[0] * X[0]));
+                                  }));
 
     double       near = 0, far = 0;
     bool         ends_right = true;
@@ -135,14 +136,14 @@ namespace
       {
         // The far ones lie beyond the center of curvature of the vertex, where
         // there are up to three projections.
-        const bool       is_far = i % 4 == 0;
-        const Point<2>   p(random(-1.6, 1.6),
+        const bool          is_far = i % 4 == 0;
+        const Point<2>      p(random(-1.6, 1.6),
                          is_far ? random(1.05, 3) / (2 * k)
-                                  : random(-2, 0.95 / (2 * k)));
-        const double     projection = foot_on_parabola(k, p);
-        const Projection found      = search.closest_point(Point<2>(R * p));
-        const double     reach      = 1 + SurfaceSearch::overhang;
-        const double     error =
+                                     : random(-2, 0.95 / (2 * k)));
+        const double        projection = foot_on_parabola(k, p);
+        const Projection<2> found      = search.closest_point(Point<2>(R * p));
+        const double        reach      = 1 + SurfaceSearch<2>::overhang;
+        const double        error =
           std::abs(found.xi - std::max(-reach, std::min(reach, projection)));
         (is_far ? far : near) = std::max(is_far ? far : near, error);
 
@@ -168,21 +169,22 @@ namespace
     mesh.block("block", 2, 1, rectangle({-1, 0}, {1, 1}));
     const Bodies bodies(
       make_parameters(mesh, {"block"}, degree, "small strain"));
-    const Surface       surface = bodies.surface("block bottom");
-    const SurfaceSearch search(surface,
-                               bodies.displacement([&](const Point<2> &X) {
-                                 return Point<2>(X[0], X[1] + std::abs(X[0]));
-                               }));
+    const Surface<2>       surface = bodies.surface("block bottom");
+    const SurfaceSearch<2> search(surface,
+                                  bodies.displacement([&](const Point<2> &X) {
+                                    return Point<2>(X[0],
+                                                    X[1] + std::abs(X[0]));
+                                  }));
 
     // The surface is y = |x|, the body lies above: outside is the convex side.
     bool corner_found = true;
     for (const double angle : {-0.7, -0.3, 0., 0.2, 0.7})
       {
-        const Point<2>   x(2 * std::sin(angle), -2 * std::cos(angle));
-        const Projection found = search.closest_point(x);
+        const Point<2>      x(2 * std::sin(angle), -2 * std::cos(angle));
+        const Projection<2> found = search.closest_point(x);
         corner_found = corner_found && !found.off_the_end && found.clipped &&
                        std::abs(search.distance_square(x, found) - 4) < 1e-13 &&
-                       std::abs(found.xi - (found.edge == 0 ? 1 : -1)) < 1e-13;
+                       std::abs(found.xi - (found.facet == 0 ? 1 : -1)) < 1e-13;
       }
     check("from the outside the corner is the closest point", corner_found);
 
@@ -190,10 +192,10 @@ namespace
     for (const double a : {-0.5, -0.1, 0.1, 0.5})
       {
         // A point at height 1: its projection on the nearer face.
-        const Projection found = search.closest_point(Point<2>(a, 1));
-        const double     x     = (std::abs(a) + 1) / 2;
+        const Projection<2> found = search.closest_point(Point<2>(a, 1));
+        const double        x     = (std::abs(a) + 1) / 2;
         face_found =
-          face_found && found.edge == (a > 0 ? 1 : 0) && !found.off_the_end &&
+          face_found && found.facet == (a > 0 ? 1 : 0) && !found.off_the_end &&
           std::abs(found.xi - (a > 0 ? 2 * x - 1 : 1 - 2 * x)) < 1e-13;
       }
     check("from the inside the foot on the nearer face", face_found);

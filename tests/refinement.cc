@@ -176,11 +176,11 @@ namespace
     for (const auto &[name, radius] :
          {std::make_pair("block bottom", below), {"block top", above}})
       {
-        const Surface surface = bodies.surface(name);
+        const Surface<2> surface = bodies.surface(name);
         n_nodes += surface.nodes.size();
         for (const auto &node : surface.nodes)
           error = std::max(error, std::abs(node.X.distance(center) - radius));
-        for (const auto &edge : surface.edges)
+        for (const auto &edge : surface.facets)
           {
             const double h = surface.nodes[edge.nodes[0]].X.distance(
               surface.nodes[edge.nodes[1]].X);

@@ -24,18 +24,18 @@ namespace
     mesh.block("block", 24, 1, rectangle({0, 0}, {1, 0.1}));
     const Bodies bodies(
       make_parameters(mesh, {"block"}, degree, "small strain"));
-    const Surface surface = bodies.surface("block bottom");
+    const Surface<2> surface = bodies.surface("block bottom");
 
     // A wavy spiral of a little more than one turn.
-    const Vector<double> u = bodies.displacement([](const Point<2> &X) {
+    const Vector<double>   u = bodies.displacement([](const Point<2> &X) {
       const double angle  = 7.2 * X[0];
       const double radius = 1 + 0.16 * X[0] + 0.04 * std::sin(5 * angle);
       return Point<2>(radius * std::cos(angle), radius * std::sin(angle));
     });
-    const SurfaceSearch  search(surface, u);
+    const SurfaceSearch<2> search(surface, u);
 
     std::vector<Point<2>> samples;
-    for (const auto &edge : surface.edges)
+    for (const auto &edge : surface.facets)
       for (int k = -50; k <= 50; ++k)
         {
           const EdgeShape shape(degree, k / 50.);
@@ -54,12 +54,12 @@ namespace
         Point<2> x(random(-1.6, 1.6), random(-1.6, 1.6));
         if (i % 2 == 0)
           x = Point<2>(random(0.8, 1.2), random(-0.3, 1.2));
-        const Projection found    = search.closest_point(x);
-        const double     distance = search.distance_square(x, found);
+        const Projection<2> found    = search.closest_point(x);
+        const double        distance = search.distance_square(x, found);
         n_off += found.off_the_end;
 
         double best = std::numeric_limits<double>::max();
-        for (unsigned int e = 0; e < surface.edges.size(); ++e)
+        for (unsigned int e = 0; e < surface.facets.size(); ++e)
           best =
             std::min(best, search.distance_square(x, search.project(x, e)));
         n_same += distance == best;

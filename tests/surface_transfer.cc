@@ -67,7 +67,7 @@ namespace
         converged = converged && model.solve(1);
         hanging   = hanging &&
                   (level == 0 || model.mesh.triangulation.has_hanging_nodes());
-        for (const ContactPoint &point : model.interface->points())
+        for (const ContactPoint<2> &point : model.interface->points())
           {
             in_contact = in_contact && point.status.kind == Status::slip;
             deviation  = std::max(
@@ -88,8 +88,8 @@ namespace
 
     // Do nodes hang on slave nodes?
     unsigned int n_hanging = 0;
-    for (const Surface *surface : {&model.interface->pairs[0]->slave,
-                                   &*model.interface->pairs[0]->master})
+    for (const Surface<2> *surface : {&model.interface->pairs[0]->slave,
+                                      &*model.interface->pairs[0]->master})
       {
         std::set<types::global_dof_index> dofs;
         for (const auto &node : surface->nodes)
@@ -123,9 +123,9 @@ namespace
 
     void make_interface()
     {
-      interface = std::make_unique<ContactInterface>(discretization,
-                                                     *elasticity,
-                                                     parameters.pairs());
+      interface = std::make_unique<ContactInterface<2>>(discretization,
+                                                        *elasticity,
+                                                        parameters.pairs());
       solution.reinit(n_dofs() + interface->n_multipliers());
       interface->pair(solution);
     }
@@ -140,19 +140,19 @@ namespace
       make_interface();
     }
 
-    double &pressure(const ContactPoint &point)
+    double &pressure(const ContactPoint<2> &point)
     {
       return solution[interface->normal_index(point.multipliers[0])];
     }
 
-    double &shear(const ContactPoint &point)
+    double &shear(const ContactPoint<2> &point)
     {
       return solution[interface->tangential_index(point.multipliers[0])];
     }
 
-    const Parameters::All             parameters;
-    std::unique_ptr<ContactInterface> interface;
-    Vector<double>                    solution;
+    const Parameters::All                parameters;
+    std::unique_ptr<ContactInterface<2>> interface;
+    Vector<double>                       solution;
   };
 
 
@@ -180,13 +180,13 @@ namespace
   {
     Strips     strips(make_strips(degree, 6, rule));
     const auto p = [](const double x) { return 3 + x; };
-    change_points(*strips.interface, [&](ContactPoint &point) {
+    change_points(*strips.interface, [&](ContactPoint<2> &point) {
       const double x         = point.X[0][0];
       strips.pressure(point) = p(x);
       strips.shear(point)    = -0.1 * p(x);
       point.friction_bound   = 0.2 * p(x);
-      point.status           = x < -0.1 ? PointStatus{Status::slip, -1}
-                                        : PointStatus{Status::stick, 0};
+      point.status           = x < -0.1 ? PointStatus<2>{Status::slip, -1}
+                                        : PointStatus<2>{Status::stick, 0};
     });
     const auto state = save_surfaces(*strips.interface, strips.solution);
     strips.refine_all();
@@ -194,7 +194,7 @@ namespace
 
     double error = 0;
     bool   right = strips.interface->points().size() == degree * 12 + 1;
-    for (const ContactPoint &point : strips.interface->points())
+    for (const ContactPoint<2> &point : strips.interface->points())
       {
         const double x = point.X[0][0];
         error          = std::max({error,
@@ -203,9 +203,9 @@ namespace
                                    std::abs(point.friction_bound - 0.2 * p(x))});
         // The nearer of two points decides, which ends within a third.
         if (x < -0.34)
-          right = right && point.status == PointStatus{Status::slip, -1};
+          right = right && point.status == PointStatus<2>{Status::slip, -1};
         if (x > 0.01)
-          right = right && point.status == PointStatus{Status::stick, 0};
+          right = right && point.status == PointStatus<2>{Status::stick, 0};
       }
     const std::string name =
       rule + " rule, degree " + std::to_string(degree) + ", linear state";
@@ -224,22 +224,22 @@ namespace
     for (double a = 0.4; a < 0.8; a += 0.017)
       {
         Strips     strips(make_strips(degree, 24 / degree, rule));
-        const auto inside = [=](const ContactPoint &point) {
+        const auto inside = [=](const ContactPoint<2> &point) {
           return std::abs(point.X[0][0] - center) < a;
         };
-        change_points(*strips.interface, [&](ContactPoint &point) {
+        change_points(*strips.interface, [&](ContactPoint<2> &point) {
           const double x = point.X[0][0] - center;
           strips.pressure(point) =
             inside(point) ? std::sqrt(a * a - x * x) : 0.;
           point.status =
-            inside(point) ? PointStatus{Status::slip, 1} : PointStatus();
+            inside(point) ? PointStatus<2>{Status::slip, 1} : PointStatus<2>();
         });
         const auto state = save_surfaces(*strips.interface, strips.solution);
         strips.refine_all();
         restore_surfaces(state, *strips.interface, strips.solution);
 
         unsigned int wrong_left = 0, wrong_right = 0;
-        for (const ContactPoint &point : strips.interface->points())
+        for (const ContactPoint<2> &point : strips.interface->points())
           {
             const bool wrong =
               inside(point) != (point.status.kind == Status::slip);

@@ -55,18 +55,18 @@ namespace
       matrix.reinit(pattern);
     }
 
-    void assemble(const ContactInterface             &interface,
-                  const Vector<double>               &solution,
-                  const Vector<double>               &start,
-                  const ContactKernel::Linearization &linearization)
+    void assemble(const ContactInterface<2>  &interface,
+                  const Vector<double>       &solution,
+                  const Vector<double>       &start,
+                  const ContactLinearization &linearization)
     {
       matrix = 0;
       rhs    = 0;
-      ContactKernel(interface).assemble(solution,
-                                        start,
-                                        linearization,
-                                        rhs,
-                                        &matrix);
+      ContactKernel<2>(interface).assemble(solution,
+                                           start,
+                                           linearization,
+                                           rhs,
+                                           &matrix);
     }
 
     SparsityPattern      pattern;
@@ -81,11 +81,11 @@ namespace
   std::set<types::global_dof_index> unknowns_of(const ContactModel &model)
   {
     std::set<types::global_dof_index> unknowns;
-    const auto                        add = [&](const Surface &surface) {
+    const auto                        add = [&](const Surface<2> &surface) {
       for (const auto &node : surface.nodes)
         unknowns.insert(node.dofs.begin(), node.dofs.end());
     };
-    const ContactPair &contact_pair = *model.interface.pairs[0];
+    const ContactPair<2> &contact_pair = *model.interface.pairs[0];
     add(contact_pair.slave);
     if (contact_pair.master)
       add(*contact_pair.master);
@@ -100,11 +100,11 @@ namespace
   /// against the master by @p gap; the start of the increment elsewhere.
   void randomize(ContactModel &model, const double gap)
   {
-    Random             random;
-    const Tensor<2, 2> R         = rotation(0.6);
-    const auto         X         = model.support_points();
-    const auto         c         = model.components();
-    ContactInterface  &interface = model.interface;
+    Random               random;
+    const Tensor<2, 2>   R         = rotation(0.6);
+    const auto           X         = model.support_points();
+    const auto           c         = model.components();
+    ContactInterface<2> &interface = model.interface;
 
     std::set<types::global_dof_index> slave;
     for (const auto &node : interface.pairs[0]->slave.nodes)
@@ -119,7 +119,7 @@ namespace
       }
     for (unsigned int i = model.n_dofs(); i < model.solution.size(); ++i)
       model.solution[i] = random(0.5, 1.5);
-    change_points(interface, [&](ContactPoint &point) {
+    change_points(interface, [&](ContactPoint<2> &point) {
       point.friction_bound = random(0.1, 0.5);
     });
   }
@@ -136,11 +136,11 @@ namespace
 
 
 
-  Result compare(ContactModel                       &model,
-                 const ContactKernel::Linearization &linearization)
+  Result compare(ContactModel            &model,
+                 const ContactLinearization &linearization)
   {
-    ContactInterface &interface       = model.interface;
-    const bool        moving_geometry = linearization.moving_geometry;
+    ContactInterface<2> &interface       = model.interface;
+    const bool           moving_geometry = linearization.moving_geometry;
     interface.pair(model.solution, {moving_geometry});
 
     System here(model), beside(model);
@@ -181,11 +181,11 @@ namespace
   /// The tangent with all points that face the master doing the same, whatever
   /// the state says.
   void check_decision(ContactModel      &model,
-                      const std::string &name,
-                      const PointStatus &status)
+                      const std::string    &name,
+                      const PointStatus<2> &status)
   {
-    change_points(model.interface, [&](ContactPoint &point) {
-      point.status = point.facing ? status : PointStatus();
+    change_points(model.interface, [&](ContactPoint<2> &point) {
+      point.status = point.facing ? status : PointStatus<2>();
     });
 
     const bool slips = status.slip_direction != 0;
@@ -228,7 +228,7 @@ namespace
 
     model.interface.pair(model.solution);
     bool within = true, curved = false;
-    for (const ContactPoint &point : model.interface.points())
+    for (const ContactPoint<2> &point : model.interface.points())
       {
         within = within && point.facing && std::abs(point.master_xi) < 0.98;
         Tensor<1, 2> kappa;
@@ -276,7 +276,7 @@ namespace
 
     model.interface.pair(model.solution);
     bool facing = true;
-    for (const ContactPoint &point : model.interface.points())
+    for (const ContactPoint<2> &point : model.interface.points())
       facing = facing && point.facing;
     check("all points face the master", facing == whole);
 
@@ -314,7 +314,7 @@ namespace
 
     model.interface.pair(model.solution);
     bool over_corner = true;
-    for (const ContactPoint &point : model.interface.points())
+    for (const ContactPoint<2> &point : model.interface.points())
       over_corner =
         over_corner && point.facing && std::abs(point.master_xi) == 1;
     check("all points face the corner", over_corner);
@@ -345,7 +345,7 @@ namespace
     randomize(model, -0.08);
 
     model.interface.pair(model.solution);
-    const ContactPoint &corner = model.interface.points().back();
+    const ContactPoint<2> &corner = model.interface.points().back();
     check("the last point is at the corner",
           corner.is_master_corner && corner.facing);
     check("and deep inside",

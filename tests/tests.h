@@ -238,10 +238,10 @@ namespace Tests
 
   /// Change all points of an interface, as no solution may have them.
   template<typename Change>
-  void change_points(ContactInterface &interface, const Change &change)
+  void change_points(ContactInterface<2> &interface, const Change &change)
   {
     auto points = interface.points();
-    for (ContactPoint &point : points)
+    for (ContactPoint<2> &point : points)
       change(point);
     interface.set_points(points);
   }
@@ -263,9 +263,9 @@ namespace Tests
       return discretization.dof_handler.n_dofs();
     }
 
-    Surface surface(const std::string &name) const
+    Surface<2> surface(const std::string &name) const
     {
-      return Surface(discretization, mesh.boundary(name, "test"), name);
+      return Surface<2>(discretization, mesh.boundary(name, "test"), name);
     }
 
     /// The reference position of every unknown.
@@ -376,11 +376,11 @@ namespace Tests
           matrix             = 0;
           rhs                = 0;
           elasticity->assemble(solution, load_factor, rhs, &matrix);
-          ContactKernel(interface).assemble(solution,
-                                            start,
-                                            {moving_geometry, true},
-                                            rhs,
-                                            &matrix);
+          ContactKernel<2>(interface).assemble(solution,
+                                               start,
+                                               {moving_geometry, true},
+                                               rhs,
+                                               &matrix);
           for (unsigned int i = 0; i < n_dofs(); ++i)
             if (discretization.constraints.is_constrained(i))
               {
@@ -413,25 +413,25 @@ namespace Tests
     Vector<double> contact_forces() const
     {
       Vector<double> forces(n_dofs());
-      for (const ContactPoint &point : interface.points())
+      for (const ContactPoint<2> &point : interface.points())
         {
-          const ContactState now = interface.state(point, solution, start);
-          const Traction     t   = interface.traction(point,
-                                                point.status,
-                                                now.p_trial,
-                                                now.q_trial,
-                                                true);
+          const ContactState<2> now = interface.state(point, solution, start);
+          const Traction<2>     t   = interface.traction(point,
+                                                   point.status,
+                                                   now.p_trial,
+                                                   now.q_trial,
+                                                   true);
           for (unsigned int a = 0; a < point.n_nodes; ++a)
             for (unsigned int i = 0; i < 2; ++i)
               forces[point.dofs[a][i]] +=
                 point.weight * point.C[a] *
-                (t.p * point.normal[i] + t.q * point.tangent[i]);
+                (t.p * point.normal[i] + t.q[0] * point.tangents[0][i]);
         }
       return forces;
     }
 
-    ContactInterface interface;
-    Vector<double>   solution, start;
+    ContactInterface<2> interface;
+    Vector<double>      solution, start;
 
     SparsityPattern      pattern;
     SparseMatrix<double> matrix;

@@ -41,11 +41,11 @@ namespace
     model.pair();
     std::cout << "  " << name << ':';
     unsigned int n_void = 0;
-    for (const ContactPoint &point : model.interface.points())
+    for (const ContactPoint<2> &point : model.interface.points())
       if (point.tangential_row_is_void)
         {
           const auto &edge =
-            model.interface.pairs[0]->slave.edges[point.slave_edge];
+            model.interface.pairs[0]->slave.facets[point.slave_facet];
           const EdgeShape shape(model.interface.pairs[0]->slave.degree,
                                 point.slave_xi);
           Point<2>        X;
@@ -90,10 +90,10 @@ namespace
     check("converges", model.solve(1, true) > 0);
     bool   slips_without_direction = true;
     double multiplier = 0, largest = 0;
-    for (const ContactPoint &point : model.interface.points())
+    for (const ContactPoint<2> &point : model.interface.points())
       {
         const double lambda_t =
-          model.interface.state(point, model.solution, model.start).lambda_t;
+          model.interface.state(point, model.solution, model.start).lambda_t[0];
         largest = std::max(largest, std::abs(lambda_t));
         if (point.tangential_row_is_void)
           {

@@ -89,9 +89,9 @@ namespace
         deviation = std::max(deviation, (stress - exact).norm() / std::abs(p));
     check_small("stress", deviation, 1e-10);
 
-    const ContactInterface &interface = model.interface;
-    double                  normal = 0, tangential = 0;
-    unsigned int            n_points = 0, n_tangential = 0;
+    const ContactInterface<2> &interface = model.interface;
+    double                     normal = 0, tangential = 0;
+    unsigned int               n_points = 0, n_tangential = 0;
     for (const auto &contact_pair : interface.pairs)
       {
         n_points += interface.points_of(*contact_pair).size();

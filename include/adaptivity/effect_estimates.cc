@@ -34,42 +34,42 @@ namespace Contact
     class Variant
     {
     public:
-      Variant(const Parameters::All &parameters,
-              const ContactModel    &scene,
-              const IncrementState  &from,
-              TimerOutput           &timer);
+      Variant(const Parameters::All   &parameters,
+              const ContactModel<2>   &scene,
+              const IncrementState<2> &from,
+              TimerOutput             &timer);
 
       /// Returns the largest change of a displacement [mm]. Throws NotConverged
       /// if the linearised problem has no solution, or one that is no state.
       double make_step();
 
-      ContactModel   model;
-      IncrementState state;
+      ContactModel<2>   model;
+      IncrementState<2> state;
 
       /// The statuses that have changed in all steps.
       unsigned int n_status_changes = 0;
 
     private:
-      bool has_new_shear(const ContactModel &scene) const;
-      void take_surfaces(const ContactInterface &from,
-                         const Vector<double>   &solution);
-      void take_multipliers(const ContactInterface &from,
-                            const ContactPoint     &point,
-                            const Vector<double>   &solution,
-                            ContactPoint           &here);
+      bool has_new_shear(const ContactModel<2> &scene) const;
+      void take_surfaces(const ContactInterface<2> &from,
+                         const Vector<double>      &solution);
+      void take_multipliers(const ContactInterface<2> &from,
+                            const ContactPoint<2>     &point,
+                            const Vector<double>      &solution,
+                            ContactPoint<2>           &here);
       void pair();
       void update_statuses();
 
-      ContactKernel::Linearization       linearization{};
+      ContactLinearization               linearization{};
       std::unique_ptr<SaddlePointSystem> system;
     };
 
 
 
-    Variant::Variant(const Parameters::All &parameters,
-                     const ContactModel    &scene,
-                     const IncrementState  &from,
-                     TimerOutput           &timer)
+    Variant::Variant(const Parameters::All   &parameters,
+                     const ContactModel<2>   &scene,
+                     const IncrementState<2> &from,
+                     TimerOutput             &timer)
     {
       model.mesh = std::make_unique<Mesh<2>>(*scene.mesh);
       model.discretization =
@@ -83,9 +83,9 @@ namespace Contact
             of_pair.ends_are_corners = known->sees_ends();
       if (!pairs.empty())
         model.interface =
-          std::make_unique<ContactInterface>(*model.discretization,
-                                             *model.elasticity,
-                                             pairs);
+          std::make_unique<ContactInterface<2>>(*model.discretization,
+                                                *model.elasticity,
+                                                pairs);
 
       state.reinit(model.n_unknowns());
       state.load_factor = from.load_factor;
@@ -116,7 +116,7 @@ namespace Contact
                                                  state.load_factor));
           take_surfaces(*scene.interface, from.solution);
         }
-      if (!rigid_body_modes(*model.discretization, model.interface.get())
+      if (!rigid_body_modes<2>(*model.discretization, model.interface.get())
              .empty())
         throw NotConverged("nothing holds a body");
     }
@@ -125,7 +125,7 @@ namespace Contact
 
     // Shear that the scene does not have would have acted since the beginning,
     // not only in the last increment.
-    bool Variant::has_new_shear(const ContactModel &scene) const
+    bool Variant::has_new_shear(const ContactModel<2> &scene) const
     {
       if (model.interface)
         for (const auto &now : model.interface->pairs)
@@ -140,10 +140,10 @@ namespace Contact
 
 
     // Pairs by their names, their points one by one.
-    void Variant::take_surfaces(const ContactInterface &from,
-                                const Vector<double>   &solution)
+    void Variant::take_surfaces(const ContactInterface<2> &from,
+                                const Vector<double>      &solution)
     {
-      std::vector<ContactPoint> points = model.interface->points();
+      std::vector<ContactPoint<2>> points = model.interface->points();
       for (const auto &of_pair : model.interface->pairs)
         for (const auto &known : from.pairs)
           if (known->name == of_pair->name)
@@ -161,12 +161,12 @@ namespace Contact
 
 
 
-    void Variant::take_multipliers(const ContactInterface &from,
-                                   const ContactPoint     &point,
-                                   const Vector<double>   &solution,
-                                   ContactPoint           &here)
+    void Variant::take_multipliers(const ContactInterface<2> &from,
+                                   const ContactPoint<2>     &point,
+                                   const Vector<double>      &solution,
+                                   ContactPoint<2>           &here)
     {
-      const ContactInterface &interface = *model.interface;
+      const ContactInterface<2> &interface = *model.interface;
       for (unsigned int k = 0; k < here.n_multipliers; ++k)
         {
           const unsigned int m = here.multipliers[k];
@@ -217,7 +217,7 @@ namespace Contact
       if (smallest.value <= 0)
         throw NotConverged("a body turns inside out");
       if (model.interface)
-        ContactKernel(*model.interface)
+        ContactKernel<2>(*model.interface)
           .assemble(state.solution, state.start, linearization, step, nullptr);
       if (!system->solve(state.solution,
                          state.start,
@@ -286,10 +286,10 @@ namespace Contact
 
 
 
-  EffectEstimates::EffectEstimates(const Parameters::All &parameters,
-                                   ContactModel          &model,
-                                   const IncrementState  &state,
-                                   TimerOutput           &timer)
+  EffectEstimates::EffectEstimates(const Parameters::All   &parameters,
+                                   ContactModel<2>         &model,
+                                   const IncrementState<2> &state,
+                                   TimerOutput             &timer)
     : parameters(parameters)
     , model(model)
     , state(state)

@@ -36,10 +36,10 @@ namespace Contact
   {
   public:
     /// The @p state has converged.
-    EffectEstimates(const Parameters::All &parameters,
-                    ContactModel          &model,
-                    const IncrementState  &state,
-                    TimerOutput           &timer);
+    EffectEstimates(const Parameters::All   &parameters,
+                    ContactModel<2>         &model,
+                    const IncrementState<2> &state,
+                    TimerOutput             &timer);
 
     /// Of all variants of the scene, of quadratic elements instead of linear
     /// ones, and of twice the increments.
@@ -59,8 +59,8 @@ namespace Contact
     EffectEstimate                of_increments() const;
 
     const Parameters::All                                      &parameters;
-    ContactModel                                               &model;
-    const IncrementState                                       &state;
+    ContactModel<2>                                            &model;
+    const IncrementState<2>                                    &state;
     TimerOutput                                                &timer;
     const std::map<std::string, Parameters::Probes::Definition> probes;
 

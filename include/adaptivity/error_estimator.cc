@@ -37,7 +37,7 @@ namespace Contact
 
 
 
-    EdgeName edge_name(const Surface &surface, const Surface::Edge &edge)
+    EdgeName edge_name(const Surface<2> &surface, const SurfaceFacet<2> &edge)
     {
       return edge_name(surface.nodes[edge.nodes[0]].dofs,
                        surface.nodes[edge.nodes[1]].dofs);
@@ -46,21 +46,21 @@ namespace Contact
 
 
     /// The edges of a surface by their names.
-    std::map<EdgeName, unsigned int> name_edges(const Surface &surface)
+    std::map<EdgeName, unsigned int> name_edges(const Surface<2> &surface)
     {
       std::map<EdgeName, unsigned int> edges;
-      for (unsigned int e = 0; e < surface.edges.size(); ++e)
-        edges.emplace(edge_name(surface, surface.edges[e]), e);
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
+        edges.emplace(edge_name(surface, surface.facets[e]), e);
       return edges;
     }
 
 
 
     bool is_tied(const Discretization<2> &discretization,
-                 const Surface           &surface,
-                 const Surface::Edge     &edge)
+                 const Surface<2>        &surface,
+                 const SurfaceFacet<2>   &edge)
     {
-      for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
+      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
         for (const auto dof : surface.nodes[edge.nodes[a]].dofs)
           if (discretization.is_tied(dof))
             return true;
@@ -73,14 +73,14 @@ namespace Contact
   /// A place on an edge, and how it moves with the coordinate of the edge.
   struct ErrorEstimator::Place
   {
-    Place(const Surface        &surface,
-          const Surface::Edge  &edge,
-          const double          xi,
-          const Vector<double> &u)
+    Place(const Surface<2>      &surface,
+          const SurfaceFacet<2> &edge,
+          const double           xi,
+          const Vector<double>  &u)
       : xi(xi)
       , shape(surface.degree, xi)
     {
-      for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
+      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
         {
           const unsigned int node     = edge.nodes[a];
           const Point<2>     position = surface.position(node, u);
@@ -114,10 +114,10 @@ namespace Contact
   class ErrorEstimator::ContactTractions
   {
   public:
-    ContactTractions(const Discretization<2> &discretization,
-                     const ContactInterface  &interface,
-                     const ContactPair       &contact_pair,
-                     const Vector<double>    &solution)
+    ContactTractions(const Discretization<2>   &discretization,
+                     const ContactInterface<2> &interface,
+                     const ContactPair<2>      &contact_pair,
+                     const Vector<double>      &solution)
       : discretization(discretization)
       , slave(contact_pair.slave)
       , solution(solution)
@@ -152,18 +152,18 @@ namespace Contact
     {
       const auto own = slave_edges.find(name);
       if (own != slave_edges.end())
-        return interpolate(slave.edges[own->second], place);
+        return interpolate(slave.facets[own->second], place);
       if (master_edges.count(name) > 0)
         return of_facing_slave(place, reach);
       return Tensor<1, 2>();
     }
 
   private:
-    Tensor<1, 2> interpolate(const Surface::Edge &edge,
-                             const Place         &place) const
+    Tensor<1, 2> interpolate(const SurfaceFacet<2> &edge,
+                             const Place           &place) const
     {
       Tensor<1, 2> traction;
-      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
         traction += place.shape.value[a] * at_nodes[edge.nodes[a]];
       return traction;
     }
@@ -172,12 +172,12 @@ namespace Contact
     std::optional<Tensor<1, 2>> of_facing_slave(const Place &place,
                                                 const double reach) const
     {
-      const Projection projection = search.closest_point(place.x);
+      const Projection<2> projection = search.closest_point(place.x);
       if (projection.off_the_end ||
           search.distance_square(place.x, projection) > reach * reach)
         return Tensor<1, 2>();
 
-      const Surface::Edge &edge = slave.edges[projection.edge];
+      const SurfaceFacet<2> &edge = slave.facets[projection.facet];
       if (is_tied(discretization, slave, edge))
         return {};
 
@@ -190,9 +190,9 @@ namespace Contact
     }
 
     const Discretization<2>               &discretization;
-    const Surface                         &slave;
+    const Surface<2>                      &slave;
     const Vector<double>                  &solution;
-    const SurfaceSearch                    search;
+    const SurfaceSearch<2>                 search;
     const std::map<EdgeName, unsigned int> slave_edges;
     std::map<EdgeName, unsigned int>       master_edges;
     std::vector<Tensor<1, 2>>              at_nodes; // (p, q) of the slave
@@ -217,7 +217,7 @@ namespace Contact
   {
     const auto &dofs  = discretization.vertex_dofs;
     const auto  edges = name_edges(boundary);
-    neighborhoods.resize(boundary.edges.size());
+    neighborhoods.resize(boundary.facets.size());
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const auto &face : cell->face_iterators())
@@ -229,7 +229,7 @@ namespace Contact
               const unsigned int e =
                 edges.at(edge_name(dofs[ends[0]], dofs[ends[1]]));
 
-              const unsigned int first = boundary.edges[e].nodes[0];
+              const unsigned int first = boundary.facets[e].nodes[0];
               if (boundary.nodes[first].dofs != dofs[ends[0]])
                 std::swap(ends[0], ends[1]);
               neighborhoods[e] = {cell->active_cell_index(), ends};
@@ -240,7 +240,7 @@ namespace Contact
 
   Vector<float> ErrorEstimator::indicators(
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-    const ContactInterface                   *interface,
+    const ContactInterface<2>                *interface,
     const Vector<double>                     &solution) const
   {
     Vector<double> eta_square(
@@ -299,7 +299,7 @@ namespace Contact
 
   void ErrorEstimator::add_boundary_terms(
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-    const ContactInterface                   *interface,
+    const ContactInterface<2>                *interface,
     const Vector<double>                     &solution,
     Vector<double>                           &eta_square) const
   {
@@ -311,9 +311,9 @@ namespace Contact
                              *contact_pair,
                              solution);
 
-    for (unsigned int e = 0; e < boundary.edges.size(); ++e)
+    for (unsigned int e = 0; e < boundary.facets.size(); ++e)
       if (neighborhoods[e].cell != numbers::invalid_unsigned_int &&
-          !is_tied(discretization, boundary, boundary.edges[e]))
+          !is_tied(discretization, boundary, boundary.facets[e]))
         eta_square[neighborhoods[e].cell] +=
           boundary_term(e, vertex_stresses, contact, solution);
   }
@@ -328,11 +328,11 @@ namespace Contact
     const std::list<ContactTractions>        &contact,
     const Vector<double>                     &solution) const
   {
-    const Surface::Edge &edge  = boundary.edges[e];
-    const auto          &ends  = neighborhoods[e].vertices;
-    const auto           first = in_plane(vertex_stresses[ends[0]]);
-    const auto           last  = in_plane(vertex_stresses[ends[1]]);
-    const double         h     = boundary.reference_length(e);
+    const SurfaceFacet<2> &edge  = boundary.facets[e];
+    const auto            &ends  = neighborhoods[e].vertices;
+    const auto             first = in_plane(vertex_stresses[ends[0]]);
+    const auto             last  = in_plane(vertex_stresses[ends[1]]);
+    const double           h     = boundary.reference_length(e);
 
     const QGauss<1> quadrature(boundary.degree + 1);
     double          integral = 0;
@@ -377,10 +377,10 @@ namespace Contact
 
 
 
-  bool ErrorEstimator::is_supported(const Surface::Edge &edge,
-                                    const unsigned int   c) const
+  bool ErrorEstimator::is_supported(const SurfaceFacet<2> &edge,
+                                    const unsigned int     c) const
   {
-    for (unsigned int a = 0; a < boundary.n_nodes_per_edge(); ++a)
+    for (unsigned int a = 0; a < boundary.n_nodes_per_facet(); ++a)
       if (!discretization.is_fixed(boundary.nodes[edge.nodes[a]].dofs[c]))
         return false;
     return true;
@@ -411,7 +411,7 @@ namespace Contact
 
 
 
-  void flag_by_estimate(const ContactModel                       &model,
+  void flag_by_estimate(const ContactModel<2>                    &model,
                         const Parameters::All                    &parameters,
                         const std::vector<SymmetricTensor<2, 3>> &stresses,
                         const Vector<double>                     &solution)

@@ -61,7 +61,7 @@ namespace Contact
      */
     Vector<float>
     indicators(const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-               const ContactInterface                   *interface,
+               const ContactInterface<2>                *interface,
                const Vector<double>                     &solution) const;
 
   private:
@@ -88,7 +88,7 @@ namespace Contact
 
     void add_boundary_terms(
       const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-      const ContactInterface                   *interface,
+      const ContactInterface<2>                *interface,
       const Vector<double>                     &solution,
       Vector<double>                           &eta_square) const;
 
@@ -103,7 +103,7 @@ namespace Contact
                                  const Place                 &place) const;
 
     /// Whether a component of the displacement is prescribed all along an edge.
-    bool is_supported(const Surface::Edge &edge, const unsigned int c) const;
+    bool is_supported(const SurfaceFacet<2> &edge, const unsigned int c) const;
 
     void clear_at_nodal_forces(Vector<double> &eta_square) const;
 
@@ -111,7 +111,7 @@ namespace Contact
     const Elasticity<2>     &elasticity;
 
     /// The whole boundary of all bodies.
-    const Surface             boundary;
+    const Surface<2>          boundary;
     std::vector<Neighborhood> neighborhoods; // of its edges
   };
 
@@ -121,7 +121,7 @@ namespace Contact
    * Flag the cells by the indicators of ErrorEstimator, from the stresses at
    * the vertices, see flag_by_indicators().
    */
-  void flag_by_estimate(const ContactModel                       &model,
+  void flag_by_estimate(const ContactModel<2>                    &model,
                         const Parameters::All                    &parameters,
                         const std::vector<SymmetricTensor<2, 3>> &stresses,
                         const Vector<double>                     &solution);

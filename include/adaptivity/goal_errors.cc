@@ -15,10 +15,10 @@
 
 namespace Contact
 {
-  GoalErrors::GoalErrors(const Parameters::All &parameters,
-                         ContactModel          &model,
-                         const IncrementState  &state,
-                         TimerOutput           &timer)
+  GoalErrors::GoalErrors(const Parameters::All   &parameters,
+                         ContactModel<2>         &model,
+                         const IncrementState<2> &state,
+                         TimerOutput             &timer)
     : parameters(parameters)
     , model(model)
     , state(state)
@@ -48,7 +48,7 @@ namespace Contact
     /// z - v is as smooth as that of a displaced boundary, and z is not.
     void add_lift(const Parameters::Probes::Definition &probe,
                   const double                          factor,
-                  const ContactModel                   &model,
+                  const ContactModel<2>                &model,
                   Vector<double>                       &dual)
     {
       if (!is_force(probe.quantity))
@@ -73,18 +73,18 @@ namespace Contact
     ProbeErrors                 errors;
     std::vector<Vector<double>> duals = solve_dual_problems(errors);
     const PatchRecovery         recovery(*model.discretization, duals);
-    refined                       = std::make_unique<RefinedState>(parameters,
+    refined                     = std::make_unique<RefinedState>(parameters,
                                              model,
                                              state,
                                              linearization,
                                              duals);
-    const ContactModel &fine      = refined->model;
-    const auto          recovered = recovery.values(*fine.discretization);
-    RefinedSystem       system(fine, refined->state, linearization);
-    Vector<double>      residual = system.negative_residual();
-    const auto          requests = parameters.probes.requests();
-    Vector<float>       missed(model.mesh->triangulation.n_active_cells());
-    Vector<float>       met(missed.size());
+    const ContactModel<2> &fine = refined->model;
+    const auto             recovered = recovery.values(*fine.discretization);
+    RefinedSystem          system(fine, refined->state, linearization);
+    Vector<double>         residual = system.negative_residual();
+    const auto             requests = parameters.probes.requests();
+    Vector<float>          missed(model.mesh->triangulation.n_active_cells());
+    Vector<float>          met(missed.size());
     // By trial: without sweeps estimates of smooth scenes are off by a factor
     // of up to six, after one by half, after three by a tenth, after five by
     // less.
@@ -136,13 +136,13 @@ namespace Contact
                                   const double          scale,
                                   Vector<float>        &indicators) const
   {
-    const ContactModel &fine        = refined->model;
-    const auto         &dof_handler = fine.discretization->dof_handler;
-    Vector<double>      shares(fine.n_displacements());
+    const ContactModel<2> &fine        = refined->model;
+    const auto            &dof_handler = fine.discretization->dof_handler;
+    Vector<double>         shares(fine.n_displacements());
     for (unsigned int i = 0; i < shares.size(); ++i)
       shares[i] = residual[i] * weight[i];
     if (fine.interface)
-      for (const ContactPoint &point : fine.interface->points())
+      for (const ContactPoint<2> &point : fine.interface->points())
         for (unsigned int k = 0; k < point.n_multipliers && point.n_nodes > 0;
              ++k)
           {
@@ -195,7 +195,7 @@ namespace Contact
                                residual,
                                nullptr);
     if (model.interface)
-      ContactKernel(*model.interface)
+      ContactKernel<2>(*model.interface)
         .assemble(state.solution,
                   state.start,
                   linearization,
@@ -244,8 +244,8 @@ namespace Contact
   // closest.
   void GoalErrors::forget_excess() const
   {
-    std::vector<ContactPoint> points = model.interface->points();
-    for (ContactPoint &point : points)
+    std::vector<ContactPoint<2>> points = model.interface->points();
+    for (ContactPoint<2> &point : points)
       if (point.status.kind != Status::open && !point.change.dofs.empty())
         {
           point.projection = Point<2>();
@@ -262,7 +262,7 @@ namespace Contact
   std::vector<Vector<double>>
   GoalErrors::solve_dual_problems(ProbeErrors &errors) const
   {
-    std::vector<ContactPoint> points;
+    std::vector<ContactPoint<2>> points;
     if (model.interface)
       points = model.interface->points();
     const Residuals   residuals = pair_anew();
@@ -306,14 +306,14 @@ namespace Contact
   void GoalErrors::impose_contact(const Vector<double> &functional,
                                   Vector<double>       &dual) const
   {
-    const ContactModel &fine        = refined->model;
-    const auto         &constraints = fine.discretization->constraints;
+    const ContactModel<2> &fine        = refined->model;
+    const auto            &constraints = fine.discretization->constraints;
     fine.discretization->constrain_homogeneously(dual);
     if (!fine.interface)
       return;
 
-    const ContactInterface &interface = *fine.interface;
-    for (const ContactPoint &point : interface.points())
+    const ContactInterface<2> &interface = *fine.interface;
+    for (const ContactPoint<2> &point : interface.points())
       {
         if (point.status.kind == Status::open || !point.facing)
           continue;
@@ -323,14 +323,14 @@ namespace Contact
           for (unsigned int i = 0; i < 2; ++i)
             missing[i] -= point.C[a] * dual[point.dofs[a][i]];
 
-        const unsigned int k   = point.multipliers[0];
-        const double       J_n = functional[interface.normal_index(k)];
-        const double       J_t = interface.has_friction(point)
-                                   ? functional[interface.tangential_index(k)]
-                                   : 0.;
-        const ContactState now =
+        const unsigned int    k   = point.multipliers[0];
+        const double          J_n = functional[interface.normal_index(k)];
+        const double          J_t = interface.has_friction(point)
+                                      ? functional[interface.tangential_index(k)]
+                                      : 0.;
+        const ContactState<2> now =
           interface.state(point, refined->state.solution, refined->state.start);
-        const Traction traction =
+        const Traction<2> traction =
           interface.traction(point,
                              point.status,
                              now.p_trial,
@@ -338,10 +338,10 @@ namespace Contact
                              linearization.moving_bound);
         std::vector<std::pair<Tensor<1, 2>, double>> conditions;
         if (traction.dq_dq > 0)
-          conditions = {{point.normal, -J_n}, {point.tangent, -J_t}};
+          conditions = {{point.normal, -J_n}, {point.tangents[0], -J_t}};
         else
-          conditions = {{point.normal + traction.dq_dp * point.tangent,
-                         -(J_n + traction.dq_dp * J_t)}};
+          conditions = {{point.normal + traction.dq_dp[0] * point.tangents[0],
+                         -(J_n + traction.dq_dp[0] * J_t)}};
         Tensor<1, 2> correction;
         for (auto &[direction, target] : conditions)
           {
@@ -389,7 +389,7 @@ namespace Contact
   {
     if (is_energy(probe.quantity))
       {
-        IncrementState better = refined->state;
+        IncrementState<2> better = refined->state;
         better.solution += relaxed;
         return probe_value(probe, refined->model, better) -
                probe_value(probe, model, state);

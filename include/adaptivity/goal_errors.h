@@ -54,10 +54,10 @@ namespace Contact
   {
   public:
     /// The @p state has converged.
-    GoalErrors(const Parameters::All &parameters,
-               ContactModel          &model,
-               const IncrementState  &state,
-               TimerOutput           &timer);
+    GoalErrors(const Parameters::All   &parameters,
+               ContactModel<2>         &model,
+               const IncrementState<2> &state,
+               TimerOutput             &timer);
 
     /**
      * Of the mesh: the value on an infinitely fine one, minus that of the
@@ -96,11 +96,11 @@ namespace Contact
                                                 const Vector<double> &relaxed) const;
 
     const Parameters::All                  &parameters;
-    ContactModel                           &model;
-    const IncrementState                   &state;
+    ContactModel<2>                        &model;
+    const IncrementState<2>                &state;
     TimerOutput                            &timer;
     const std::map<std::string, Definition> probes;
-    const ContactKernel::Linearization      linearization;
+    const ContactLinearization              linearization;
 
     Vector<float> cell_indicators;
 

@@ -9,11 +9,11 @@
 
 namespace Contact
 {
-  RefinedState::RefinedState(const Parameters::All              &parameters,
-                             const ContactModel                 &coarse,
-                             const IncrementState               &coarse_state,
-                             const ContactKernel::Linearization &linearization,
-                             std::vector<Vector<double>>        &duals)
+  RefinedState::RefinedState(const Parameters::All       &parameters,
+                             const ContactModel<2>       &coarse,
+                             const IncrementState<2>     &coarse_state,
+                             const ContactLinearization  &linearization,
+                             std::vector<Vector<double>> &duals)
     : linearization(linearization)
   {
     model.mesh = std::make_unique<Mesh<2>>(*coarse.mesh);
@@ -54,23 +54,24 @@ namespace Contact
 
 
 
-  void RefinedState::make_interface(const Parameters::All  &parameters,
-                                    const ContactInterface &coarse)
+  void RefinedState::make_interface(const Parameters::All     &parameters,
+                                    const ContactInterface<2> &coarse)
   {
     auto pairs = parameters.pairs();
     for (unsigned int z = 0; z < pairs.size(); ++z)
       pairs[z].ends_are_corners = coarse.pairs[z]->sees_ends();
-    model.interface = std::make_unique<ContactInterface>(*model.discretization,
-                                                         *model.elasticity,
-                                                         pairs);
+    model.interface =
+      std::make_unique<ContactInterface<2>>(*model.discretization,
+                                            *model.elasticity,
+                                            pairs);
   }
 
 
 
   // Statuses follow the pressures of the state: it comes last.
-  void RefinedState::transfer_contact(const ContactInterface &coarse,
-                                      const Vector<double>   &coarse_solution,
-                                      const SurfaceStates    &duals_on_surfaces,
+  void RefinedState::transfer_contact(const ContactInterface<2> &coarse,
+                                      const Vector<double> &coarse_solution,
+                                      const SurfaceStates  &duals_on_surfaces,
                                       std::vector<Vector<double>> &duals)
   {
     PairingMode mode;
@@ -87,7 +88,7 @@ namespace Contact
                      *model.interface,
                      state.solution);
     update_statuses();
-    for (const ContactPoint &point : model.interface->points())
+    for (const ContactPoint<2> &point : model.interface->points())
       if (point.status.kind == Status::open)
         for (Vector<double> &dual : duals)
           set_multipliers(point, 0., dual);
@@ -99,13 +100,13 @@ namespace Contact
   // than what its gap takes to close: the pressure against the stiffness E/h.
   void RefinedState::update_statuses()
   {
-    const ContactInterface   &interface = *model.interface;
-    std::vector<ContactPoint> points    = interface.points();
-    for (ContactPoint &point : points)
+    const ContactInterface<2>   &interface = *model.interface;
+    std::vector<ContactPoint<2>> points    = interface.points();
+    for (ContactPoint<2> &point : points)
       {
         if (!point.facing || interface.contact_pair(point).tied)
           continue;
-        const ContactState now =
+        const ContactState<2> now =
           interface.state(point, state.solution, state.start);
         const double p_trial =
           now.lambda_n -
@@ -113,7 +114,7 @@ namespace Contact
         const bool is_open = point.status.kind == Status::open;
         if (is_open != (p_trial <= 0))
           point.status = interface.updated_status(point,
-                                                  PointStatus(),
+                                                  PointStatus<2>(),
                                                   p_trial,
                                                   now.lambda_t,
                                                   linearization.moving_bound);
@@ -125,11 +126,11 @@ namespace Contact
 
 
 
-  void RefinedState::set_multipliers(const ContactPoint &point,
-                                     const double        value,
-                                     Vector<double>     &vector) const
+  void RefinedState::set_multipliers(const ContactPoint<2> &point,
+                                     const double           value,
+                                     Vector<double>        &vector) const
   {
-    const ContactInterface &interface = *model.interface;
+    const ContactInterface<2> &interface = *model.interface;
     for (unsigned int k = 0; k < point.n_multipliers; ++k)
       {
         vector[interface.normal_index(point.multipliers[k])] = value;

@@ -26,30 +26,30 @@ namespace Contact
   public:
     /// Refine the mesh of the @p state; the @p duals, solutions of transposed
     /// problems on that mesh, are transferred with it.
-    RefinedState(const Parameters::All              &parameters,
-                 const ContactModel                 &coarse,
-                 const IncrementState               &state,
-                 const ContactKernel::Linearization &linearization,
-                 std::vector<Vector<double>>        &duals);
+    RefinedState(const Parameters::All       &parameters,
+                 const ContactModel<2>       &coarse,
+                 const IncrementState<2>     &state,
+                 const ContactLinearization  &linearization,
+                 std::vector<Vector<double>> &duals);
 
-    ContactModel   model;
-    IncrementState state;
+    ContactModel<2>   model;
+    IncrementState<2> state;
 
   private:
-    using SurfaceStates = std::vector<std::vector<SurfaceState>>;
+    using SurfaceStates = std::vector<std::vector<SurfaceState<2>>>;
 
-    void make_interface(const Parameters::All  &parameters,
-                        const ContactInterface &coarse);
-    void transfer_contact(const ContactInterface      &coarse,
+    void make_interface(const Parameters::All     &parameters,
+                        const ContactInterface<2> &coarse);
+    void transfer_contact(const ContactInterface<2>   &coarse,
                           const Vector<double>        &coarse_solution,
                           const SurfaceStates         &duals_on_surfaces,
                           std::vector<Vector<double>> &duals);
     void update_statuses();
-    void set_multipliers(const ContactPoint &point,
-                         const double        value,
-                         Vector<double>     &vector) const;
+    void set_multipliers(const ContactPoint<2> &point,
+                         const double           value,
+                         Vector<double>        &vector) const;
 
-    const ContactKernel::Linearization linearization;
+    const ContactLinearization linearization;
   };
 } // namespace Contact
 

@@ -13,10 +13,9 @@
 
 namespace Contact
 {
-  RefinedSystem::RefinedSystem(
-    const ContactModel                 &model,
-    const IncrementState               &state,
-    const ContactKernel::Linearization &linearization)
+  RefinedSystem::RefinedSystem(const ContactModel<2>      &model,
+                               const IncrementState<2>    &state,
+                               const ContactLinearization &linearization)
     : model(model)
     , state(state)
     , contact(model.discretization->counters)
@@ -33,7 +32,7 @@ namespace Contact
 
     find_couplings();
     Unknowns at_contact;
-    for (const ContactPoint &point : model.interface->points())
+    for (const ContactPoint<2> &point : model.interface->points())
       for (const NodeDoFs<2> &node : point.dofs)
         at_contact.insert(node.begin(), node.end());
     remove_fixed(at_contact);
@@ -46,8 +45,7 @@ namespace Contact
 
 
 
-  void
-  RefinedSystem::assemble(const ContactKernel::Linearization &linearization)
+  void RefinedSystem::assemble(const ContactLinearization &linearization)
   {
     const auto             n = model.n_unknowns();
     DynamicSparsityPattern couplings(n, n);
@@ -62,7 +60,7 @@ namespace Contact
     rhs.reinit(n);
     model.elasticity->assemble(state.solution, state.load_factor, rhs, &matrix);
     if (model.interface)
-      ContactKernel(*model.interface)
+      ContactKernel<2>(*model.interface)
         .assemble(state.solution, state.start, linearization, rhs, &matrix);
     for (const auto &line : model.discretization->constraints.get_lines())
       matrix.diag_element(line.index) = 1;
@@ -76,7 +74,7 @@ namespace Contact
     const auto &dofs = model.discretization->vertex_dofs;
     for (unsigned int v = 0; v < dofs.size(); ++v)
       vertex_at[dofs[v]] = v;
-    for (const ContactPoint &point : model.interface->points())
+    for (const ContactPoint<2> &point : model.interface->points())
       {
         vertices_of_points.emplace_back();
         for (const NodeDoFs<2> &node : point.dofs)
@@ -98,9 +96,9 @@ namespace Contact
   // Those of the points whose own node is among the unknowns.
   void RefinedSystem::add_multipliers(Unknowns &unknowns) const
   {
-    const ContactInterface &interface = *model.interface;
-    const Unknowns          nodes     = unknowns;
-    for (const ContactPoint &point : interface.points())
+    const ContactInterface<2> &interface = *model.interface;
+    const Unknowns             nodes     = unknowns;
+    for (const ContactPoint<2> &point : interface.points())
       {
         if (point.n_nodes == 0)
           continue;

@@ -27,9 +27,9 @@ namespace Contact
   public:
     /// Assemble that of the @p state on the mesh of the @p model, under its
     /// statuses and pairing.
-    RefinedSystem(const ContactModel                 &model,
-                  const IncrementState               &state,
-                  const ContactKernel::Linearization &linearization);
+    RefinedSystem(const ContactModel<2>      &model,
+                  const IncrementState<2>    &state,
+                  const ContactLinearization &linearization);
 
     /// Minus the residual of the state.
     const Vector<double> &negative_residual() const
@@ -73,15 +73,15 @@ namespace Contact
     };
 
     void     find_couplings();
-    void     assemble(const ContactKernel::Linearization &linearization);
+    void     assemble(const ContactLinearization &linearization);
     Unknowns unknowns_around(const std::vector<unsigned int> &vertices) const;
     void     remove_fixed(Unknowns &unknowns) const;
     void     add_multipliers(Unknowns &unknowns) const;
     void     factorize(const Unknowns &unknowns, Block &block) const;
     const Block &block_around(const std::vector<unsigned int> &vertices);
 
-    const ContactModel   &model;
-    const IncrementState &state;
+    const ContactModel<2>   &model;
+    const IncrementState<2> &state;
 
     SparsityPattern      pattern;
     SparseMatrix<double> matrix;

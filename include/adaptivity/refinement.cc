@@ -28,11 +28,13 @@ namespace Contact
 
 
     /// On a mesh of which every rank has all cells.
-    void transfer_complete(Mesh<2>                     &mesh,
-                           Discretization<2>           &discretization,
+    template<int dim>
+    void transfer_complete(Mesh<dim>                   &mesh,
+                           Discretization<dim>         &discretization,
                            std::vector<Vector<double>> &solutions)
     {
-      SolutionTransfer<2> transfer(discretization.dof_handler);
+      SolutionTransfer<dim, Vector<double>> transfer(
+        discretization.dof_handler);
       for (Vector<double> &solution : solutions)
         solution.grow_or_shrink(discretization.dof_handler.n_dofs());
 
@@ -53,8 +55,9 @@ namespace Contact
 
 
     /// On a mesh of which a rank has a part.
-    void transfer_distributed(Mesh<2>                     &mesh,
-                              Discretization<2>           &discretization,
+    template<int dim>
+    void transfer_distributed(Mesh<dim>                   &mesh,
+                              Discretization<dim>         &discretization,
                               std::vector<Vector<double>> &solutions)
     {
       const auto    &dof_handler  = discretization.dof_handler;
@@ -74,7 +77,7 @@ namespace Contact
           old_pointers.push_back(&old[k]);
         }
 
-      DistributedTransfer<DistributedVector> transfer(dof_handler);
+      DistributedTransfer<dim, DistributedVector> transfer(dof_handler);
       mesh.triangulation.prepare_coarsening_and_refinement();
       transfer.prepare_for_coarsening_and_refinement(old_pointers);
       mesh.triangulation.execute_coarsening_and_refinement();
@@ -104,7 +107,8 @@ namespace Contact
 
 
 
-  void check_adaptive(const Mesh<2> &mesh)
+  template<int dim>
+  void check_adaptive(const Mesh<dim> &mesh)
   {
     if (!mesh.has_only_hypercubes())
       throw InputError("the mesh has triangles, and can not be refined "
@@ -119,7 +123,8 @@ namespace Contact
   // deal.II's GridRefinement knows this marking, but the one of distributed
   // meshes marks other cells than the one of a single process: results would
   // depend on the number of processes.
-  void flag_cells(Mesh<2>             &mesh,
+  template<int dim>
+  void flag_cells(Mesh<dim>           &mesh,
                   const Vector<float> &indicators,
                   const double         fraction)
   {
@@ -148,7 +153,8 @@ namespace Contact
 
 
 
-  void flag_slave_like_master(Mesh<2>                            &mesh,
+  template<int dim>
+  void flag_slave_like_master(Mesh<dim>                          &mesh,
                               const std::set<types::boundary_id> &slave,
                               const std::set<types::boundary_id> &master)
   {
@@ -161,10 +167,12 @@ namespace Contact
             visit(cell, cell->face(f)->center(), cell->face(f)->diameter());
     };
 
-    using Faces = std::vector<std::pair<Point<2>, double>>;
+    using Faces = std::vector<std::pair<Point<dim>, double>>;
     Faces flagged;
     for_faces(master,
-              [&](const auto &cell, const Point<2> &middle, const double size) {
+              [&](const auto       &cell,
+                  const Point<dim> &middle,
+                  const double      size) {
                 if (cell->refine_flag_set())
                   flagged.emplace_back(middle, size);
               });
@@ -172,7 +180,7 @@ namespace Contact
          Utilities::MPI::all_gather(mesh.communicator, flagged))
       for_faces(
         slave,
-        [&](const auto &cell, const Point<2> &middle, const double size) {
+        [&](const auto &cell, const Point<dim> &middle, const double size) {
           for (const auto &[other_middle, other_size] : of_rank)
             if (middle.distance(other_middle) < 0.75 * (size + other_size) &&
                 size > 0.51 * other_size)
@@ -211,11 +219,12 @@ namespace Contact
 
 
 
-  void flag_by_indicators(const ContactModel    &model,
-                          const Parameters::All &parameters,
-                          const Vector<float>   &indicators)
+  template<int dim>
+  void flag_by_indicators(const ContactModel<dim> &model,
+                          const Parameters::All   &parameters,
+                          const Vector<float>     &indicators)
   {
-    Mesh<2>     &mesh = *model.mesh;
+    Mesh<dim>   &mesh = *model.mesh;
     const double automatic =
       parameters.asks_for_accuracy()
         ? cheapest_fraction(indicators, parameters.element.degree)
@@ -238,15 +247,17 @@ namespace Contact
 
 
 
-  void flag_all_cells(Mesh<2> &mesh)
+  template<int dim>
+  void flag_all_cells(Mesh<dim> &mesh)
   {
     mesh.triangulation.set_all_refine_flags();
   }
 
 
 
-  void refine_and_transfer(Mesh<2>                     &mesh,
-                           Discretization<2>           &discretization,
+  template<int dim>
+  void refine_and_transfer(Mesh<dim>                   &mesh,
+                           Discretization<dim>         &discretization,
                            std::vector<Vector<double>> &solutions)
   {
     if (mesh.is_complete())
@@ -254,4 +265,35 @@ namespace Contact
     else
       transfer_distributed(mesh, discretization, solutions);
   }
+
+  template void check_adaptive(const Mesh<2> &mesh);
+  template void check_adaptive(const Mesh<3> &mesh);
+  template void flag_cells(Mesh<2>             &mesh,
+                           const Vector<float> &indicators,
+                           const double         fraction);
+  template void flag_cells(Mesh<3>             &mesh,
+                           const Vector<float> &indicators,
+                           const double         fraction);
+  template void
+  flag_slave_like_master(Mesh<2>                            &mesh,
+                         const std::set<types::boundary_id> &slave,
+                         const std::set<types::boundary_id> &master);
+  template void
+                flag_slave_like_master(Mesh<3>                            &mesh,
+                                       const std::set<types::boundary_id> &slave,
+                                       const std::set<types::boundary_id> &master);
+  template void flag_by_indicators(const ContactModel<2> &model,
+                                   const Parameters::All &parameters,
+                                   const Vector<float>   &indicators);
+  template void flag_by_indicators(const ContactModel<3> &model,
+                                   const Parameters::All &parameters,
+                                   const Vector<float>   &indicators);
+  template void flag_all_cells(Mesh<2> &mesh);
+  template void flag_all_cells(Mesh<3> &mesh);
+  template void refine_and_transfer(Mesh<2>                     &mesh,
+                                    Discretization<2>           &discretization,
+                                    std::vector<Vector<double>> &solutions);
+  template void refine_and_transfer(Mesh<3>                     &mesh,
+                                    Discretization<3>           &discretization,
+                                    std::vector<Vector<double>> &solutions);
 } // namespace Contact

@@ -14,11 +14,13 @@ namespace Contact
 
   /// Throw InputError if the mesh can not be refined cell by cell: deal.II can
   /// not do so with triangles.
-  void check_adaptive(const Mesh<2> &mesh);
+  template<int dim>
+  void check_adaptive(const Mesh<dim> &mesh);
 
   /// Flag the cells with the largest indicators, which together have the share
   /// @p fraction of their sum (Doerfler's marking).
-  void flag_cells(Mesh<2>             &mesh,
+  template<int dim>
+  void flag_cells(Mesh<dim>           &mesh,
                   const Vector<float> &indicators,
                   const double         fraction);
 
@@ -28,7 +30,8 @@ namespace Contact
    * the nodal discretization, where the nodes of a finer master dent between
    * those of the slave, and no pairing stays.
    */
-  void flag_slave_like_master(Mesh<2>                            &mesh,
+  template<int dim>
+  void flag_slave_like_master(Mesh<dim>                          &mesh,
                               const std::set<types::boundary_id> &slave,
                               const std::set<types::boundary_id> &master);
 
@@ -48,20 +51,23 @@ namespace Contact
   /// Flag the cells with the largest indicators, by the fraction of the
   /// parameters, and the slaves of nodal contact pairs that would become
   /// coarser than their masters.
-  void flag_by_indicators(const ContactModel    &model,
-                          const Parameters::All &parameters,
-                          const Vector<float>   &indicators);
+  template<int dim>
+  void flag_by_indicators(const ContactModel<dim> &model,
+                          const Parameters::All   &parameters,
+                          const Vector<float>     &indicators);
 
   /// Flag all cells.
-  void flag_all_cells(Mesh<2> &mesh);
+  template<int dim>
+  void flag_all_cells(Mesh<dim> &mesh);
 
   /**
    * Refine the flagged cells, number the unknowns anew, and interpolate the
    * displacements at the beginning of all @p solutions, which lose what was
    * behind. Every rank holds them in full, before and after.
    */
-  void refine_and_transfer(Mesh<2>                     &mesh,
-                           Discretization<2>           &discretization,
+  template<int dim>
+  void refine_and_transfer(Mesh<dim>                   &mesh,
+                           Discretization<dim>         &discretization,
                            std::vector<Vector<double>> &solutions);
 } // namespace Contact
 

@@ -24,19 +24,20 @@ namespace Contact
   // distributed meshes.
 
   /// Carries solutions over to a refined mesh of which a rank has a part.
-  template<class VectorType>
+  template<int dim, class VectorType>
   using DistributedTransfer =
 #if DEAL_II_VERSION_GTE(9, 7, 0)
-    SolutionTransfer<2, VectorType>;
+    SolutionTransfer<dim, VectorType>;
 #else
-    parallel::distributed::SolutionTransfer<2, VectorType>;
+    parallel::distributed::SolutionTransfer<dim, VectorType>;
 #endif
 
   /// Interpolate the vectors that @p transfer was prepared with, @p old, on a
   /// mesh of which every rank has all cells.
-  inline void interpolate(SolutionTransfer<2>               &transfer,
-                          const std::vector<Vector<double>> &old,
-                          std::vector<Vector<double>>       &refined)
+  template<class Transfer>
+  void interpolate(Transfer                          &transfer,
+                   const std::vector<Vector<double>> &old,
+                   std::vector<Vector<double>>       &refined)
   {
 #if DEAL_II_VERSION_GTE(9, 7, 0)
     (void)old; // it knows them

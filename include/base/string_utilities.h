@@ -19,6 +19,16 @@ namespace Contact
   /// A number in a sentence: three digits of it.
   std::string brief(const double value);
 
+  /// The coordinates of a place, with commas between them.
+  template<typename Place>
+  auto brief(const Place &place) -> decltype(place[0], std::string())
+  {
+    std::string text;
+    for (unsigned int c = 0; c < Place::dimension; ++c)
+      text += (c > 0 ? ", " : "") + brief(static_cast<double>(place[c]));
+    return text;
+  }
+
   /// In lower case, as far as it is ASCII.
   std::string lower_case(std::string text);
 

@@ -101,16 +101,16 @@ namespace Contact
 
 
 
-    std::vector<Piece> pieces_of(const Surface        &surface,
+    std::vector<Piece> pieces_of(const Surface<2>     &surface,
                                  const Vector<double> &from,
                                  const Vector<double> &to)
     {
       std::vector<Piece> pieces;
-      for (const Surface::Edge &edge : surface.edges)
+      for (const SurfaceFacet<2> &edge : surface.facets)
         {
           // The nodes of an edge are its two ends, then the one between.
           std::vector<unsigned int> nodes{edge.nodes[0], edge.nodes[1]};
-          if (surface.n_nodes_per_edge() == 3)
+          if (surface.n_nodes_per_facet() == 3)
             nodes.insert(nodes.begin() + 1, edge.nodes[2]);
           for (unsigned int k = 0; k + 1 < nodes.size(); ++k)
             {
@@ -155,12 +155,12 @@ namespace Contact
 
 
 
-    void look(const Surface                  &surface,
-              const Surface                  &other,
-              const bool                      is_master,
-              const Vector<double>           &from,
-              const Vector<double>           &to,
-              std::optional<ContactCrossing> &deepest)
+    void look(const Surface<2>                  &surface,
+              const Surface<2>                  &other,
+              const bool                         is_master,
+              const Vector<double>              &from,
+              const Vector<double>              &to,
+              std::optional<ContactCrossing<2>> &deepest)
     {
       const auto pieces = pieces_of(other, from, to);
       for (unsigned int i = 0; i < surface.nodes.size(); ++i)
@@ -199,11 +199,12 @@ namespace Contact
 
 
 
-  std::optional<ContactCrossing> find_crossing(const ContactPair &contact_pair,
-                                               const Vector<double> &from,
-                                               const Vector<double> &to)
+  std::optional<ContactCrossing<2>>
+  find_crossing(const ContactPair<2> &contact_pair,
+                const Vector<double> &from,
+                const Vector<double> &to)
   {
-    std::optional<ContactCrossing> deepest;
+    std::optional<ContactCrossing<2>> deepest;
     if (contact_pair.master)
       {
         look(contact_pair.slave,

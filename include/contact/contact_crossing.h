@@ -15,11 +15,12 @@ namespace Contact
   using namespace dealii;
 
   /// A node of one surface that has gone through the other body.
+  template<int dim>
   struct ContactCrossing
   {
-    bool     of_master = false;
-    Point<2> X;         // its undeformed place [mm]
-    double   depth = 0; // behind the side that it went in by [mm]
+    bool       of_master = false;
+    Point<dim> X;         // its undeformed place [mm]
+    double     depth = 0; // behind the side that it went in by [mm]
   };
 
   /**
@@ -33,9 +34,18 @@ namespace Contact
    * not count: the two edges there have a common vertex. Returns the deepest
    * one.
    */
-  std::optional<ContactCrossing> find_crossing(const ContactPair &contact_pair,
-                                               const Vector<double> &from,
-                                               const Vector<double> &to);
+  std::optional<ContactCrossing<2>>
+  find_crossing(const ContactPair<2> &contact_pair,
+                const Vector<double> &from,
+                const Vector<double> &to);
+
+  /// In space nothing is looked for.
+  inline std::optional<ContactCrossing<3>> find_crossing(const ContactPair<3> &,
+                                                         const Vector<double> &,
+                                                         const Vector<double> &)
+  {
+    return {};
+  }
 } // namespace Contact
 
 #endif

@@ -13,11 +13,12 @@ namespace Contact
   {
     /// By how much the polygon of an edge may be beside the curve that it
     /// stands for, at one of its nodes. A corner, or an end, stands for itself.
-    double
-    sagitta(const Surface &surface, const unsigned int e, const unsigned int a)
+    double sagitta(const Surface<2>  &surface,
+                   const unsigned int e,
+                   const unsigned int a)
     {
-      const Surface::Edge &edge = surface.edges[e];
-      const bool           stands_for_itself =
+      const SurfaceFacet<2> &edge = surface.facets[e];
+      const bool             stands_for_itself =
         a < 2 &&
         (edge.corner[a] || (a == 0 ? edge.begins_surface : edge.ends_surface));
       return stands_for_itself
@@ -28,27 +29,27 @@ namespace Contact
 
 
     /// The deepest node of @p surface.
-    void look(const Surface        &surface,
-              const Surface        &other,
+    void look(const Surface<2>     &surface,
+              const Surface<2>     &other,
               const bool            is_master,
               const Vector<double> &u,
-              ContactDepth         &deepest)
+              ContactDepth<2>      &deepest)
     {
-      const SurfaceSearch search(other, u);
-      const auto          normals = surface.edge_normals(u);
-      for (unsigned int e = 0; e < surface.edges.size(); ++e)
-        for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
+      const SurfaceSearch<2> search(other, u);
+      const auto             normals = surface.facet_normals(u);
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
+        for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
           {
-            const unsigned int i          = surface.edges[e].nodes[a];
-            const Point<2>     x          = surface.position(i, u);
-            const Projection   projection = search.closest_point(x);
+            const unsigned int  i          = surface.facets[e].nodes[a];
+            const Point<2>      x          = surface.position(i, u);
+            const Projection<2> projection = search.closest_point(x);
             if (projection.off_the_end || projection.clipped)
               continue;
 
             const EdgeShape shape(other.degree, projection.xi);
-            const auto     &edge = other.edges[projection.edge];
+            const auto     &edge = other.facets[projection.facet];
             Tensor<1, 2>    r    = x, along;
-            for (unsigned int b = 0; b < other.n_nodes_per_edge(); ++b)
+            for (unsigned int b = 0; b < other.n_nodes_per_facet(); ++b)
               {
                 r -= shape.value[b] * other.position(edge.nodes[b], u);
                 along += shape.first[b] * other.position(edge.nodes[b], u);
@@ -58,35 +59,35 @@ namespace Contact
             // come there around it.
             const double behind = -(r * outward);
             if (outward * normals[e][a] >= 0 ||
-                behind >= other.reference_length(projection.edge))
+                behind >= other.reference_length(projection.facet))
               continue;
             const double depth = behind - sagitta(surface, e, a) -
-                                 std::max(sagitta(other, projection.edge, 0),
-                                          sagitta(other, projection.edge, 1));
+                                 std::max(sagitta(other, projection.facet, 0),
+                                          sagitta(other, projection.facet, 1));
             if (depth > deepest.depth)
               deepest = {depth,
                          is_master,
                          surface.nodes[i].X,
-                         is_master ? projection.edge : e};
+                         is_master ? projection.facet : e};
           }
     }
 
 
 
     /// The deepest place of the slave inside of an obstacle.
-    void look(const Surface        &slave,
-              const Obstacle       &obstacle,
+    void look(const Surface<2>     &slave,
+              const Obstacle<2>    &obstacle,
               const Vector<double> &u,
-              ContactDepth         &deepest)
+              ContactDepth<2>      &deepest)
     {
-      for (unsigned int e = 0; e < slave.edges.size(); ++e)
+      for (unsigned int e = 0; e < slave.facets.size(); ++e)
         for (const double xi : {-0.5, 0., 0.5})
           {
             const EdgeShape shape(slave.degree, xi);
             Point<2>        x, X;
-            for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+            for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
               {
-                const unsigned int i = slave.edges[e].nodes[a];
+                const unsigned int i = slave.facets[e].nodes[a];
                 x += shape.value[a] * slave.position(i, u);
                 X += shape.value[a] * slave.nodes[i].X;
               }
@@ -103,10 +104,10 @@ namespace Contact
 
 
 
-  ContactDepth largest_depth(const ContactPair    &contact_pair,
-                             const Vector<double> &u)
+  ContactDepth<2> largest_depth(const ContactPair<2> &contact_pair,
+                                const Vector<double> &u)
   {
-    ContactDepth deepest;
+    ContactDepth<2> deepest;
     if (contact_pair.master)
       {
         look(contact_pair.slave, *contact_pair.master, false, u, deepest);

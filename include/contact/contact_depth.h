@@ -15,12 +15,13 @@ namespace Contact
   /// The depth of a node of one surface inside of the other one, or of a place
   /// of the slave inside of an obstacle, less the overlap that polygons of
   /// round surfaces may have.
+  template<int dim>
   struct ContactDepth
   {
     double       depth     = 0; // [mm]
     bool         of_master = false;
-    Point<2>     X;              // the undeformed place [mm]
-    unsigned int slave_edge = 0; // that it is in, or belongs to
+    Point<dim>   X;               // the undeformed place [mm]
+    unsigned int slave_facet = 0; // that it is in, or belongs to
   };
 
   /**
@@ -37,8 +38,10 @@ namespace Contact
    * that is too coarse for the scene, a corner of the master may be in a slave
    * edge as deep as it was pushed.
    */
-  ContactDepth largest_depth(const ContactPair    &contact_pair,
-                             const Vector<double> &u);
+  ContactDepth<2> largest_depth(const ContactPair<2> &contact_pair,
+                                const Vector<double> &u);
+  ContactDepth<3> largest_depth(const ContactPair<3> &contact_pair,
+                                const Vector<double> &u);
 } // namespace Contact
 
 #endif

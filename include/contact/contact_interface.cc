@@ -14,18 +14,20 @@
 
 namespace Contact
 {
-  ContactInterface::ContactInterface(
-    const Discretization<2>                &discretization,
-    const Elasticity<2>                    &elasticity,
+  template<int dim>
+  ContactInterface<dim>::ContactInterface(
+    const Discretization<dim>              &discretization,
+    const Elasticity<dim>                  &elasticity,
     const std::vector<Parameters::Contact> &parameters)
     : discretization(discretization)
   {
     for (const Parameters::Contact &of_pair : parameters)
       {
-        auto contact_pair =
-          std::make_unique<ContactPair>(discretization, elasticity, of_pair);
+        auto contact_pair = std::make_unique<ContactPair<dim>>(discretization,
+                                                               elasticity,
+                                                               of_pair);
         const unsigned int first = tangential_number.size();
-        for (ContactPoint &point :
+        for (ContactPoint<dim> &point :
              contact_pair->make_points(first, all_points.size()))
           {
             point.contact_pair = pairs.size();
@@ -45,7 +47,8 @@ namespace Contact
 
   // Two pairs of the same surfaces would share their force as they like, also
   // with slave and master swapped.
-  void ContactInterface::check_pairs(
+  template<int dim>
+  void ContactInterface<dim>::check_pairs(
     const std::vector<Parameters::Contact> &parameters) const
   {
     const auto same_master = [&](const unsigned int i, const unsigned int j) {
@@ -77,9 +80,10 @@ namespace Contact
 
 
 
-  void ContactInterface::find_corners()
+  template<int dim>
+  void ContactInterface<dim>::find_corners()
   {
-    std::map<NodeDoFs<2>, std::vector<unsigned int>> at_node;
+    std::map<NodeDoFs<dim>, std::vector<unsigned int>> at_node;
     for (unsigned int q = 0; q < all_points.size(); ++q)
       if (!contact_pair(all_points[q]).master && all_points[q].n_nodes == 1)
         at_node[all_points[q].dofs[0]].push_back(q);
@@ -92,8 +96,9 @@ namespace Contact
 
 
 
-  ArrayView<const ContactPoint>
-  ContactInterface::points_of(const ContactPair &contact_pair) const
+  template<int dim>
+  ArrayView<const ContactPoint<dim>>
+  ContactInterface<dim>::points_of(const ContactPair<dim> &contact_pair) const
   {
     return {all_points.data() + contact_pair.first_point,
             contact_pair.n_points};
@@ -101,7 +106,8 @@ namespace Contact
 
 
 
-  bool ContactInterface::is_tied() const
+  template<int dim>
+  bool ContactInterface<dim>::is_tied() const
   {
     return std::all_of(pairs.begin(),
                        pairs.end(),
@@ -112,7 +118,8 @@ namespace Contact
 
 
 
-  bool ContactInterface::has_friction() const
+  template<int dim>
+  bool ContactInterface<dim>::has_friction() const
   {
     return std::any_of(pairs.begin(),
                        pairs.end(),
@@ -124,7 +131,8 @@ namespace Contact
 
 
 
-  bool ContactInterface::has_coulomb_friction() const
+  template<int dim>
+  bool ContactInterface<dim>::has_coulomb_friction() const
   {
     return std::any_of(pairs.begin(),
                        pairs.end(),
@@ -136,7 +144,8 @@ namespace Contact
 
 
 
-  bool ContactInterface::lacks_ends_of_masters() const
+  template<int dim>
+  bool ContactInterface<dim>::lacks_ends_of_masters() const
   {
     return std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) {
       return pair->lacks_ends();
@@ -145,37 +154,44 @@ namespace Contact
 
 
 
-  unsigned int ContactInterface::n_multipliers() const
+  template<int dim>
+  unsigned int ContactInterface<dim>::n_multipliers() const
   {
-    return n_normal_multipliers() + n_tangential;
+    return n_normal_multipliers() + (dim - 1) * n_tangential;
   }
 
 
 
-  unsigned int ContactInterface::n_normal_multipliers() const
+  template<int dim>
+  unsigned int ContactInterface<dim>::n_normal_multipliers() const
   {
     return tangential_number.size();
   }
 
 
 
+  template<int dim>
   types::global_dof_index
-  ContactInterface::normal_index(const unsigned int k) const
+  ContactInterface<dim>::normal_index(const unsigned int k) const
   {
     return discretization.dof_handler.n_dofs() + k;
   }
 
 
 
+  template<int dim>
   types::global_dof_index
-  ContactInterface::tangential_index(const unsigned int k) const
+  ContactInterface<dim>::tangential_index(const unsigned int k,
+                                          const unsigned int tangent) const
   {
-    return normal_index(n_normal_multipliers() + tangential_number[k]);
+    return normal_index(n_normal_multipliers() +
+                        (dim - 1) * tangential_number[k] + tangent);
   }
 
 
 
-  double ContactInterface::pressure(
+  template<int dim>
+  double ContactInterface<dim>::pressure(
     const std::vector<std::pair<unsigned int, double>> &multipliers,
     const Vector<double>                               &solution) const
   {
@@ -188,7 +204,9 @@ namespace Contact
 
 
 
-  bool ContactInterface::pair(const Vector<double> &u, const PairingMode &mode)
+  template<int dim>
+  bool ContactInterface<dim>::pair(const Vector<double> &u,
+                                   const PairingMode    &mode)
   {
     bool changed = false;
     for (const auto &contact_pair : pairs)
@@ -203,9 +221,10 @@ namespace Contact
 
 
 
-  double ContactInterface::misfit(const Vector<double> &u) const
+  template<int dim>
+  double ContactInterface<dim>::misfit(const Vector<double> &u) const
   {
-    std::vector<ContactPoint> closest = all_points;
+    std::vector<ContactPoint<dim>> closest = all_points;
     for (const auto &contact_pair : pairs)
       contact_pair->pair({closest.data() + contact_pair->first_point,
                           contact_pair->n_points},
@@ -227,12 +246,13 @@ namespace Contact
 
 
 
-  double ContactInterface::largest_change(const Vector<double> &u,
-                                          const Vector<double> &from) const
+  template<int dim>
+  double ContactInterface<dim>::largest_change(const Vector<double> &u,
+                                               const Vector<double> &from) const
   {
     double     change = 0;
-    const auto look   = [&](const Surface &surface) {
-      for (const Surface::Node &node : surface.nodes)
+    const auto look   = [&](const Surface<dim> &surface) {
+      for (const SurfaceNode<dim> &node : surface.nodes)
         for (const auto dof : node.dofs)
           change = std::max(change, std::abs(u[dof] - from[dof]));
     };
@@ -247,25 +267,30 @@ namespace Contact
 
 
 
-  ContactState ContactInterface::state(const ContactPoint   &point,
-                                       const Vector<double> &solution,
-                                       const Vector<double> &u_start) const
+  template<int dim>
+  ContactState<dim>
+  ContactInterface<dim>::state(const ContactPoint<dim> &point,
+                               const Vector<double>    &solution,
+                               const Vector<double>    &u_start) const
   {
-    const bool   tied = contact_pair(point).tied;
-    Tensor<1, 2> r, dr;
+    const bool     tied = contact_pair(point).tied;
+    Tensor<1, dim> r, dr;
     if (!tied)
       r -= point.projection;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
-      for (unsigned int i = 0; i < 2; ++i)
+      for (unsigned int i = 0; i < dim; ++i)
         {
           const double u = solution[point.dofs[a][i]];
           r[i] += point.C[a] * (tied ? u : point.X[a][i] + u);
           dr[i] += point.C[a] * (u - u_start[point.dofs[a][i]]);
         }
 
-    ContactState state{};
+    ContactState<dim> state{};
     state.gap  = point.normal * r;
-    state.slip = point.tangent * dr;
+    for (unsigned int i = 0; i < dim; ++i)
+      if (point.slip_is_void[i])
+        dr[i] = 0;
+    state.slip = point.tangential_part(dr);
     // Without multipliers in the vector the question is for the gap alone.
     if (solution.size() > discretization.dof_handler.n_dofs())
       for (unsigned int k = 0; k < point.n_multipliers; ++k)
@@ -273,8 +298,10 @@ namespace Contact
           state.lambda_n +=
             point.psi[k] * solution[normal_index(point.multipliers[k])];
           if (has_friction(point))
-            state.lambda_t +=
-              point.psi[k] * solution[tangential_index(point.multipliers[k])];
+            for (unsigned int t = 0; t < dim - 1; ++t)
+              state.lambda_t[t] +=
+                point.psi[k] *
+                solution[tangential_index(point.multipliers[k], t)];
         }
     state.p_trial = state.lambda_n - point.augmentation_parameter * state.gap;
     state.q_trial = state.lambda_t - point.augmentation_parameter * state.slip;
@@ -283,11 +310,12 @@ namespace Contact
 
 
 
-  double ContactInterface::constraint_norm(const Vector<double> &rhs) const
+  template<int dim>
+  double ContactInterface<dim>::constraint_norm(const Vector<double> &rhs) const
   {
     // Every multiplier has a point of its own surroundings: the last one wins.
     std::vector<double> stiffness(n_normal_multipliers(), 0.);
-    for (const ContactPoint &point : all_points)
+    for (const ContactPoint<dim> &point : all_points)
       for (unsigned int k = 0; k < point.n_multipliers; ++k)
         stiffness[point.multipliers[k]] = contact_pair(point).stiffness(point);
 
@@ -296,15 +324,17 @@ namespace Contact
       {
         square += std::pow(stiffness[k] * rhs[normal_index(k)], 2);
         if (tangential_number[k] != numbers::invalid_unsigned_int)
-          square += std::pow(stiffness[k] * rhs[tangential_index(k)], 2);
+          for (unsigned int t = 0; t < dim - 1; ++t)
+            square += std::pow(stiffness[k] * rhs[tangential_index(k, t)], 2);
       }
     return std::sqrt(square);
   }
 
 
 
+  template<int dim>
   std::vector<types::global_dof_index>
-  ContactInterface::unknowns_of(const ContactPoint &point) const
+  ContactInterface<dim>::unknowns_of(const ContactPoint<dim> &point) const
   {
     std::vector<types::global_dof_index> unknowns;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
@@ -313,9 +343,10 @@ namespace Contact
     for (unsigned int k = 0; k < point.n_multipliers; ++k)
       unknowns.push_back(normal_index(point.multipliers[k]));
     if (has_friction(point))
-      for (unsigned int k = 0; k < point.n_multipliers; ++k)
-        unknowns.push_back(tangential_index(point.multipliers[k]));
-    const unsigned int n_own = 2 * point.n_nodes;
+      for (unsigned int t = 0; t < dim - 1; ++t)
+        for (unsigned int k = 0; k < point.n_multipliers; ++k)
+          unknowns.push_back(tangential_index(point.multipliers[k], t));
+    const unsigned int n_own = dim * point.n_nodes;
     for (const auto dof : point.change.dofs)
       if (std::find(unknowns.begin(), unknowns.begin() + n_own, dof) ==
           unknowns.begin() + n_own)
@@ -325,12 +356,17 @@ namespace Contact
 
 
 
-  void ContactInterface::add_couplings(DynamicSparsityPattern &pattern) const
+  template<int dim>
+  void
+  ContactInterface<dim>::add_couplings(DynamicSparsityPattern &pattern) const
   {
-    for (const ContactPoint &point : all_points)
+    for (const ContactPoint<dim> &point : all_points)
       discretization.constraints.add_entries_local_to_global(
         unknowns_of(point),
         pattern,
         /*keep_constrained_entries=*/false);
   }
+
+  template class ContactInterface<2>;
+  template class ContactInterface<3>;
 } // namespace Contact

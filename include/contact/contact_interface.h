@@ -20,24 +20,30 @@ namespace Contact
   using namespace dealii;
 
   /// Gap, slip and multipliers of a contact point in a given state.
+  template<int dim>
   struct ContactState
   {
-    double gap;      // [mm], negative: penetration
-    double slip;     // of this increment [mm]
-    double lambda_n; // interpolated multipliers [MPa]
-    double lambda_t;
-    double p_trial; // lambda_n - c gap: in contact where positive
-    double q_trial; // lambda_t - c slip: sticks where within the bound
+    /// By tangent.
+    using Tangential = Tensor<1, dim - 1>;
+
+    double     gap;      // [mm], negative: penetration
+    Tangential slip;     // of this increment [mm]
+    double     lambda_n; // interpolated multipliers [MPa]
+    Tangential lambda_t;
+    double     p_trial; // lambda_n - c gap: in contact where positive
+    Tangential q_trial; // lambda_t - c slip: sticks where within the bound
   };
 
 
 
   /// Pressure p and shear traction q of a point [MPa], and their derivatives
   /// with respect to the trial values.
+  template<int dim>
   struct Traction
   {
-    double p = 0, dp_dp = 0;
-    double q = 0, dq_dp = 0, dq_dq = 0;
+    double             p = 0, dp_dp = 0;
+    Tensor<1, dim - 1> q, dq_dp; // by tangent
+    double             dq_dq = 0;
   };
 
 
@@ -67,32 +73,33 @@ namespace Contact
    * the status kept in the points is the primal-dual active set of
    * Hintermueller, Ito and Kunisch (SIAM J. Optim. 13, 2003).
    */
+  template<int dim>
   class ContactInterface
   {
   public:
-    ContactInterface(const Discretization<2>                &discretization,
-                     const Elasticity<2>                    &elasticity,
+    ContactInterface(const Discretization<dim>              &discretization,
+                     const Elasticity<dim>                  &elasticity,
                      const std::vector<Parameters::Contact> &parameters);
 
-    const Discretization<2>                        &discretization;
-    std::vector<std::unique_ptr<const ContactPair>> pairs;
+    const Discretization<dim>                           &discretization;
+    std::vector<std::unique_ptr<const ContactPair<dim>>> pairs;
 
     /// All points, contact pair by contact pair.
-    const std::vector<ContactPoint> &points() const
+    const std::vector<ContactPoint<dim>> &points() const
     {
       return all_points;
     }
 
-    const ContactPair &contact_pair(const ContactPoint &point) const
+    const ContactPair<dim> &contact_pair(const ContactPoint<dim> &point) const
     {
       return *pairs[point.contact_pair];
     }
 
-    ArrayView<const ContactPoint>
-    points_of(const ContactPair &contact_pair) const;
+    ArrayView<const ContactPoint<dim>>
+    points_of(const ContactPair<dim> &contact_pair) const;
 
     /// Return to the points of an earlier state, or of one to be checked.
-    void set_points(const std::vector<ContactPoint> &points)
+    void set_points(const std::vector<ContactPoint<dim>> &points)
     {
       AssertDimension(points.size(), all_points.size());
       all_points = points;
@@ -109,7 +116,7 @@ namespace Contact
     bool has_coulomb_friction() const;
 
     /// Whether a point has tangential multipliers.
-    bool has_friction(const ContactPoint &point) const
+    bool has_friction(const ContactPoint<dim> &point) const
     {
       return !contact_pair(point).law.is_frictionless();
     }
@@ -121,10 +128,12 @@ namespace Contact
     unsigned int n_multipliers() const;
     unsigned int n_normal_multipliers() const;
 
-    /// Their indices in the solution; the tangential one only with friction.
+    /// Their indices in the solution; the tangential ones, one for each
+    /// tangent, only with friction.
     types::global_dof_index normal_index(const unsigned int multiplier) const;
     types::global_dof_index
-    tangential_index(const unsigned int multiplier) const;
+    tangential_index(const unsigned int multiplier,
+                     const unsigned int tangent = 0) const;
 
     /// The pressure that ContactPair::pressure_at describes, in a solution
     /// [MPa].
@@ -212,8 +221,8 @@ namespace Contact
     double constraint_norm(const Vector<double> &rhs) const;
 
     /// The statuses of all points, and as numbers.
-    std::vector<PointStatus> statuses() const;
-    void                     set_statuses(const std::vector<PointStatus> &all);
+    std::vector<PointStatus<dim>> statuses() const;
+    void set_statuses(const std::vector<PointStatus<dim>> &all);
     std::vector<signed char> signature() const;
 
     /// The statuses and the bounds.
@@ -223,14 +232,14 @@ namespace Contact
     /// The unknowns of a point: displacements of its nodes, its multipliers,
     /// and unknowns of other nodes that its pairing depends on.
     std::vector<types::global_dof_index>
-    unknowns_of(const ContactPoint &point) const;
+    unknowns_of(const ContactPoint<dim> &point) const;
 
     /// Add the couplings of the points.
     void add_couplings(DynamicSparsityPattern &pattern) const;
 
     /// Without friction, and where its tangential row is void, a point in
     /// contact slips.
-    bool can_stick(const ContactPoint &point) const;
+    bool can_stick(const ContactPoint<dim> &point) const;
 
     /// Whether a point sticks although its node is in contact with another
     /// obstacle, whose normal holds it already: one of the two conditions is
@@ -240,17 +249,17 @@ namespace Contact
                            const StatusOf    &status_of) const;
 
     /// The status of a point under trial values, after the one @p before.
-    PointStatus updated_status(const ContactPoint &point,
-                               const PointStatus  &before,
-                               const double        p_trial,
-                               const double        q_trial,
-                               const bool          moving_bound) const;
+    PointStatus<dim> updated_status(const ContactPoint<dim>  &point,
+                                    const PointStatus<dim>   &before,
+                                    const double              p_trial,
+                                    const Tensor<1, dim - 1> &q_trial,
+                                    const bool moving_bound) const;
 
     /// The status of a point in a state, after its present one.
-    PointStatus status_in(const ContactPoint   &point,
-                          const Vector<double> &solution,
-                          const Vector<double> &u_start,
-                          const bool            moving_bound) const;
+    PointStatus<dim> status_in(const ContactPoint<dim> &point,
+                               const Vector<double>    &solution,
+                               const Vector<double>    &u_start,
+                               const bool               moving_bound) const;
 
     /// The supports move in this increment by @p motion, zero elsewhere [mm]:
     /// a point that only they move along its tangent slips with them.
@@ -260,19 +269,20 @@ namespace Contact
     }
 
     /// The tractions that follow from a status and trial values.
-    Traction traction(const ContactPoint &point,
-                      const PointStatus  &status,
-                      const double        p_trial,
-                      const double        q_trial,
-                      const bool          moving_bound) const;
+    Traction<dim> traction(const ContactPoint<dim>  &point,
+                           const PointStatus<dim>   &status,
+                           const double              p_trial,
+                           const Tensor<1, dim - 1> &q_trial,
+                           const bool                moving_bound) const;
 
-    ContactState state(const ContactPoint   &point,
-                       const Vector<double> &solution,
-                       const Vector<double> &u_start) const;
+    ContactState<dim> state(const ContactPoint<dim> &point,
+                            const Vector<double>    &solution,
+                            const Vector<double>    &u_start) const;
 
   private:
     /// The direction of slip of a point that cannot stick.
-    int prescribed_direction(const ContactPoint &point) const;
+    typename PointStatus<dim>::Direction
+    prescribed_direction(const ContactPoint<dim> &point) const;
 
     /// Points that stick and are held in a corner slip in no direction.
     void release_in_corners();
@@ -281,7 +291,7 @@ namespace Contact
     void find_corners();
 
 
-    std::vector<ContactPoint>                         all_points;
+    std::vector<ContactPoint<dim>>                    all_points;
     std::map<unsigned int, std::vector<unsigned int>> in_corner;
     Vector<double> support_motion; // of this increment
 
@@ -292,9 +302,10 @@ namespace Contact
 
 
 
+  template<int dim>
   template<typename StatusOf>
-  bool ContactInterface::is_held_in_corner(const unsigned int point,
-                                           const StatusOf    &status_of) const
+  bool ContactInterface<dim>::is_held_in_corner(const unsigned int point,
+                                                const StatusOf &status_of) const
   {
     const auto others = in_corner.find(point);
     if (others == in_corner.end() || status_of(point).kind != Status::stick)
@@ -305,24 +316,26 @@ namespace Contact
                        others->second.end(),
                        [&](const unsigned int other) {
                          return status_of(other).kind != Status::open &&
-                                std::abs(all_points[point].tangent *
-                                         all_points[other].normal) > sine;
+                                all_points[point]
+                                    .tangential_part(all_points[other].normal)
+                                    .norm() > sine;
                        });
   }
 
 
 
+  template<int dim>
   template<class Archive>
-  void ContactInterface::serialize(Archive &archive, const unsigned int)
+  void ContactInterface<dim>::serialize(Archive &archive, const unsigned int)
   {
     std::vector<signed char> codes     = signature();
     Vector<double>           of_points = bounds();
     archive &codes          &of_points;
     if (!Archive::is_loading::value)
       return;
-    std::vector<PointStatus> all;
+    std::vector<PointStatus<dim>> all;
     for (const auto code : codes)
-      all.push_back(PointStatus::from_code(code));
+      all.push_back(PointStatus<dim>::from_code(code));
     set_statuses(all);
     set_bounds(of_points);
   }

@@ -16,7 +16,8 @@ namespace Contact
 {
   /// The motion of the pairing of a contact point with the bodies: derivatives
   /// with respect to its unknowns, by their place in Rows::unknowns.
-  struct ContactKernel::Motion
+  template<int dim>
+  struct ContactKernel<dim>::Motion
   {
     std::vector<unsigned int> columns;
 
@@ -29,57 +30,13 @@ namespace Contact
 
 
 
-  // With tau = d x_m/d xi, kappa = d^2 x_m/d xi^2, m = |tau| and the gap g, the
-  // projection of the normal moves as
-  //   (m^2 - g n.kappa) d_xi = tau . sum C_a du_a - g n . sum C1_a du_a
-  // (C1 carries the minus of the master side), and the edge turns by
-  //   omega = n . d_tau / m.
-  // The mortar discretization brings derivatives of its own.
-  ContactKernel::Motion
-  ContactKernel::motion(const ContactPoint   &point,
-                        const Vector<double> &solution,
-                        const Vector<double> &u_start) const
-  {
-    Tensor<1, 2> r = -point.projection, d_r;
-    for (unsigned int a = 0; a < point.n_nodes; ++a)
-      for (unsigned int i = 0; i < 2; ++i)
-        {
-          const double u = solution[point.dofs[a][i]];
-          r[i] += point.C[a] * (point.X[a][i] + u);
-          d_r[i] += point.C[a] * (u - u_start[point.dofs[a][i]]);
-        }
-
-    Motion motion = point.change.dofs.empty()
-                      ? motion_of_projection(point, solution, r)
-                      : motion_of_change(point);
-    // Of the gap and of the slip, what C, n and t make.
-    const unsigned int n = motion.columns.size();
-    motion.slip.resize(n);
-    for (unsigned int j = 0; j < n; ++j)
-      {
-        motion.gap[j] -= (point.tangent * r) * motion.omega[j];
-        motion.slip[j] = (point.normal * d_r) * motion.omega[j];
-        for (unsigned int a = 0; a < point.n_nodes; ++a)
-          for (unsigned int i = 0; i < 2; ++i)
-            {
-              const double u = solution[point.dofs[a][i]];
-              motion.gap[j] +=
-                motion.C(a, j) * point.normal[i] * (point.X[a][i] + u);
-              motion.slip[j] += motion.C(a, j) * point.tangent[i] *
-                                (u - u_start[point.dofs[a][i]]);
-            }
-      }
-    return motion;
-  }
-
-
-
   // The projection is on the edge however it moves: along it the gap does not
   // change.
-  ContactKernel::Motion
-  ContactKernel::motion_of_projection(const ContactPoint   &point,
-                                      const Vector<double> &solution,
-                                      const Tensor<1, 2>   &r) const
+  template<>
+  ContactKernel<2>::Motion
+  ContactKernel<2>::motion_of_projection(const ContactPoint<2> &point,
+                                         const Vector<double>  &solution,
+                                         const Tensor<1, 2>    &r) const
   {
     Tensor<1, 2> kappa = point.projection_curvature;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
@@ -103,7 +60,7 @@ namespace Contact
           const unsigned int j    = 2 * a + i;
           double             d_xi = 0;
           if (!point.projection_is_clipped)
-            d_xi = (point.metric * point.tangent[i] * point.C[a] -
+            d_xi = (point.metric * point.tangents[0][i] * point.C[a] -
                     gap * point.normal[i] * point.C1[a]) /
                    slope;
           motion.omega[j] =
@@ -117,8 +74,9 @@ namespace Contact
 
 
   // Unknowns that are not of the point's own nodes come behind its multipliers.
-  ContactKernel::Motion
-  ContactKernel::motion_of_change(const ContactPoint &point) const
+  template<>
+  ContactKernel<2>::Motion
+  ContactKernel<2>::motion_of_change(const ContactPoint<2> &point) const
   {
     const auto unknowns = interface.unknowns_of(point);
     Motion     motion;
@@ -136,124 +94,81 @@ namespace Contact
 
 
 
-  void ContactKernel::rows(const ContactPoint   &point,
-                           const Vector<double> &solution,
-                           const Vector<double> &u_start,
-                           const Linearization  &linearization,
-                           Rows                 &rows) const
+  // With tau = d x_m/d xi, kappa = d^2 x_m/d xi^2, m = |tau| and the gap g, the
+  // projection of the normal moves as
+  //   (m^2 - g n.kappa) d_xi = tau . sum C_a du_a - g n . sum C1_a du_a
+  // (C1 carries the minus of the master side), and the edge turns by
+  //   omega = n . d_tau / m.
+  // The mortar discretization brings derivatives of its own.
+  template<>
+  ContactKernel<2>::Motion
+  ContactKernel<2>::motion(const ContactPoint<2> &point,
+                           const Vector<double>  &solution,
+                           const Vector<double>  &u_start) const
   {
-    rows.unknowns          = interface.unknowns_of(point);
-    const unsigned int n_u = 2 * point.n_nodes;
-    const unsigned int n_m = point.n_multipliers;
-    for (auto *row : {&rows.p_trial, &rows.q_trial, &rows.load_p, &rows.load_q})
-      row->reinit(rows.unknowns.size());
-
-    const double c = point.augmentation_parameter;
-    const double w = point.weight;
+    Tensor<1, 2> r = -point.projection, d_r;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
         {
-          const unsigned int j = 2 * a + i;
-          rows.p_trial[j]      = -c * point.C[a] * point.normal[i];
-          rows.load_p[j]       = -w * point.C[a] * point.normal[i];
-          if (interface.has_friction(point))
-            {
-              rows.q_trial[j] = -c * point.C[a] * point.tangent[i];
-              rows.load_q[j]  = -w * point.C[a] * point.tangent[i];
-            }
+          const double u = solution[point.dofs[a][i]];
+          r[i] += point.C[a] * (point.X[a][i] + u);
+          d_r[i] += point.C[a] * (u - u_start[point.dofs[a][i]]);
         }
-    interface.discretization.counters.tangential_rows +=
-      interface.has_friction(point);
-    for (unsigned int k = 0; k < n_m; ++k)
-      {
-        rows.p_trial[n_u + k] = point.psi[k];
-        rows.load_p[n_u + k]  = w * point.psi[k] / c;
-        if (interface.has_friction(point))
-          {
-            rows.q_trial[n_u + n_m + k] = point.psi[k];
-            rows.load_q[n_u + n_m + k]  = w * point.psi[k] / c;
-          }
-      }
 
-    if (linearization.moving_geometry && !interface.contact_pair(point).tied)
+    Motion motion = point.change.dofs.empty()
+                      ? motion_of_projection(point, solution, r)
+                      : motion_of_change(point);
+    // Of the gap and of the slip, what C, n and t make.
+    const unsigned int n = motion.columns.size();
+    motion.slip.resize(n);
+    for (unsigned int j = 0; j < n; ++j)
       {
-        const Motion moves = motion(point, solution, u_start);
-        for (unsigned int j = 0; j < moves.columns.size(); ++j)
-          {
-            rows.p_trial[moves.columns[j]] -= c * moves.gap[j];
-            if (interface.has_friction(point))
-              rows.q_trial[moves.columns[j]] -= c * moves.slip[j];
-          }
+        motion.gap[j] -= (point.tangents[0] * r) * motion.omega[j];
+        motion.slip[j] = (point.normal * d_r) * motion.omega[j];
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          for (unsigned int i = 0; i < 2; ++i)
+            {
+              const double u = solution[point.dofs[a][i]];
+              motion.gap[j] +=
+                motion.C(a, j) * point.normal[i] * (point.X[a][i] + u);
+              motion.slip[j] += motion.C(a, j) * point.tangents[0][i] *
+                                (u - u_start[point.dofs[a][i]]);
+            }
       }
+    return motion;
   }
 
 
 
-  void ContactKernel::assemble_point(const ContactPoint   &point,
-                                     const Vector<double> &solution,
-                                     const Vector<double> &u_start,
-                                     const Linearization  &linearization,
-                                     Rows                 &rows,
-                                     FullMatrix<double>   &matrix,
-                                     Vector<double>       &residual) const
+  template<>
+  void ContactKernel<2>::add_motion(const ContactPoint<2> &point,
+                                    const Motion          &moves,
+                                    Rows                  &rows) const
   {
-    this->rows(point, solution, u_start, linearization, rows);
-    const unsigned int n   = rows.unknowns.size();
-    const unsigned int n_u = 2 * point.n_nodes;
-    const unsigned int n_m = point.n_multipliers;
-
-    const ContactState now = interface.state(point, solution, u_start);
-    const Traction     t   = interface.traction(point,
-                                          point.status,
-                                          now.p_trial,
-                                          now.q_trial,
-                                          linearization.moving_bound);
-
-    matrix.reinit(n, n);
-    residual.reinit(n);
-    for (unsigned int i = 0; i < n; ++i)
+    const double c = point.augmentation_parameter;
+    for (unsigned int j = 0; j < moves.columns.size(); ++j)
       {
-        residual[i]       = t.p * rows.load_p[i] + t.q * rows.load_q[i];
-        const double by_p = t.dp_dp * rows.load_p[i] + t.dq_dp * rows.load_q[i];
-        const double by_q = t.dq_dq * rows.load_q[i];
-        for (unsigned int j = 0; j < n; ++j)
-          matrix(i, j) = by_p * rows.p_trial[j] + by_q * rows.q_trial[j];
+        rows.p_trial[moves.columns[j]] -= c * moves.gap[j];
+        if (interface.has_friction(point))
+          rows.q_trial[0][moves.columns[j]] -= c * moves.slip[j];
       }
-
-    // The constraints w psi_k (p - lambda)/c = 0 take the multipliers off.
-    const double scale = point.weight / point.augmentation_parameter;
-    for (unsigned int k = 0; k < n_m; ++k)
-      for (unsigned int b = 0; b < (interface.has_friction(point) ? 2 : 1); ++b)
-        {
-          const unsigned int row    = n_u + b * n_m + k;
-          const double       lambda = b == 0 ? now.lambda_n : now.lambda_t;
-          residual[row] -= scale * point.psi[k] * lambda;
-          for (unsigned int l = 0; l < n_m; ++l)
-            matrix(row, n_u + b * n_m + l) -=
-              scale * point.psi[k] * point.psi[l];
-        }
-
-    const bool acts =
-      point.status.kind != Status::open || !point.change.dofs.empty();
-    if (linearization.moving_geometry && !interface.contact_pair(point).tied &&
-        acts)
-      add_motion(point, motion(point, solution, u_start), t, matrix, residual);
   }
 
 
 
   // The loads turn and travel with the master edge.
-  void ContactKernel::add_motion(const ContactPoint   &point,
-                                 const Motion         &moves,
-                                 const Traction       &t,
-                                 FullMatrix<double>   &matrix,
-                                 const Vector<double> &residual) const
+  template<>
+  void ContactKernel<2>::add_motion(const ContactPoint<2> &point,
+                                    const Motion          &moves,
+                                    const Traction<2>     &t,
+                                    FullMatrix<double>    &matrix,
+                                    const Vector<double>  &residual) const
   {
     const unsigned int n_u = 2 * point.n_nodes;
     const unsigned int n_constraints =
       (interface.has_friction(point) ? 2 : 1) * point.n_multipliers;
-    const Tensor<1, 2> along  = t.p * point.normal + t.q * point.tangent;
-    const Tensor<1, 2> turned = t.q * point.normal - t.p * point.tangent;
+    const Tensor<1, 2> along  = t.p * point.normal + t.q[0] * point.tangents[0];
+    const Tensor<1, 2> turned = t.q[0] * point.normal - t.p * point.tangents[0];
     for (unsigned int j = 0; j < moves.columns.size(); ++j)
       {
         const unsigned int column = moves.columns[j];
@@ -270,17 +185,167 @@ namespace Contact
 
 
 
-  void ContactKernel::assemble(const Vector<double> &solution,
-                               const Vector<double> &u_start,
-                               const Linearization  &linearization,
-                               Vector<double>       &rhs,
-                               SparseMatrix<double> *matrix) const
+  // Systems in space pair the points before each step.
+  template<>
+  ContactKernel<3>::Motion
+  ContactKernel<3>::motion(const ContactPoint<3> &,
+                           const Vector<double> &,
+                           const Vector<double> &) const
+  {
+    AssertThrow(false, ExcNotImplemented());
+    return Motion();
+  }
+
+  template<>
+  void ContactKernel<3>::add_motion(const ContactPoint<3> &,
+                                    const Motion &,
+                                    Rows &) const
+  {
+    AssertThrow(false, ExcNotImplemented());
+  }
+
+  template<>
+  void ContactKernel<3>::add_motion(const ContactPoint<3> &,
+                                    const Motion &,
+                                    const Traction<3> &,
+                                    FullMatrix<double> &,
+                                    const Vector<double> &) const
+  {
+    AssertThrow(false, ExcNotImplemented());
+  }
+
+
+
+  template<int dim>
+  void ContactKernel<dim>::rows(const ContactPoint<dim>    &point,
+                                const Vector<double>       &solution,
+                                const Vector<double>       &u_start,
+                                const ContactLinearization &linearization,
+                                Rows                       &rows) const
+  {
+    rows.unknowns          = interface.unknowns_of(point);
+    const unsigned int n_u = dim * point.n_nodes;
+    const unsigned int n_m = point.n_multipliers;
+    rows.p_trial.reinit(rows.unknowns.size());
+    rows.load_p.reinit(rows.unknowns.size());
+    for (unsigned int t = 0; t < dim - 1; ++t)
+      {
+        rows.q_trial[t].reinit(rows.unknowns.size());
+        rows.load_q[t].reinit(rows.unknowns.size());
+      }
+
+    const double c = point.augmentation_parameter;
+    const double w = point.weight;
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          const unsigned int j = dim * a + i;
+          rows.p_trial[j]      = -c * point.C[a] * point.normal[i];
+          rows.load_p[j]       = -w * point.C[a] * point.normal[i];
+          if (interface.has_friction(point))
+            for (unsigned int t = 0; t < dim - 1; ++t)
+              {
+                rows.q_trial[t][j] = -c * point.C[a] * point.tangents[t][i];
+                rows.load_q[t][j]  = -w * point.C[a] * point.tangents[t][i];
+              }
+        }
+    interface.discretization.counters.tangential_rows +=
+      interface.has_friction(point);
+    for (unsigned int k = 0; k < n_m; ++k)
+      {
+        rows.p_trial[n_u + k] = point.psi[k];
+        rows.load_p[n_u + k]  = w * point.psi[k] / c;
+        if (interface.has_friction(point))
+          for (unsigned int t = 0; t < dim - 1; ++t)
+            {
+              const unsigned int j = n_u + (1 + t) * n_m + k;
+              rows.q_trial[t][j]   = point.psi[k];
+              rows.load_q[t][j]    = w * point.psi[k] / c;
+            }
+      }
+
+    if (linearization.moving_geometry && !interface.contact_pair(point).tied)
+      add_motion(point, motion(point, solution, u_start), rows);
+  }
+
+
+
+  template<int dim>
+  void
+  ContactKernel<dim>::assemble_point(const ContactPoint<dim>    &point,
+                                     const Vector<double>       &solution,
+                                     const Vector<double>       &u_start,
+                                     const ContactLinearization &linearization,
+                                     Rows                       &rows,
+                                     FullMatrix<double>         &matrix,
+                                     Vector<double>             &residual) const
+  {
+    this->rows(point, solution, u_start, linearization, rows);
+    const unsigned int n   = rows.unknowns.size();
+    const unsigned int n_u = dim * point.n_nodes;
+    const unsigned int n_m = point.n_multipliers;
+
+    const ContactState<dim> now = interface.state(point, solution, u_start);
+    const Traction<dim>     t   = interface.traction(point,
+                                               point.status,
+                                               now.p_trial,
+                                               now.q_trial,
+                                               linearization.moving_bound);
+
+    matrix.reinit(n, n);
+    residual.reinit(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        residual[i] = t.p * rows.load_p[i] + t.q[0] * rows.load_q[0][i];
+        double by_p = t.dp_dp * rows.load_p[i] + t.dq_dp[0] * rows.load_q[0][i];
+        for (unsigned int k = 1; k < dim - 1; ++k)
+          {
+            residual[i] += t.q[k] * rows.load_q[k][i];
+            by_p += t.dq_dp[k] * rows.load_q[k][i];
+          }
+        for (unsigned int j = 0; j < n; ++j)
+          matrix(i, j) = by_p * rows.p_trial[j] +
+                         t.dq_dq * rows.load_q[0][i] * rows.q_trial[0][j];
+        for (unsigned int k = 1; k < dim - 1; ++k)
+          for (unsigned int j = 0; j < n; ++j)
+            matrix(i, j) += t.dq_dq * rows.load_q[k][i] * rows.q_trial[k][j];
+      }
+
+    // The constraints w psi_k (p - lambda)/c = 0 take the multipliers off.
+    const double scale = point.weight / point.augmentation_parameter;
+    for (unsigned int k = 0; k < n_m; ++k)
+      for (unsigned int b = 0; b < (interface.has_friction(point) ? dim : 1);
+           ++b)
+        {
+          const unsigned int row = n_u + b * n_m + k;
+          const double lambda    = b == 0 ? now.lambda_n : now.lambda_t[b - 1];
+          residual[row] -= scale * point.psi[k] * lambda;
+          for (unsigned int l = 0; l < n_m; ++l)
+            matrix(row, n_u + b * n_m + l) -=
+              scale * point.psi[k] * point.psi[l];
+        }
+
+    const bool acts =
+      point.status.kind != Status::open || !point.change.dofs.empty();
+    if (linearization.moving_geometry && !interface.contact_pair(point).tied &&
+        acts)
+      add_motion(point, motion(point, solution, u_start), t, matrix, residual);
+  }
+
+
+
+  template<int dim>
+  void ContactKernel<dim>::assemble(const Vector<double>       &solution,
+                                    const Vector<double>       &u_start,
+                                    const ContactLinearization &linearization,
+                                    Vector<double>             &rhs,
+                                    SparseMatrix<double>       *matrix) const
   {
     const auto        &constraints = interface.discretization.constraints;
     Rows               rows;
     FullMatrix<double> local_matrix;
     Vector<double>     local_rhs;
-    for (const ContactPoint &point : interface.points())
+    for (const ContactPoint<dim> &point : interface.points())
       {
         assemble_point(point,
                        solution,
@@ -300,4 +365,7 @@ namespace Contact
                                                  rhs);
       }
   }
+
+  template class ContactKernel<2>;
+  template class ContactKernel<3>;
 } // namespace Contact

@@ -12,36 +12,39 @@ namespace Contact
 {
   using namespace dealii;
 
+  /// The terms that the kernel linearises.
+  struct ContactLinearization
+  {
+    /// Projection, normal and tangent move with the bodies. In the plane.
+    bool moving_geometry;
+
+    /// The bound of the shear traction moves with the pressure.
+    bool moving_bound;
+  };
+
+
+
   /**
    * The equations of the contact points, see ContactInterface, and their
    * tangent: the only place that multiplies coefficients, normals and tractions
    * of a point with each other.
    */
+  template<int dim>
   class ContactKernel
   {
   public:
-    /// The terms that the kernel linearises.
-    struct Linearization
-    {
-      /// Projection, normal and tangent move with the bodies.
-      bool moving_geometry;
-
-      /// The bound of the shear traction moves with the pressure.
-      bool moving_bound;
-    };
-
-    explicit ContactKernel(const ContactInterface &interface)
+    explicit ContactKernel(const ContactInterface<dim> &interface)
       : interface(interface)
     {
     }
 
     /// Add minus the residual to @p rhs and, unless @p matrix is null, the
     /// tangent to it; constraints eliminated.
-    void assemble(const Vector<double> &solution,
-                  const Vector<double> &u_start,
-                  const Linearization  &linearization,
-                  Vector<double>       &rhs,
-                  SparseMatrix<double> *matrix) const;
+    void assemble(const Vector<double>       &solution,
+                  const Vector<double>       &u_start,
+                  const ContactLinearization &linearization,
+                  Vector<double>             &rhs,
+                  SparseMatrix<double>       *matrix) const;
 
     /**
      * The rows of a point over its unknowns: derivatives of the trial values
@@ -55,42 +58,49 @@ namespace Contact
     struct Rows
     {
       std::vector<types::global_dof_index> unknowns;
-      Vector<double>                       p_trial, q_trial; // derivatives
-      Vector<double>                       load_p, load_q;
+      Vector<double>                       p_trial, load_p;
+
+      /// By tangent.
+      std::array<Vector<double>, dim - 1> q_trial, load_q;
     };
 
-    void rows(const ContactPoint   &point,
-              const Vector<double> &solution,
-              const Vector<double> &u_start,
-              const Linearization  &linearization,
-              Rows                 &rows) const;
+    void rows(const ContactPoint<dim>    &point,
+              const Vector<double>       &solution,
+              const Vector<double>       &u_start,
+              const ContactLinearization &linearization,
+              Rows                       &rows) const;
 
   private:
     struct Motion;
-    Motion motion(const ContactPoint   &point,
-                  const Vector<double> &solution,
-                  const Vector<double> &u_start) const;
-    Motion motion_of_projection(const ContactPoint   &point,
-                                const Vector<double> &solution,
-                                const Tensor<1, 2>   &r) const;
-    Motion motion_of_change(const ContactPoint &point) const;
+    Motion motion(const ContactPoint<dim> &point,
+                  const Vector<double>    &solution,
+                  const Vector<double>    &u_start) const;
+    Motion motion_of_projection(const ContactPoint<dim> &point,
+                                const Vector<double>    &solution,
+                                const Tensor<1, dim>    &r) const;
+    Motion motion_of_change(const ContactPoint<dim> &point) const;
+
+    /// Add the motion of the pairing to the rows of a point.
+    void add_motion(const ContactPoint<dim> &point,
+                    const Motion            &moves,
+                    Rows                    &rows) const;
 
     /// Add the motion of the loads of a point to its tangent.
-    void add_motion(const ContactPoint   &point,
-                    const Motion         &moves,
-                    const Traction       &t,
-                    FullMatrix<double>   &matrix,
-                    const Vector<double> &residual) const;
+    void add_motion(const ContactPoint<dim> &point,
+                    const Motion            &moves,
+                    const Traction<dim>     &t,
+                    FullMatrix<double>      &matrix,
+                    const Vector<double>    &residual) const;
 
-    void assemble_point(const ContactPoint   &point,
-                        const Vector<double> &solution,
-                        const Vector<double> &u_start,
-                        const Linearization  &linearization,
-                        Rows                 &rows,
-                        FullMatrix<double>   &matrix,
-                        Vector<double>       &residual) const;
+    void assemble_point(const ContactPoint<dim>    &point,
+                        const Vector<double>       &solution,
+                        const Vector<double>       &u_start,
+                        const ContactLinearization &linearization,
+                        Rows                       &rows,
+                        FullMatrix<double>         &matrix,
+                        Vector<double>             &residual) const;
 
-    const ContactInterface &interface;
+    const ContactInterface<dim> &interface;
   };
 } // namespace Contact
 

@@ -20,12 +20,13 @@ namespace Contact
    * replaces the last two: a reference to the model always leads to the present
    * ones.
    */
+  template<int dim>
   struct ContactModel
   {
-    std::unique_ptr<Mesh<2>>           mesh;
-    std::unique_ptr<Discretization<2>> discretization;
-    std::unique_ptr<Elasticity<2>>     elasticity;
-    std::unique_ptr<ContactInterface>  interface; // none without contact
+    std::unique_ptr<Mesh<dim>>             mesh;
+    std::unique_ptr<Discretization<dim>>   discretization;
+    std::unique_ptr<Elasticity<dim>>       elasticity;
+    std::unique_ptr<ContactInterface<dim>> interface; // none without contact
 
     std::size_t n_displacements() const
     {

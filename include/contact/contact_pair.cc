@@ -16,17 +16,20 @@ namespace Contact
 {
   namespace
   {
-    Surface make_surface(const Discretization<2> &discretization,
-                         const std::string       &name,
-                         const std::string       &entry)
+    template<int dim>
+    Surface<dim> make_surface(const Discretization<dim> &discretization,
+                              const std::string         &name,
+                              const std::string         &entry)
     {
       return {discretization, discretization.mesh.boundary(name, entry), name};
     }
 
 
 
-    std::optional<Surface> make_master(const Discretization<2> &discretization,
-                                       const Parameters::Contact &parameters)
+    template<int dim>
+    std::optional<Surface<dim>>
+    make_master(const Discretization<dim> &discretization,
+                const Parameters::Contact &parameters)
     {
       if (parameters.master.empty())
         return {};
@@ -37,13 +40,14 @@ namespace Contact
 
 
 
-    std::unique_ptr<const Obstacle>
+    template<int dim>
+    std::unique_ptr<const Obstacle<dim>>
     make_obstacle(const Parameters::Contact &parameters)
     {
       if (parameters.obstacle.empty())
         return nullptr;
-      return Obstacle::create(parameters.obstacle.begin()->first,
-                              parameters.obstacle.begin()->second);
+      return Obstacle<dim>::create(parameters.obstacle.begin()->first,
+                                   parameters.obstacle.begin()->second);
     }
 
 
@@ -53,33 +57,37 @@ namespace Contact
     // There the surfaces keep their distance. The weighted gap of the node has
     // the nodes around it as well, and they would have to bend for the polygons
     // to agree: a pressure that grows without bound as the edges get shorter.
+    template<int dim>
     std::set<unsigned int>
-    nodes_held_with_master(const Surface           &slave,
-                           const Surface           &master,
-                           const Discretization<2> &discretization)
+    nodes_held_with_master(const Surface<dim>        &slave,
+                           const Surface<dim>        &master,
+                           const Discretization<dim> &discretization)
     {
       std::set<unsigned int> held;
-      const auto             normals =
-        slave.edge_normals(Vector<double>(discretization.dof_handler.n_dofs()));
-      for (unsigned int e = 0; e < slave.edges.size(); ++e)
-        for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+      const auto             normals = slave.facet_normals(
+        Vector<double>(discretization.dof_handler.n_dofs()));
+      for (unsigned int e = 0; e < slave.facets.size(); ++e)
+        for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
           {
-            const unsigned int   i      = slave.edges[e].nodes[a];
-            const Surface::Node &node   = slave.nodes[i];
-            const Tensor<1, 2>  &normal = normals[e][a];
-            const double         h      = slave.reference_length(e);
-            const auto keeps_distance   = [&](const Surface::Node &other) {
-              for (unsigned int c = 0; c < 2; ++c)
+            const unsigned int      i      = slave.facets[e].nodes[a];
+            const SurfaceNode<dim> &node   = slave.nodes[i];
+            const Tensor<1, dim>   &normal = normals[e][a];
+            const double            h      = slave.reference_length(e);
+            const auto keeps_distance = [&](const SurfaceNode<dim> &other) {
+              for (unsigned int c = 0; c < dim; ++c)
                 if (std::abs(normal[c]) > 1e-8 &&
                     !discretization.are_fixed_alike(node.dofs[c],
                                                     other.dofs[c]))
                   return false;
-              const Tensor<1, 2> r = other.X - node.X;
+              const Tensor<1, dim> r = other.X - node.X;
               return r.norm() < h && r * normal > -1e-8 * h &&
-                     std::abs(r * cross_product_2d(normal)) < 1e-3 * h;
+                     (r - (r * normal) * normal).norm() < 1e-3 * h;
             };
-            if ((discretization.is_fixed(node.dofs[0]) ||
-                 discretization.is_fixed(node.dofs[1])) &&
+            if (std::any_of(node.dofs.begin(),
+                            node.dofs.end(),
+                            [&](const auto dof) {
+                              return discretization.is_fixed(dof);
+                            }) &&
                 std::any_of(master.nodes.begin(),
                             master.nodes.end(),
                             keeps_distance))
@@ -87,13 +95,33 @@ namespace Contact
           }
       return held;
     }
+
+
+
+    std::vector<ContactPoint<2>>
+    make_points_of_gauss(const Surface<2>  &slave,
+                         const unsigned int n,
+                         MultiplierSpace   &multipliers)
+    {
+      return make_gauss_points(slave, n, multipliers);
+    }
+
+    std::vector<ContactPoint<3>> make_points_of_gauss(const Surface<3> &,
+                                                      const unsigned int,
+                                                      MultiplierSpace &)
+    {
+      throw InputError("the Gauss-point discretization is one for the plane",
+                       "Contact/Discretization",
+                       "take the mortar or the nodal discretization");
+    }
   } // namespace
 
 
 
-  ContactPair::ContactPair(const Discretization<2>   &discretization,
-                           const Elasticity<2>       &elasticity,
-                           const Parameters::Contact &parameters)
+  template<int dim>
+  ContactPair<dim>::ContactPair(const Discretization<dim> &discretization,
+                                const Elasticity<dim>     &elasticity,
+                                const Parameters::Contact &parameters)
     : name(parameters.name)
     , tied(parameters.tied)
     , law{tied ? std::numeric_limits<double>::max() : parameters.tresca_limit,
@@ -102,7 +130,7 @@ namespace Contact
                          parameters.slave,
                          parameters.section() + "/Slave"))
     , master(make_master(discretization, parameters))
-    , obstacle(make_obstacle(parameters))
+    , obstacle(make_obstacle<dim>(parameters))
     , augmentation_parameter(parameters.augmentation_parameter)
     , discretization(discretization)
     , elasticity(elasticity)
@@ -146,14 +174,16 @@ namespace Contact
 
 
 
-  bool ContactPair::can_have_corner_points() const
+  template<int dim>
+  bool ContactPair<dim>::can_have_corner_points() const
   {
     return master && !tied && has_point_per_multiplier();
   }
 
 
 
-  bool ContactPair::sees_ends() const
+  template<int dim>
+  bool ContactPair<dim>::sees_ends() const
   {
     return can_have_corner_points() && has_ends(*master) &&
            parameters.ends_are_corners;
@@ -161,7 +191,8 @@ namespace Contact
 
 
 
-  bool ContactPair::lacks_ends() const
+  template<int dim>
+  bool ContactPair<dim>::lacks_ends() const
   {
     return can_have_corner_points() && has_ends(*master) &&
            !parameters.ends_are_corners;
@@ -170,7 +201,9 @@ namespace Contact
 
 
   // Not with glue, which the nodes of the discretization hold.
-  void ContactPair::make_axis_points(std::vector<ContactPoint> &points)
+  template<int dim>
+  void
+  ContactPair<dim>::make_axis_points(std::vector<ContactPoint<dim>> &points)
   {
     if (on_axis.empty() || tied)
       return;
@@ -179,7 +212,7 @@ namespace Contact
     for (const unsigned int node : on_axis)
       {
         multipliers.of_node[node] = multipliers.n_multipliers++;
-        ContactPoint &point       = all[numbering.of_node[node]];
+        ContactPoint<dim> &point  = all[numbering.of_node[node]];
         point.multipliers[0]      = multipliers.of_node[node];
         points.push_back(point);
       }
@@ -188,26 +221,27 @@ namespace Contact
 
 
   // An obstacle has no edges to cut those of the slave by.
-  std::vector<ContactPoint> ContactPair::make_discretization_points()
+  template<int dim>
+  std::vector<ContactPoint<dim>> ContactPair<dim>::make_discretization_points()
   {
     switch (parameters.discretization)
       {
         case Parameters::ContactDiscretization::nodal:
           return make_nodal_points(slave, excluded, multipliers);
         case Parameters::ContactDiscretization::gauss:
-          return make_gauss_points(slave,
-                                   parameters.n_gauss_points,
-                                   multipliers);
+          return make_points_of_gauss(slave,
+                                      parameters.n_gauss_points,
+                                      multipliers);
         case Parameters::ContactDiscretization::mortar:
           if (!master)
             return make_nodal_points(slave, excluded, multipliers);
           auto without_dual_function = excluded;
           without_dual_function.insert(on_axis.begin(), on_axis.end());
           mortar =
-            std::make_unique<MortarDiscretization>(slave,
-                                                   *master,
-                                                   discretization,
-                                                   without_dual_function);
+            std::make_unique<MortarDiscretization<dim>>(slave,
+                                                        *master,
+                                                        discretization,
+                                                        without_dual_function);
           return mortar->make_points(multipliers);
       }
     AssertThrow(false, ExcInternalError());
@@ -216,16 +250,17 @@ namespace Contact
 
 
 
-  std::vector<ContactPoint>
-  ContactPair::make_points(const unsigned int first_multiplier,
-                           const unsigned int first_point)
+  template<int dim>
+  std::vector<ContactPoint<dim>>
+  ContactPair<dim>::make_points(const unsigned int first_multiplier,
+                                const unsigned int first_point)
   {
-    std::vector<ContactPoint> points = make_discretization_points();
-    n_of_discretization              = points.size();
+    std::vector<ContactPoint<dim>> points = make_discretization_points();
+    n_of_discretization                   = points.size();
     make_axis_points(points);
     n_of_slave = points.size();
     if (can_have_corner_points())
-      for (ContactPoint &corner :
+      for (ContactPoint<dim> &corner :
            make_corner_points(*master, parameters.ends_are_corners))
         {
           corner.multipliers[0] = multipliers.n_multipliers++;
@@ -238,7 +273,7 @@ namespace Contact
     for (unsigned int &k : multipliers.of_node)
       if (k != numbers::invalid_unsigned_int)
         k += first_multiplier;
-    for (ContactPoint &point : points)
+    for (ContactPoint<dim> &point : points)
       {
         for (unsigned int k = 0; k < point.n_multipliers; ++k)
           point.multipliers[k] += first_multiplier;
@@ -252,9 +287,10 @@ namespace Contact
 
 
   // Glued surfaces keep the pairs of the undeformed state.
-  bool ContactPair::pair(const ArrayView<ContactPoint> &points,
-                         const Vector<double>          &u,
-                         const PairingMode             &mode) const
+  template<int dim>
+  bool ContactPair<dim>::pair(const ArrayView<ContactPoint<dim>> &points,
+                              const Vector<double>               &u,
+                              const PairingMode                  &mode) const
   {
     return tied ? pair_all(points, Vector<double>(u.size()), {})
                 : pair_all(points, u, mode);
@@ -262,12 +298,13 @@ namespace Contact
 
 
 
-  bool ContactPair::pair_all(const ArrayView<ContactPoint> &points,
-                             const Vector<double>          &u,
-                             const PairingMode             &mode) const
+  template<int dim>
+  bool ContactPair<dim>::pair_all(const ArrayView<ContactPoint<dim>> &points,
+                                  const Vector<double>               &u,
+                                  const PairingMode &mode) const
   {
     const auto part = [&](const unsigned int first, const unsigned int end) {
-      return ArrayView<ContactPoint>(points.data() + first, end - first);
+      return ArrayView<ContactPoint<dim>>(points.data() + first, end - first);
     };
     const auto of_discretization = part(0, n_of_discretization);
     bool       changed           = mortar
@@ -292,27 +329,28 @@ namespace Contact
 
 
 
-  bool ContactPair::pair_corners(const ArrayView<ContactPoint> &points,
-                                 const Vector<double>          &u) const
+  template<>
+  bool ContactPair<2>::pair_corners(const ArrayView<ContactPoint<2>> &points,
+                                    const Vector<double>             &u) const
   {
     // Whether a node of the slave edge sees the master.
-    const auto is_seen = [&](const ContactPoint &corner) {
-      const auto &nodes = slave.edges[corner.master_edge].nodes;
+    const auto is_seen = [&](const ContactPoint<2> &corner) {
+      const auto &nodes = slave.facets[corner.master_facet].nodes;
       return std::any_of(nodes.begin(),
-                         nodes.begin() + slave.n_nodes_per_edge(),
+                         nodes.begin() + slave.n_nodes_per_facet(),
                          [&](const unsigned int node) {
                            const unsigned int k =
                              multipliers.of_node[node] - first_multiplier;
                            return k < n_of_slave && points[k].facing;
                          });
     };
-    const SurfaceSearch search(slave, u);
-    const auto          normals = master->edge_normals(u);
-    bool                changed = false;
+    const SurfaceSearch<2> search(slave, u);
+    const auto             normals = master->facet_normals(u);
+    bool                   changed = false;
     for (unsigned int q = n_of_slave; q < n_points; ++q)
       {
-        ContactPoint &corner   = points[q];
-        const auto    old_dofs = corner.dofs;
+        ContactPoint<2> &corner   = points[q];
+        const auto       old_dofs = corner.dofs;
         pair_corner_point(corner,
                           *master,
                           normals,
@@ -330,22 +368,32 @@ namespace Contact
 
 
 
-  bool ContactPair::project(const ArrayView<ContactPoint> &points,
-                            const Vector<double>          &u,
-                            const bool                     keeps_edges) const
+  template<>
+  bool ContactPair<3>::pair_corners(const ArrayView<ContactPoint<3>> &,
+                                    const Vector<double> &) const
+  {
+    return false;
+  }
+
+
+
+  template<int dim>
+  bool ContactPair<dim>::project(const ArrayView<ContactPoint<dim>> &points,
+                                 const Vector<double>               &u,
+                                 const bool keeps_edges) const
   {
     bool changed = false;
     if (obstacle)
       {
-        for (ContactPoint &point : points)
+        for (ContactPoint<dim> &point : points)
           pair_with_obstacle(point, *obstacle, discretization, u);
         discretization.counters.projections += points.size();
         return changed;
       }
 
-    const SurfaceSearch search(*master, u);
-    const auto          normals = slave.edge_normals(u);
-    for (ContactPoint &point : points)
+    const SurfaceSearch<dim> search(*master, u);
+    const auto               normals = slave.facet_normals(u);
+    for (ContactPoint<dim> &point : points)
       {
         const auto old_dofs = point.dofs;
         pair_with_master(point,
@@ -369,39 +417,44 @@ namespace Contact
 
 
 
-  double ContactPair::stiffness(const ContactPoint &point) const
+  template<int dim>
+  double ContactPair<dim>::stiffness(const ContactPoint<dim> &point) const
   {
-    const Surface &own = surface_of(point);
-    const double   of_own =
-      elasticity.youngs_modulus(own.edges[point.slave_edge].body);
-    const Surface *other = point.is_master_corner ? &slave
-                           : master               ? &*master
-                                                  : nullptr;
+    const Surface<dim> &own = surface_of(point);
+    const double        of_own =
+      elasticity.youngs_modulus(own.facets[point.slave_facet].body);
+    const Surface<dim> *other = point.is_master_corner ? &slave
+                                : master               ? &*master
+                                                       : nullptr;
     return (other ? std::min(of_own,
-                             elasticity.youngs_modulus(other->edges[0].body))
+                             elasticity.youngs_modulus(other->facets[0].body))
                   : of_own) /
            edge_length(point);
   }
 
 
 
-  const Surface &ContactPair::surface_of(const ContactPoint &point) const
+  template<int dim>
+  const Surface<dim> &
+  ContactPair<dim>::surface_of(const ContactPoint<dim> &point) const
   {
     return point.is_master_corner ? *master : slave;
   }
 
 
 
-  double ContactPair::edge_length(const ContactPoint &point) const
+  template<int dim>
+  double ContactPair<dim>::edge_length(const ContactPoint<dim> &point) const
   {
-    return surface_of(point).reference_length(point.slave_edge);
+    return surface_of(point).reference_length(point.slave_facet);
   }
 
 
 
   // A parabola over the radius whose slope vanishes on the axis.
+  template<int dim>
   std::vector<std::pair<unsigned int, double>>
-  ContactPair::pressure_at(const unsigned int node) const
+  ContactPair<dim>::pressure_at(const unsigned int node) const
   {
     const auto multiplier = [&](const unsigned int i) {
       return multipliers.of_node[i];
@@ -411,7 +464,7 @@ namespace Contact
       parameters.discretization != Parameters::ContactDiscretization::gauss &&
       discretization.is_on_axis(slave.nodes[node].X);
     if (on_axis)
-      for (const Surface::Edge &edge : slave.edges)
+      for (const SurfaceFacet<dim> &edge : slave.facets)
         for (unsigned int a = 0; a < 2; ++a)
           if (edge.nodes[a] == node)
             {
@@ -428,20 +481,25 @@ namespace Contact
 
 
 
-  bool ContactPair::has_point_per_multiplier() const
+  template<int dim>
+  bool ContactPair<dim>::has_point_per_multiplier() const
   {
     return parameters.has_point_per_multiplier();
   }
 
 
 
-  Point<2> ContactPair::place(const ContactPoint &point) const
+  template<int dim>
+  Point<dim> ContactPair<dim>::place(const ContactPoint<dim> &point) const
   {
-    const Surface  &own = surface_of(point);
-    const EdgeShape shape(own.degree, point.slave_xi);
-    Point<2>        X;
-    for (unsigned int a = 0; a < own.n_nodes_per_edge(); ++a)
-      X += shape.value[a] * own.nodes[own.edges[point.slave_edge].nodes[a]].X;
+    const Surface<dim>   &own = surface_of(point);
+    const FacetShape<dim> shape(own.degree, point.slave_xi);
+    Point<dim>            X;
+    for (unsigned int a = 0; a < own.n_nodes_per_facet(); ++a)
+      X += shape.value[a] * own.nodes[own.facets[point.slave_facet].nodes[a]].X;
     return X;
   }
+
+  template class ContactPair<2>;
+  template class ContactPair<3>;
 } // namespace Contact

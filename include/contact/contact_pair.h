@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "contact/contact_points.h"
+#include "contact/face_mortar.h"
 #include "contact/mortar.h"
 #include "contact/obstacle.h"
 #include "solid/elasticity.h"
@@ -33,12 +34,13 @@ namespace Contact
    * is linear along the edge, which it is over a half plane, the dual functions
    * leave the value at the node.
    */
+  template<int dim>
   class ContactPair
   {
   public:
     /// Throws InputError if the surfaces do not exist or have a common node.
-    ContactPair(const Discretization<2>   &discretization,
-                const Elasticity<2>       &elasticity,
+    ContactPair(const Discretization<dim> &discretization,
+                const Elasticity<dim>     &elasticity,
                 const Parameters::Contact &parameters);
 
     /// The section of the parameters is "Contact" or "Contact NAME".
@@ -49,9 +51,9 @@ namespace Contact
     const bool        tied;
     const FrictionLaw law;
 
-    const Surface                         slave;
-    const std::optional<Surface>          master;   // none: an obstacle
-    const std::unique_ptr<const Obstacle> obstacle; // none: a surface
+    const Surface<dim>                         slave;
+    const std::optional<Surface<dim>>          master;   // none: an obstacle
+    const std::unique_ptr<const Obstacle<dim>> obstacle; // none: a surface
 
     /// The c of all points, by the stiffness E/h of their slave edges [-].
     const double augmentation_parameter;
@@ -64,31 +66,32 @@ namespace Contact
 
     /// The points, not paired yet, and their multipliers, behind those that
     /// there are already.
-    std::vector<ContactPoint> make_points(const unsigned int first_multiplier,
-                                          const unsigned int first_point);
+    std::vector<ContactPoint<dim>>
+    make_points(const unsigned int first_multiplier,
+                const unsigned int first_point);
 
     /// Pair the points of this contact pair in the configuration @p u. Returns
     /// whether one has other unknowns than before.
-    bool pair(const ArrayView<ContactPoint> &points,
-              const Vector<double>          &u,
-              const PairingMode             &mode) const;
+    bool pair(const ArrayView<ContactPoint<dim>> &points,
+              const Vector<double>               &u,
+              const PairingMode                  &mode) const;
 
     /// The same by the closest points of the master, wherever on the slave the
     /// points lie.
-    bool project(const ArrayView<ContactPoint> &points,
-                 const Vector<double>          &u,
-                 const bool                     keeps_edges = false) const;
+    bool project(const ArrayView<ContactPoint<dim>> &points,
+                 const Vector<double>               &u,
+                 const bool                          keeps_edges = false) const;
 
     /// The surface that a point belongs to: but for corners of the master, the
     /// slave.
-    const Surface &surface_of(const ContactPoint &point) const;
+    const Surface<dim> &surface_of(const ContactPoint<dim> &point) const;
 
     /// The undeformed length of the edge that a point belongs to [mm].
-    double edge_length(const ContactPoint &point) const;
+    double edge_length(const ContactPoint<dim> &point) const;
 
     /// The stiffness E/h at a point [MPa/mm]: the softer body, the edge that
     /// the point belongs to.
-    double stiffness(const ContactPoint &point) const;
+    double stiffness(const ContactPoint<dim> &point) const;
 
     /// Whether there are points at corners of the master.
     bool has_corner_points() const
@@ -114,24 +117,24 @@ namespace Contact
     pressure_at(const unsigned int node) const;
 
     /// The undeformed place of a point [mm].
-    Point<2> place(const ContactPoint &point) const;
+    Point<dim> place(const ContactPoint<dim> &point) const;
 
   private:
-    bool                      can_have_corner_points() const;
-    std::vector<ContactPoint> make_discretization_points();
-    void make_axis_points(std::vector<ContactPoint> &points);
-    bool pair_all(const ArrayView<ContactPoint> &points,
-                  const Vector<double>          &u,
-                  const PairingMode             &mode) const;
-    bool pair_corners(const ArrayView<ContactPoint> &points,
-                      const Vector<double>          &u) const;
+    bool                           can_have_corner_points() const;
+    std::vector<ContactPoint<dim>> make_discretization_points();
+    void make_axis_points(std::vector<ContactPoint<dim>> &points);
+    bool pair_all(const ArrayView<ContactPoint<dim>> &points,
+                  const Vector<double>               &u,
+                  const PairingMode                  &mode) const;
+    bool pair_corners(const ArrayView<ContactPoint<dim>> &points,
+                      const Vector<double>               &u) const;
 
-    const Discretization<2>              &discretization;
-    const Elasticity<2>                  &elasticity;
-    const Parameters::Contact             parameters;
-    std::set<unsigned int>                excluded; // nodes of the slave
-    std::set<unsigned int>                on_axis;  // without a dual function
-    std::unique_ptr<MortarDiscretization> mortar;
+    const Discretization<dim> &discretization;
+    const Elasticity<dim>     &elasticity;
+    const Parameters::Contact  parameters;
+    std::set<unsigned int>     excluded; // nodes of the slave
+    std::set<unsigned int>     on_axis;  // without a dual function
+    std::unique_ptr<MortarDiscretization<dim>> mortar;
 
     /// Of the points those of the discretization, and those that belong to the
     /// slave.

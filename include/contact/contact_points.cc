@@ -12,17 +12,19 @@ namespace Contact
   namespace
   {
     /// Fill in the slave side of a point at @p xi of the slave edge @p e.
-    ContactPoint
-    make_point(const Surface &slave, const unsigned int e, const double xi)
+    template<int dim>
+    ContactPoint<dim> make_point(const Surface<dim>    &slave,
+                                 const unsigned int     e,
+                                 const FacetPoint<dim> &xi)
     {
-      const EdgeShape shape(slave.degree, xi);
+      const FacetShape<dim> shape(slave.degree, xi);
 
-      ContactPoint point;
-      point.slave_edge = e;
-      point.slave_xi   = xi;
-      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+      ContactPoint<dim> point;
+      point.slave_facet = e;
+      point.slave_xi    = xi;
+      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
         if (shape.value[a] != 0)
-          point.add_node(slave.nodes[slave.edges[e].nodes[a]],
+          point.add_node(slave.nodes[slave.facets[e].nodes[a]],
                          shape.value[a],
                          0,
                          0);
@@ -34,15 +36,16 @@ namespace Contact
 
     /// Whether supports leave one of the first @p n_nodes nodes of a point free
     /// to move along @p normal, other than by round-off of its coefficient.
-    bool is_free_along(const ContactPoint      &point,
-                       const unsigned int       n_nodes,
-                       const Tensor<1, 2>      &normal,
-                       const Discretization<2> &discretization)
+    template<int dim>
+    bool is_free_along(const ContactPoint<dim>   &point,
+                       const unsigned int         n_nodes,
+                       const Tensor<1, dim>      &normal,
+                       const Discretization<dim> &discretization)
     {
       const double round_off = 1e-8;
       double       free = 0, all = 0;
       for (unsigned int a = 0; a < n_nodes; ++a)
-        for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int i = 0; i < dim; ++i)
           {
             const double share = std::abs(point.C[a] * normal[i]);
             all += share;
@@ -58,7 +61,7 @@ namespace Contact
     /// unknowns that no support fixes.
     struct FreeRows
     {
-      FreeRows(const ContactPoint      &point,
+      FreeRows(const ContactPoint<2>   &point,
                const Discretization<2> &discretization)
       {
         for (unsigned int a = 0; a < point.n_nodes; ++a)
@@ -66,9 +69,9 @@ namespace Contact
             if (!discretization.is_fixed(point.dofs[a][i]))
               {
                 nn += std::pow(point.C[a] * point.normal[i], 2);
-                tt += std::pow(point.C[a] * point.tangent[i], 2);
-                nt +=
-                  point.C[a] * point.C[a] * point.normal[i] * point.tangent[i];
+                tt += std::pow(point.C[a] * point.tangents[0][i], 2);
+                nt += point.C[a] * point.C[a] * point.normal[i] *
+                      point.tangents[0][i];
               }
       }
 
@@ -85,22 +88,59 @@ namespace Contact
 
 
 
-    Point<2> slave_position(const ContactPoint &point, const Vector<double> &u)
+    /// The share of a facet in the integral of the shape function of its node
+    /// @p a: the trapezoidal rule, and Simpson's.
+    double integral_of_shape_function(const Surface<2>  &slave,
+                                      const unsigned int e,
+                                      const unsigned int a)
     {
-      Point<2> x;
-      for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
-        for (unsigned int i = 0; i < 2; ++i)
-          x[i] += point.C[a] * (point.X[a][i] + u[point.dofs[a][i]]);
-      return x;
+      const std::array<double, 3> centroids =
+        slave.degree == 1 ? std::array<double, 3>{{-1. / 3, 1. / 3, 0}}
+                          : node_coordinates;
+      const double share =
+        slave.degree == 1 ? 1. : (a == 2 ? 4. / 3. : 1. / 3.);
+      return share *
+             slave.reference_jacobian(slave.facets[e],
+                                      EdgeShape(slave.degree, centroids[a]));
+    }
+
+    double integral_of_shape_function(const Surface<3>  &slave,
+                                      const unsigned int e,
+                                      const unsigned int a)
+    {
+      return slave.shares_of_nodes(e)[a];
+    }
+
+
+
+    /// On an axis at degree 2 the integral vanishes. The node has a gap all the
+    /// same, and may take a force: as if on the half of the edge next to it the
+    /// pressure were linear.
+    void weigh_on_axis(const Surface<2>             &slave,
+                       std::vector<ContactPoint<2>> &points)
+    {
+      for (ContactPoint<2> &point : points)
+        if (point.weight <=
+            1e-12 * slave.reference_jacobian(slave.facets[point.slave_facet],
+                                             EdgeShape(slave.degree, 0)))
+          point.weight =
+            0.5 * slave.reference_jacobian(slave.facets[point.slave_facet],
+                                           EdgeShape(slave.degree,
+                                                     point.slave_xi * 2. / 3));
+    }
+
+    void weigh_on_axis(const Surface<3> &, std::vector<ContactPoint<3>> &)
+    {
     }
   } // namespace
 
 
 
-  void PointPairing::add_node(const Surface::Node &node,
-                              const double         c,
-                              const double         c1,
-                              const double         c2)
+  template<int dim>
+  void PointPairing<dim>::add_node(const SurfaceNode<dim> &node,
+                                   const double            c,
+                                   const double            c1,
+                                   const double            c2)
   {
     ++n_nodes;
     dofs.push_back(node.dofs);
@@ -112,7 +152,8 @@ namespace Contact
 
 
 
-  void PointPairing::keep_nodes(const unsigned int n)
+  template<int dim>
+  void PointPairing<dim>::keep_nodes(const unsigned int n)
   {
     n_nodes = n;
     dofs.resize(n);
@@ -123,7 +164,8 @@ namespace Contact
 
 
 
-  void PointPairing::remove_node(const unsigned int n)
+  template<int dim>
+  void PointPairing<dim>::remove_node(const unsigned int n)
   {
     --n_nodes;
     dofs.erase(dofs.begin() + n);
@@ -134,7 +176,7 @@ namespace Contact
 
 
 
-  bool tangential_row_is_void(const ContactPoint      &point,
+  bool tangential_row_is_void(const ContactPoint<2>   &point,
                               const Discretization<2> &discretization)
   {
     return FreeRows(point, discretization).are_parallel();
@@ -142,7 +184,7 @@ namespace Contact
 
 
 
-  double prescribed_slip(const ContactPoint      &point,
+  double prescribed_slip(const ContactPoint<2>   &point,
                          const Discretization<2> &discretization,
                          const Vector<double>    &motion)
   {
@@ -150,7 +192,7 @@ namespace Contact
     if (!rows.are_parallel())
       return 0;
     const Tensor<1, 2> along =
-      point.tangent - (rows.nn > 0 ? rows.nt / rows.nn : 0.) * point.normal;
+      point.tangents[0] - (rows.nn > 0 ? rows.nt / rows.nn : 0.) * point.normal;
     double slip = 0, size = 0;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
@@ -167,8 +209,9 @@ namespace Contact
 
 
 
-  std::vector<ContactPoint>
-  make_nodal_points(const Surface                &slave,
+  template<int dim>
+  std::vector<ContactPoint<dim>>
+  make_nodal_points(const Surface<dim>           &slave,
                     const std::set<unsigned int> &excluded,
                     MultiplierSpace              &multipliers)
   {
@@ -176,77 +219,58 @@ namespace Contact
                                numbers::invalid_unsigned_int);
     multipliers.n_multipliers = 0;
 
-    std::vector<ContactPoint>   points;
-    const std::array<double, 3> centroids =
-      slave.degree == 1 ? std::array<double, 3>{{-1. / 3, 1. / 3, 0}}
-                        : node_coordinates;
-    for (unsigned int e = 0; e < slave.edges.size(); ++e)
-      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+    std::vector<ContactPoint<dim>> points;
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
+      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
         {
-          const unsigned int node = slave.edges[e].nodes[a];
+          const unsigned int node = slave.facets[e].nodes[a];
           if (excluded.count(node) > 0)
             continue;
 
           if (multipliers.of_node[node] == numbers::invalid_unsigned_int)
             {
               multipliers.of_node[node] = multipliers.n_multipliers++;
-              points.push_back(make_point(slave, e, node_coordinates[a]));
+              points.push_back(make_point<dim>(slave, e, node_place<dim>(a)));
               points.back().n_multipliers  = 1;
               points.back().multipliers[0] = multipliers.of_node[node];
               points.back().psi[0]         = 1;
               points.back().weight         = 0;
             }
 
-          // The share of this edge in the integral of the shape function.
-          const double share =
-            slave.degree == 1 ? 1. : (a == 2 ? 4. / 3. : 1. / 3.);
           points[multipliers.of_node[node]].weight +=
-            share *
-            slave.reference_jacobian(slave.edges[e],
-                                     EdgeShape(slave.degree, centroids[a]));
+            integral_of_shape_function(slave, e, a);
         }
-
-    // On an axis at degree 2 the integral vanishes. The node has a gap all the
-    // same, and may take a force: as if on the half of the edge next to it the
-    // pressure were linear.
-    for (ContactPoint &point : points)
-      if (point.weight <=
-          1e-12 * slave.reference_jacobian(slave.edges[point.slave_edge],
-                                           EdgeShape(slave.degree, 0)))
-        point.weight =
-          0.5 * slave.reference_jacobian(slave.edges[point.slave_edge],
-                                         EdgeShape(slave.degree,
-                                                   point.slave_xi * 2. / 3));
+    weigh_on_axis(slave, points);
     return points;
   }
 
 
 
-  std::vector<ContactPoint> make_gauss_points(const Surface     &slave,
-                                              const unsigned int n_points,
-                                              MultiplierSpace   &multipliers)
+  std::vector<ContactPoint<2>> make_gauss_points(const Surface<2>  &slave,
+                                                 const unsigned int n_points,
+                                                 MultiplierSpace   &multipliers)
   {
     multipliers.of_node.resize(slave.nodes.size());
     for (unsigned int i = 0; i < slave.nodes.size(); ++i)
       multipliers.of_node[i] = i;
     multipliers.n_multipliers = slave.nodes.size();
 
-    const QGauss<1>           quadrature(n_points);
-    std::vector<ContactPoint> points;
-    for (unsigned int e = 0; e < slave.edges.size(); ++e)
+    const QGauss<1>              quadrature(n_points);
+    std::vector<ContactPoint<2>> points;
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
       for (unsigned int q = 0; q < n_points; ++q)
         {
           const double    xi = 2 * quadrature.point(q)[0] - 1;
           const EdgeShape shape(slave.degree, xi);
 
-          points.push_back(make_point(slave, e, xi));
-          ContactPoint &point = points.back();
-          point.weight        = 2 * quadrature.weight(q) *
-                         slave.reference_jacobian(slave.edges[e], shape);
-          point.n_multipliers = slave.n_nodes_per_edge();
+          points.push_back(make_point<2>(slave, e, xi));
+          ContactPoint<2> &point = points.back();
+          point.weight           = 2 * quadrature.weight(q) *
+                         slave.reference_jacobian(slave.facets[e], shape);
+          point.n_multipliers = slave.n_nodes_per_facet();
           for (unsigned int a = 0; a < point.n_multipliers; ++a)
             {
-              point.multipliers[a] = slave.edges[e].nodes[a];
+              point.multipliers[a] = slave.facets[e].nodes[a];
               point.psi[a]         = shape.value[a];
             }
         }
@@ -255,117 +279,57 @@ namespace Contact
 
 
 
-  NormalCone
-  directions_of(const ContactPoint                                    &point,
-                const Surface                                         &slave,
-                const std::vector<Surface::PerEdgeNode<Tensor<1, 2>>> &normals)
+  void set_tangents(ContactPoint<2> &point)
   {
-    const auto     &edge = slave.edges[point.slave_edge];
-    const EdgeShape shape(slave.degree, point.slave_xi);
-    Tensor<1, 2>    n;
-    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
-      n += shape.value[a] * normals[point.slave_edge][a];
-    n /= n.norm();
-
-    NormalCone directions{n, n};
-    directions.reach =
-      SurfaceSearch::overhang * slave.reference_length(point.slave_edge);
-    if (point.slave_xi == -1)
-      {
-        directions.at_end = edge.begins_surface;
-        if (!edge.begins_surface)
-          directions.first = normals[edge.previous][1];
-      }
-    else if (point.slave_xi == 1)
-      {
-        directions.at_end = edge.ends_surface;
-        if (!edge.ends_surface)
-          directions.last = normals[edge.next][0];
-      }
-    return directions;
+    point.tangents[0] = Tensor<1, 2>({-point.normal[1], point.normal[0]});
   }
 
 
 
-  namespace
+  // At first the axis that is furthest from the normal.
+  void set_tangents(ContactPoint<3> &point)
   {
-    /// The master side of a point at its projection on an edge. Returns the
-    /// tangent.
-    Tensor<1, 2> add_master(ContactPoint         &point,
-                            const Surface        &master,
-                            const unsigned int    edge,
-                            const double          xi,
-                            const Vector<double> &u)
-    {
-      const EdgeShape shape(master.degree, xi);
-      Tensor<1, 2>    along;
-      for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
-        {
-          const unsigned int node = master.edges[edge].nodes[a];
-          point.add_node(master.nodes[node],
-                         -shape.value[a],
-                         -shape.first[a],
-                         -shape.second[a]);
-          along += shape.first[a] * master.position(node, u);
-        }
-      return along;
-    }
+    const Tensor<1, 3> &n     = point.normal;
+    Tensor<1, 3>       &first = point.tangents[0];
+    const auto          tilt  = [&]() { return first - (first * n) * n; };
+    if (tilt().norm() < 0.5)
+      {
+        unsigned int axis = 0;
+        for (unsigned int i = 1; i < 3; ++i)
+          if (std::abs(n[i]) < std::abs(n[axis]))
+            axis = i;
+        first = Point<3>::unit_vector(axis);
+      }
+    first             = tilt() / tilt().norm();
+    point.tangents[1] = cross_product_3d(n, first);
+  }
 
 
 
-    /// The edge that the vertex at the projection belongs to as well, and which
-    /// has another direction.
-    unsigned int other_edge(const Projection    &projection,
-                            const SurfaceSearch &search)
-    {
-      if (projection.twin == numbers::invalid_unsigned_int)
-        return projection.twin;
-      const double side = projection.xi > 0 ? 1 : -1;
-      // Of unit normals; less is round-off.
-      return (search.normal(projection.edge, side) -
-              search.normal(projection.twin, -side))
-                   .norm() > 1e-8
-               ? projection.twin
-               : numbers::invalid_unsigned_int;
-    }
+  template<int dim>
+  Point<dim> slave_position(const ContactPoint<dim> &point,
+                            const Vector<double>    &u)
+  {
+    Point<dim> x;
+    for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        x[i] += point.C[a] * (point.X[a][i] + u[point.dofs[a][i]]);
+    return x;
+  }
 
 
 
-    /// The projection at the vertex of two edges: the sum of their tangents,
-    /// whose nodes come in the order of the chain.
-    Tensor<1, 2> add_vertex(ContactPoint         &point,
-                            const Surface        &master,
-                            const unsigned int    other,
-                            const Vector<double> &u)
-    {
-      const double side = point.master_xi > 0 ? 1 : -1;
-      point.master_xi   = side;
-      Tensor<1, 2> along =
-        add_master(point, master, point.master_edge, side, u);
-
-      const unsigned int n_before = point.n_nodes;
-      along += add_master(point, master, other, -side, u);
-      // The vertex is in both.
-      const unsigned int at_first = point.n_slave_nodes + (side > 0 ? 1 : 0);
-      const unsigned int at_other = n_before + (side > 0 ? 0 : 1);
-      point.C1[at_first] += point.C1[at_other];
-      point.remove_node(at_other);
-      return along;
-    }
-  } // namespace
-
-
-
-  void skip_where_held(ContactPoint            &point,
-                       const Discretization<2> &discretization,
-                       const Vector<double>    &u)
+  template<int dim>
+  void skip_where_held(ContactPoint<dim>         &point,
+                       const Discretization<dim> &discretization,
+                       const Vector<double>      &u)
   {
     if (is_free_along(point, point.n_nodes, point.normal, discretization))
       return;
     double gap = 0, size = 0;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       {
-        for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int i = 0; i < dim; ++i)
           gap += point.C[a] * point.normal[i] *
                  (point.X[a][i] + u[point.dofs[a][i]]);
         size = std::max(size, point.X[a].distance(point.X[0]));
@@ -375,69 +339,77 @@ namespace Contact
 
 
 
-  void pair_with_master(ContactPoint            &point,
-                        const NormalCone        &directions,
-                        const Surface           &master,
-                        const SurfaceSearch     &search,
-                        const Discretization<2> &discretization,
-                        const Vector<double>    &u,
-                        const bool               keeps_edge)
-  {
-    const Point<2> x = slave_position(point, u);
-    Projection     projection;
-    if (keeps_edge && point.facing)
-      projection =
-        search.project(x, point.master_edge, SurfaceSearch::overhang);
-    if (!keeps_edge || !point.facing || projection.clipped)
-      projection = search.closest_facing(x, directions);
-    const double beyond = (std::abs(projection.xi) - 1) / 2 *
-                          master.reference_length(projection.edge);
-    point.facing      = !projection.off_the_end && beyond <= directions.reach;
-    point.master_edge = projection.edge;
-    point.master_xi   = projection.xi;
-
-    point.keep_nodes(point.n_slave_nodes);
-    const unsigned int other     = other_edge(projection, search);
-    const bool         at_vertex = other != numbers::invalid_unsigned_int;
-    const Tensor<1, 2> along =
-      at_vertex ? add_vertex(point, master, other, u)
-                : add_master(point, master, projection.edge, projection.xi, u);
-    point.projection_is_clipped = projection.clipped || at_vertex;
-
-    // The body lies to the left of the edge: n is along, turned by -90
-    // degrees, and along is n turned by +90.
-    point.metric  = along.norm();
-    point.tangent = along / point.metric;
-    point.normal  = Tensor<1, 2>({point.tangent[1], -point.tangent[0]});
-
-    skip_where_held(point, discretization, u);
-    point.tangential_row_is_void =
-      tangential_row_is_void(point, discretization);
-  }
-
-
-
   // A node that a support holds against the obstacle needs no pressure, and
   // there would be no unknown for it to act on. Along the tangent the place of
   // a circle is centre + radius n, and its second derivative by the coordinate
   // that is the angle -radius n.
-  void pair_with_obstacle(ContactPoint            &point,
-                          const Obstacle          &obstacle,
-                          const Discretization<2> &discretization,
-                          const Vector<double>    &u)
+  template<int dim>
+  void pair_with_obstacle(ContactPoint<dim>         &point,
+                          const Obstacle<dim>       &obstacle,
+                          const Discretization<dim> &discretization,
+                          const Vector<double>      &u)
   {
     const auto projection = obstacle.closest_point(slave_position(point, u));
     point.facing          = is_free_along(point,
                                  point.n_slave_nodes,
                                  projection.normal,
                                  discretization);
-    point.master_edge     = numbers::invalid_unsigned_int;
+    point.master_facet    = numbers::invalid_unsigned_int;
     point.projection      = projection.x;
     point.normal          = projection.normal;
-    point.tangent = Tensor<1, 2>({-projection.normal[1], projection.normal[0]});
-    point.metric  = projection.radius == 0 ? 1 : std::abs(projection.radius);
+    set_tangents(point);
+    point.metric = projection.radius == 0 ? 1 : std::abs(projection.radius);
     point.projection_curvature = -projection.radius * projection.normal;
     point.tangential_row_is_void =
       tangential_row_is_void(point, discretization);
   }
+
+  template std::vector<ContactPoint<2>>
+  make_nodal_points(const Surface<2>             &slave,
+                    const std::set<unsigned int> &excluded,
+                    MultiplierSpace              &multipliers);
+  template std::vector<ContactPoint<3>>
+                         make_nodal_points(const Surface<3>             &slave,
+                                           const std::set<unsigned int> &excluded,
+                                           MultiplierSpace              &multipliers);
+  template void          skip_where_held(ContactPoint<2>         &point,
+                                         const Discretization<2> &discretization,
+                                         const Vector<double>    &u);
+  template void          skip_where_held(ContactPoint<3>         &point,
+                                         const Discretization<3> &discretization,
+                                         const Vector<double>    &u);
+  template Point<2>      slave_position(const ContactPoint<2> &point,
+                                        const Vector<double>  &u);
+  template Point<3>      slave_position(const ContactPoint<3> &point,
+                                        const Vector<double>  &u);
+  template NormalCone<2> directions_of(const ContactPoint<2> &point,
+                                       const Surface<2>      &slave,
+                                       const FacetNormals<2> &normals);
+  template NormalCone<3> directions_of(const ContactPoint<3> &point,
+                                       const Surface<3>      &slave,
+                                       const FacetNormals<3> &normals);
+  template void          pair_with_master(ContactPoint<2>         &point,
+                                          const NormalCone<2>     &directions,
+                                          const Surface<2>        &master,
+                                          const SurfaceSearch<2>  &search,
+                                          const Discretization<2> &discretization,
+                                          const Vector<double>    &u,
+                                          const bool               keeps_edge);
+  template void          pair_with_master(ContactPoint<3>         &point,
+                                          const NormalCone<3>     &directions,
+                                          const Surface<3>        &master,
+                                          const SurfaceSearch<3>  &search,
+                                          const Discretization<3> &discretization,
+                                          const Vector<double>    &u,
+                                          const bool               keeps_edge);
+  template void          pair_with_obstacle(ContactPoint<2>         &point,
+                                            const Obstacle<2>       &obstacle,
+                                            const Discretization<2> &discretization,
+                                            const Vector<double>    &u);
+  template void          pair_with_obstacle(ContactPoint<3>         &point,
+                                            const Obstacle<3>       &obstacle,
+                                            const Discretization<3> &discretization,
+                                            const Vector<double>    &u);
+  template struct PointPairing<2>;
+  template struct PointPairing<3>;
 } // namespace Contact

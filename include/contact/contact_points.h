@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
 #include <cmath>
+#include <type_traits>
 
+#include "contact/face_search.h"
 #include "contact/friction_law.h"
 #include "contact/obstacle.h"
 #include "contact/surface_search.h"
@@ -34,30 +36,87 @@ namespace Contact
 
 
 
-  /// A status, and for a slipping point the sign of its shear traction.
+  /// A status, and for a slipping point the direction of its shear traction: in
+  /// the plane a sign, in space a unit vector in the frame of the tangents.
+  template<int dim>
   struct PointStatus
   {
-    Status kind           = Status::open;
-    int    slip_direction = 0;
+    using Direction = std::conditional_t<dim == 2, int, Tensor<1, dim - 1>>;
 
-    /// A number of its own for each status.
-    signed char code() const
+    Status    kind = Status::open;
+    Direction slip_direction{};
+
+    /// The same as a vector.
+    Tensor<1, dim - 1> direction() const;
+
+    /// Whether there is a direction: not without friction.
+    bool has_direction() const
     {
-      return 4 * static_cast<int>(kind) + slip_direction;
+      return slip_direction != Direction();
     }
+
+    /// A number of its own for each status; in space directions are not told
+    /// apart.
+    signed char code() const;
 
     /// The status of this number.
-    static PointStatus from_code(const signed char code)
-    {
-      const int kind = (code + 1) / 4;
-      return {static_cast<Status>(kind), code - 4 * kind};
-    }
+    static PointStatus from_code(const signed char code);
 
     bool operator==(const PointStatus &other) const
     {
       return code() == other.code();
     }
   };
+
+
+
+  template<>
+  inline Tensor<1, 1> PointStatus<2>::direction() const
+  {
+    return Tensor<1, 1>({static_cast<double>(slip_direction)});
+  }
+
+
+
+  template<>
+  inline Tensor<1, 2> PointStatus<3>::direction() const
+  {
+    return slip_direction;
+  }
+
+
+
+  template<>
+  inline signed char PointStatus<2>::code() const
+  {
+    return 4 * static_cast<int>(kind) + slip_direction;
+  }
+
+
+
+  template<>
+  inline signed char PointStatus<3>::code() const
+  {
+    return 4 * static_cast<int>(kind) + has_direction();
+  }
+
+
+
+  template<>
+  inline PointStatus<2> PointStatus<2>::from_code(const signed char code)
+  {
+    const int kind = (code + 1) / 4;
+    return {static_cast<Status>(kind), code - 4 * kind};
+  }
+
+
+
+  // The direction follows from the next state.
+  template<>
+  inline PointStatus<3> PointStatus<3>::from_code(const signed char code)
+  {
+    return {static_cast<Status>(code / 4), {}};
+  }
 
 
 
@@ -80,6 +139,7 @@ namespace Contact
 
 
   /// The place of a contact point on the slave, the same during the whole run.
+  template<int dim>
   struct PointPlace
   {
     static constexpr unsigned int max_multipliers = 3;
@@ -91,10 +151,10 @@ namespace Contact
     // that follows, see corner_points.h.
     bool is_master_corner = false;
 
-    unsigned int slave_edge = 0; // in the slave surface
-    double       slave_xi   = 0;
-    double       weight     = 0;       // undeformed length it stands for [mm];
-                                       // of rings, the area [mm^2]
+    unsigned int    slave_facet = 0; // in the slave surface
+    FacetPoint<dim> slave_xi{};
+    double          weight = 0; // undeformed length it stands for [mm]; of
+                                // rings, and in space, the area [mm^2]
     double augmentation_parameter = 0; // the c of p - c g [MPa/mm]
 
     // The multipliers that act here: p = sum_k psi_k lambda_k.
@@ -106,6 +166,7 @@ namespace Contact
 
 
   /// The pairing of a contact point with the master.
+  template<int dim>
   struct PointPairing
   {
     /// Something of each node. Six are two quadratic edges; the mortar
@@ -114,24 +175,24 @@ namespace Contact
     template<typename T>
     using PerNode = boost::container::small_vector<T, 6>;
 
-    bool         facing      = false; // false: off the end, nothing to touch
-    unsigned int master_edge = 0;
-    double       master_xi   = 0;
+    bool            facing = false; // false: off the end, nothing to touch
+    unsigned int    master_facet = 0;
+    FacetPoint<dim> master_xi{};
 
     // The nodes of both sides, slave first.
-    unsigned int         n_slave_nodes = 0;
-    unsigned int         n_nodes       = 0;
-    PerNode<NodeDoFs<2>> dofs;
-    PerNode<Point<2>>    X;  // reference positions [mm]
-    PerNode<double>      C;  // coefficients
-    PerNode<double>      C1; // their derivatives with respect
-    PerNode<double>      C2; // to the master coordinate
+    unsigned int           n_slave_nodes = 0;
+    unsigned int           n_nodes       = 0;
+    PerNode<NodeDoFs<dim>> dofs;
+    PerNode<Point<dim>>    X;  // reference positions [mm]
+    PerNode<double>        C;  // coefficients
+    PerNode<double>        C1; // their derivatives with respect
+    PerNode<double>        C2; // to the master coordinate
 
     /// Append a node with its coefficient and the derivatives of that.
-    void add_node(const Surface::Node &node,
-                  const double         c,
-                  const double         c1,
-                  const double         c2);
+    void add_node(const SurfaceNode<dim> &node,
+                  const double            c,
+                  const double            c1,
+                  const double            c2);
 
     /// Forget the nodes from the number @p n on.
     void keep_nodes(const unsigned int n);
@@ -139,12 +200,32 @@ namespace Contact
     /// Forget one node.
     void remove_node(const unsigned int n);
 
-    Tensor<1, 2> normal, tangent;
-    double       metric = 1; // |d x_m / d xi| [mm]
+    Tensor<1, dim>                      normal;
+    std::array<Tensor<1, dim>, dim - 1> tangents;
+
+    double metric = 1; // in the plane, |d x_m / d xi| [mm]
+
+    /// The vector with these components along the tangents.
+    Tensor<1, dim> along_tangents(const Tensor<1, dim - 1> &components) const
+    {
+      Tensor<1, dim> sum = components[0] * tangents[0];
+      for (unsigned int k = 1; k < dim - 1; ++k)
+        sum += components[k] * tangents[k];
+      return sum;
+    }
+
+    /// The components of a vector along the tangents.
+    Tensor<1, dim - 1> tangential_part(const Tensor<1, dim> &v) const
+    {
+      Tensor<1, dim - 1> components;
+      for (unsigned int k = 0; k < dim - 1; ++k)
+        components[k] = tangents[k] * v;
+      return components;
+    }
 
     // On an obstacle, which has no nodes: the place x_m, and d^2 x_m / d xi^2.
-    Point<2>     projection;
-    Tensor<1, 2> projection_curvature;
+    Point<dim>     projection;
+    Tensor<1, dim> projection_curvature;
 
     // Over a vertex of the master the projection stays there.
     bool projection_is_clipped = false;
@@ -156,6 +237,10 @@ namespace Contact
     // A tangential row that says no more than the normal one is dropped: so
     // at a slave node on a symmetry line.
     bool tangential_row_is_void = false;
+
+    // In space by coordinate: across a plane of symmetry there is no slip,
+    // though nodes beside it are in the row.
+    std::array<bool, dim> slip_is_void{};
   };
 
 
@@ -175,12 +260,16 @@ namespace Contact
    * edge, out of the master body; t its unit tangent, n turned by +90 degrees;
    * the pressure p is positive in compression; q is the component along t of
    * the traction on the slave.
+   * In space there are two tangents, perpendicular to each other and to n, and
+   * slip and shear have two components. Which two directions these are means
+   * nothing; they turn with the normal, and not about it.
    */
+  template<int dim>
   struct ContactPoint
-    : public PointPlace
-    , public PointPairing
+    : public PointPlace<dim>
+    , public PointPairing<dim>
   {
-    PointStatus status;
+    PointStatus<dim> status;
 
     // Bound of the shear traction while a Tresca problem is solved [MPa].
     double friction_bound = 0;
@@ -191,14 +280,17 @@ namespace Contact
       const auto smaller = [](const double a, const double b) {
         return std::abs(a) < std::abs(b);
       };
-      return std::max_element(C.begin(), C.begin() + n_slave_nodes, smaller) -
+      const auto &C = this->C;
+      return std::max_element(C.begin(),
+                              C.begin() + this->n_slave_nodes,
+                              smaller) -
              C.begin();
     }
 
     /// Whether the node @p a of the list is one of the slave.
     bool is_on_slave(const unsigned int a) const
     {
-      return (a < n_slave_nodes) != is_master_corner;
+      return (a < this->n_slave_nodes) != this->is_master_corner;
     }
   };
 
@@ -223,8 +315,9 @@ namespace Contact
    * integral vanishes: what holds the node there is a force, with a weight for
    * its units only.
    */
-  std::vector<ContactPoint>
-  make_nodal_points(const Surface                &slave,
+  template<int dim>
+  std::vector<ContactPoint<dim>>
+  make_nodal_points(const Surface<dim>           &slave,
                     const std::set<unsigned int> &excluded,
                     MultiplierSpace              &multipliers);
 
@@ -233,22 +326,29 @@ namespace Contact
    * edge, multipliers at the nodes interpolated along the edge; the constraint
    * is the weak one.
    */
-  std::vector<ContactPoint> make_gauss_points(const Surface     &slave,
-                                              const unsigned int n_points,
-                                              MultiplierSpace   &multipliers);
+  std::vector<ContactPoint<2>> make_gauss_points(const Surface<2>  &slave,
+                                                 const unsigned int n_points,
+                                                 MultiplierSpace &multipliers);
 
   /**
    * Whether the tangential row of a point lies in the span of the normal one,
-   * once the unknowns that a support fixes are out.
+   * once the unknowns that a support fixes are out. In space rows are left out
+   * one by one where the points are eliminated: none is void.
    */
-  bool tangential_row_is_void(const ContactPoint      &point,
+  bool tangential_row_is_void(const ContactPoint<2>   &point,
                               const Discretization<2> &discretization);
+
+  inline bool tangential_row_is_void(const ContactPoint<3> &,
+                                     const Discretization<3> &)
+  {
+    return false;
+  }
 
   /**
    * The slip [mm] of a point whose tangential row is void, while its gap stays:
    * it follows from the @p motion of the supports. Zero for any other point.
    */
-  double prescribed_slip(const ContactPoint      &point,
+  double prescribed_slip(const ContactPoint<2>   &point,
                          const Discretization<2> &discretization,
                          const Vector<double>    &motion);
 
@@ -257,16 +357,35 @@ namespace Contact
    * to act on: it does not face the master. The pressure is missed only if the
    * supports press the bodies into each other.
    */
-  void skip_where_held(ContactPoint            &point,
-                       const Discretization<2> &discretization,
-                       const Vector<double>    &u);
+  template<int dim>
+  void skip_where_held(ContactPoint<dim>         &point,
+                       const Discretization<dim> &discretization,
+                       const Vector<double>      &u);
+
+  /// The current position of the place on the slave.
+  template<int dim>
+  Point<dim> slave_position(const ContactPoint<dim> &point,
+                            const Vector<double>    &u);
+
+  /// Make the tangents perpendicular to the normal: in the plane n turned by 90
+  /// degrees, in space those that there are, turned with the normal.
+  void set_tangents(ContactPoint<2> &point);
+  void set_tangents(ContactPoint<3> &point);
 
   /// The direction in which a point of the slave looks for the master, by the
-  /// normals of Surface::edge_normals.
-  NormalCone
-  directions_of(const ContactPoint                                    &point,
-                const Surface                                         &slave,
-                const std::vector<Surface::PerEdgeNode<Tensor<1, 2>>> &normals);
+  /// normals of Surface::facet_normals.
+  template<int dim>
+  NormalCone<dim> directions_of(const ContactPoint<dim> &point,
+                                const Surface<dim>      &slave,
+                                const FacetNormals<dim> &normals);
+  template<>
+  NormalCone<2> directions_of(const ContactPoint<2> &point,
+                              const Surface<2>      &slave,
+                              const FacetNormals<2> &normals);
+  template<>
+  NormalCone<3> directions_of(const ContactPoint<3> &point,
+                              const Surface<3>      &slave,
+                              const FacetNormals<3> &normals);
 
   /// The manner in which points are paired.
   struct PairingMode
@@ -287,19 +406,38 @@ namespace Contact
    * there. At a vertex that belongs to two edges alike the tangent is the sum
    * of those of both edges.
    */
-  void pair_with_master(ContactPoint            &point,
-                        const NormalCone        &directions,
-                        const Surface           &master,
-                        const SurfaceSearch     &search,
+  template<int dim>
+  void pair_with_master(ContactPoint<dim>         &point,
+                        const NormalCone<dim>     &directions,
+                        const Surface<dim>        &master,
+                        const SurfaceSearch<dim>  &search,
+                        const Discretization<dim> &discretization,
+                        const Vector<double>      &u,
+                        const bool                 keeps_edge = false);
+
+  template<>
+  void pair_with_master(ContactPoint<2>         &point,
+                        const NormalCone<2>     &directions,
+                        const Surface<2>        &master,
+                        const SurfaceSearch<2>  &search,
                         const Discretization<2> &discretization,
                         const Vector<double>    &u,
-                        const bool               keeps_edge = false);
+                        const bool               keeps_edge);
+  template<>
+  void pair_with_master(ContactPoint<3>         &point,
+                        const NormalCone<3>     &directions,
+                        const Surface<3>        &master,
+                        const SurfaceSearch<3>  &search,
+                        const Discretization<3> &discretization,
+                        const Vector<double>    &u,
+                        const bool               keeps_facet);
 
   /// The same on a rigid obstacle.
-  void pair_with_obstacle(ContactPoint            &point,
-                          const Obstacle          &obstacle,
-                          const Discretization<2> &discretization,
-                          const Vector<double>    &u);
+  template<int dim>
+  void pair_with_obstacle(ContactPoint<dim>         &point,
+                          const Obstacle<dim>       &obstacle,
+                          const Discretization<dim> &discretization,
+                          const Vector<double>      &u);
 } // namespace Contact
 
 #endif

@@ -117,19 +117,19 @@ namespace Contact
 
     /// The edges of a surface that hang together: the arc length goes on from
     /// one such chain to the next, over what is no surface.
-    std::vector<unsigned int> chain_of_edges(const Surface &surface)
+    std::vector<unsigned int> chain_of_edges(const Surface<2> &surface)
     {
       std::vector<unsigned int> chains;
-      for (unsigned int e = 0; e < surface.edges.size(); ++e)
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
         chains.push_back(
-          e == 0 ? 0 : chains.back() + (surface.edges[e].previous != e - 1));
+          e == 0 ? 0 : chains.back() + (surface.facets[e].previous != e - 1));
       return chains;
     }
 
 
 
     /// The patches of all chains together.
-    void add_widths(const Surface              &slave,
+    void add_widths(const Surface<2>           &slave,
                     const std::vector<double>  &s_of_node,
                     const std::vector<Samples> &samples,
                     ContactResults             &results)
@@ -146,8 +146,8 @@ namespace Contact
             if (chains[e] == chain)
               for (unsigned int a = 0; a < 2; ++a)
                 {
-                  begin = std::min(begin, s_of_node[slave.edges[e].nodes[a]]);
-                  end   = std::max(end, s_of_node[slave.edges[e].nodes[a]]);
+                  begin = std::min(begin, s_of_node[slave.facets[e].nodes[a]]);
+                  end   = std::max(end, s_of_node[slave.facets[e].nodes[a]]);
                 }
           results.width +=
             patch_lengths(of_chain, begin, end, &Sample::touches);
@@ -160,97 +160,112 @@ namespace Contact
 
     /// Add the force of a point. Returns its traction, which at a corner of the
     /// master depends on the mesh size.
-    Traction add_force(const ContactInterface &interface,
-                       const ContactPoint     &point,
-                       const ContactState     &now,
-                       const bool              moving_bound,
-                       ContactResults         &results)
+    template<int dim>
+    Traction<dim> add_force(const ContactInterface<dim> &interface,
+                            const ContactPoint<dim>     &point,
+                            const ContactState<dim>     &now,
+                            const bool                   moving_bound,
+                            ContactResults              &results)
     {
-      const Traction traction = interface.traction(point,
-                                                   point.status,
-                                                   now.p_trial,
-                                                   now.q_trial,
-                                                   moving_bound);
+      const Traction<dim> traction = interface.traction(point,
+                                                        point.status,
+                                                        now.p_trial,
+                                                        now.q_trial,
+                                                        moving_bound);
       results.normal_force += point.weight * traction.p;
-      results.tangential_force += point.weight * traction.q;
+      results.tangential_force += point.weight * traction.q[0];
       return traction;
     }
 
 
 
+    std::string name_of_slip(const PointStatus<2> &status)
+    {
+      return status.slip_direction > 0 ? "slips along -t" : "slips along +t";
+    }
+
+    std::string name_of_slip(const PointStatus<3> &)
+    {
+      return "slips";
+    }
+
+
+
     /// A status in a message; a point that slips does so against its shear.
-    std::string describe(const PointStatus &status)
+    template<int dim>
+    std::string describe(const PointStatus<dim> &status)
     {
       if (status.kind == Status::open)
         return "open";
       if (status.kind == Status::stick)
         return "sticks";
-      if (status.slip_direction == 0)
-        return "slips";
-      return status.slip_direction > 0 ? "slips along -t" : "slips along +t";
+      return status.has_direction() ? name_of_slip(status) : "slips";
     }
   } // namespace
 
 
 
-  std::map<std::string, double> ContactResults::by_name() const
+  std::map<std::string, double> ContactResults::by_name(const int dim) const
   {
     return {{"normal_force", normal_force},
             {"tangential_force", tangential_force},
             {"max_pressure", max_pressure},
             {"max_shear", max_shear},
-            {"width", width},
-            {"stick_width", stick_width}};
+            {dim == 2 ? "width" : "area", dim == 2 ? width : area},
+            {dim == 2 ? "stick_width" : "stick_area",
+             dim == 2 ? stick_width : stick_area}};
   }
 
 
 
-  ContactResults contact_results(const ContactInterface &interface,
-                                 const ContactPair      &contact_pair,
-                                 const Vector<double>   &solution,
-                                 const Vector<double>   &u_start,
-                                 const bool              moving_bound)
+  template<>
+  ContactResults contact_results(const ContactInterface<2> &interface,
+                                 const ContactPair<2>      &contact_pair,
+                                 const Vector<double>      &solution,
+                                 const Vector<double>      &u_start,
+                                 const bool                 moving_bound)
   {
-    const Surface        &slave = contact_pair.slave;
+    const Surface<2>     &slave = contact_pair.slave;
     std::vector<Point<2>> X;
-    for (const Surface::Node &node : slave.nodes)
+    for (const SurfaceNode<2> &node : slave.nodes)
       X.push_back(node.X);
     const auto s_of_node = slave.arc_length(X);
 
     const auto           chains = chain_of_edges(slave);
     ContactResults       results;
     std::vector<Samples> by_chain(chains.back() + 1);
-    for (const ContactPoint &point : interface.points_of(contact_pair))
+    for (const ContactPoint<2> &point : interface.points_of(contact_pair))
       {
-        const ContactState now = interface.state(point, solution, u_start);
+        const ContactState<2> now = interface.state(point, solution, u_start);
         if (point.is_master_corner)
           {
             add_force(interface, point, now, moving_bound, results);
             continue;
           }
-        Samples        &samples = by_chain[chains[point.slave_edge]];
+        Samples        &samples = by_chain[chains[point.slave_facet]];
         const EdgeShape shape(slave.degree, point.slave_xi);
         double          s = 0;
-        for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
-          s +=
-            shape.value[a] * s_of_node[slave.edges[point.slave_edge].nodes[a]];
+        for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+          s += shape.value[a] *
+               s_of_node[slave.facets[point.slave_facet].nodes[a]];
         if (!point.facing || point.status.kind == Status::open)
           {
             samples.push_back({s, false, false, false, 0, 0});
             continue;
           }
 
-        const Traction traction =
+        const Traction<2> traction =
           add_force(interface, point, now, moving_bound, results);
         results.max_pressure = std::max(results.max_pressure, traction.p);
-        results.max_shear = std::max(results.max_shear, std::abs(traction.q));
+        results.max_shear =
+          std::max(results.max_shear, std::abs(traction.q[0]));
         samples.push_back(
           {s,
            true,
            point.status.kind == Status::stick,
-           point.tangential_row_is_void && point.status.slip_direction == 0,
+           point.tangential_row_is_void && !point.status.has_direction(),
            traction.p,
-           std::abs(now.slip)});
+           std::abs(now.slip[0])});
       }
     add_widths(slave, s_of_node, by_chain, results);
     return results;
@@ -258,35 +273,69 @@ namespace Contact
 
 
 
+  template<>
+  ContactResults contact_results(const ContactInterface<3> &interface,
+                                 const ContactPair<3>      &contact_pair,
+                                 const Vector<double>      &solution,
+                                 const Vector<double>      &u_start,
+                                 const bool                 moving_bound)
+  {
+    ContactResults results;
+    Tensor<1, 3>   shear;
+    for (const ContactPoint<3> &point : interface.points_of(contact_pair))
+      {
+        if (!point.facing || point.status.kind == Status::open)
+          continue;
+        const ContactState<3> now = interface.state(point, solution, u_start);
+        const Traction<3>     t   = interface.traction(point,
+                                                 point.status,
+                                                 now.p_trial,
+                                                 now.q_trial,
+                                                 moving_bound);
+        results.normal_force += point.weight * t.p;
+        shear += point.weight * point.along_tangents(t.q);
+        results.max_pressure = std::max(results.max_pressure, t.p);
+        results.max_shear    = std::max(results.max_shear, t.q.norm());
+        results.area += point.weight;
+        if (point.status.kind == Status::stick)
+          results.stick_area += point.weight;
+      }
+    results.tangential_force = shear.norm();
+    return results;
+  }
+
+
+
   // The multipliers of a solution are the tractions. A node without a point
   // that faces the master is pushed along the normal of the corner's.
-  std::vector<CornerLoad> corner_loads(const ContactInterface &interface,
-                                       const ContactPair      &contact_pair,
-                                       const Vector<double>   &solution)
+  std::vector<CornerLoad> corner_loads(const ContactInterface<2> &interface,
+                                       const ContactPair<2>      &contact_pair,
+                                       const Vector<double>      &solution)
   {
     if (!contact_pair.has_corner_points())
       return {};
     MultiplierSpace numbering;
     const auto      own = make_nodal_points(contact_pair.slave, {}, numbering);
-    std::vector<CornerLoad>                                 loads;
-    std::map<types::global_dof_index, unsigned int>         node_of_dof;
-    std::map<types::global_dof_index, const ContactPoint *> facing;
+    std::vector<CornerLoad>                                    loads;
+    std::map<types::global_dof_index, unsigned int>            node_of_dof;
+    std::map<types::global_dof_index, const ContactPoint<2> *> facing;
     for (unsigned int n = 0; n < contact_pair.slave.nodes.size(); ++n)
       {
         node_of_dof[contact_pair.slave.nodes[n].dofs[0]] = n;
         loads.push_back({Tensor<1, 2>(), own[numbering.of_node[n]].weight});
       }
-    for (const ContactPoint &point : interface.points_of(contact_pair))
+    for (const ContactPoint<2> &point : interface.points_of(contact_pair))
       if (!point.is_master_corner && point.facing)
         facing[point.dofs[0][0]] = &point;
 
-    for (const ContactPoint &point : interface.points_of(contact_pair))
+    for (const ContactPoint<2> &point : interface.points_of(contact_pair))
       if (point.is_master_corner)
         {
-          const ContactState now = interface.state(point, solution, solution);
+          const ContactState<2> now =
+            interface.state(point, solution, solution);
           const Tensor<1, 2> force =
             point.weight *
-            (now.lambda_n * point.normal + now.lambda_t * point.tangent);
+            (now.lambda_n * point.normal + now.lambda_t[0] * point.tangents[0]);
           for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
             {
               const auto         found = facing.find(point.dofs[a][0]);
@@ -303,24 +352,26 @@ namespace Contact
 
 
 
-  Vector<double> contact_forces(const ContactInterface &interface,
-                                const Vector<double>   &solution,
-                                const Vector<double>   &u_start,
-                                const bool              moving_bound)
+  template<int dim>
+  Vector<double> contact_forces(const ContactInterface<dim> &interface,
+                                const Vector<double>        &solution,
+                                const Vector<double>        &u_start,
+                                const bool                   moving_bound)
   {
     Vector<double> forces(u_start.size());
-    for (const ContactPoint &point : interface.points())
+    for (const ContactPoint<dim> &point : interface.points())
       {
-        const ContactState now      = interface.state(point, solution, u_start);
-        const Traction     traction = interface.traction(point,
-                                                     point.status,
-                                                     now.p_trial,
-                                                     now.q_trial,
-                                                     moving_bound);
-        const Tensor<1, 2> force = point.weight * (traction.p * point.normal +
-                                                   traction.q * point.tangent);
+        const ContactState<dim> now = interface.state(point, solution, u_start);
+        const Traction<dim>     traction = interface.traction(point,
+                                                          point.status,
+                                                          now.p_trial,
+                                                          now.q_trial,
+                                                          moving_bound);
+        const Tensor<1, dim>    force =
+          point.weight *
+          (traction.p * point.normal + point.along_tangents(traction.q));
         for (unsigned int a = 0; a < point.n_nodes; ++a)
-          for (unsigned int c = 0; c < 2; ++c)
+          for (unsigned int c = 0; c < dim; ++c)
             forces[point.dofs[a][c]] += point.C[a] * force[c];
       }
     return forces;
@@ -328,20 +379,21 @@ namespace Contact
 
 
 
-  std::string describe_changes(const ContactInterface         &interface,
-                               const std::vector<PointStatus> &statuses,
-                               const Vector<double>           &solution,
-                               const Vector<double>           &u_start)
+  template<int dim>
+  std::string describe_changes(const ContactInterface<dim>         &interface,
+                               const std::vector<PointStatus<dim>> &statuses,
+                               const Vector<double>                &solution,
+                               const Vector<double>                &u_start)
   {
     const unsigned int max_lines = 10;
     unsigned int       n         = 0;
     std::ostringstream text;
     for (unsigned int q = 0; q < statuses.size(); ++q)
       {
-        const ContactPoint &point = interface.points()[q];
+        const ContactPoint<dim> &point = interface.points()[q];
         if (point.status == statuses[q] || ++n > max_lines)
           continue;
-        const ContactState now = interface.state(point, solution, u_start);
+        const ContactState<dim> now = interface.state(point, solution, u_start);
         text << "\n        point " << q << " at X = ("
              << interface.contact_pair(point).place(point)
              << ") mm: " << describe(statuses[q]) << ", now "
@@ -353,4 +405,21 @@ namespace Contact
       text << "\n        and " << n - max_lines << " more";
     return text.str();
   }
+
+  template Vector<double> contact_forces(const ContactInterface<2> &,
+                                         const Vector<double> &,
+                                         const Vector<double> &,
+                                         const bool);
+  template Vector<double> contact_forces(const ContactInterface<3> &,
+                                         const Vector<double> &,
+                                         const Vector<double> &,
+                                         const bool);
+  template std::string    describe_changes(const ContactInterface<2> &,
+                                           const std::vector<PointStatus<2>> &,
+                                           const Vector<double> &,
+                                           const Vector<double> &);
+  template std::string    describe_changes(const ContactInterface<3> &,
+                                           const std::vector<PointStatus<3>> &,
+                                           const Vector<double> &,
+                                           const Vector<double> &);
 } // namespace Contact

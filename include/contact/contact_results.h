@@ -41,24 +41,32 @@ namespace Contact
     double width       = 0;
     double stick_width = 0;
 
-    std::map<std::string, double> by_name() const;
+    /// In space the areas that the points in contact, and those that stick,
+    /// stand for [mm^2]; there are no widths then.
+    double area       = 0;
+    double stick_area = 0;
+
+    /// With the widths in the plane, with the areas in space.
+    std::map<std::string, double> by_name(const int dim) const;
   };
 
   /// @p u_start is the solution at the start of the increment; with
   /// @p moving_bound the bound of the shear is that of the present pressure.
-  ContactResults contact_results(const ContactInterface &interface,
-                                 const ContactPair      &contact_pair,
-                                 const Vector<double>   &solution,
-                                 const Vector<double>   &u_start,
-                                 const bool              moving_bound = false);
+  template<int dim>
+  ContactResults contact_results(const ContactInterface<dim> &interface,
+                                 const ContactPair<dim>      &contact_pair,
+                                 const Vector<double>        &solution,
+                                 const Vector<double>        &u_start,
+                                 const bool moving_bound = false);
 
   /// The forces of contact on the nodes by displacement unknown, w (p n + q t)
   /// C summed over the points [N per mm of thickness; rings: N]. The vector is
   /// as long as @p u_start.
-  Vector<double> contact_forces(const ContactInterface &interface,
-                                const Vector<double>   &solution,
-                                const Vector<double>   &u_start,
-                                const bool              moving_bound);
+  template<int dim>
+  Vector<double> contact_forces(const ContactInterface<dim> &interface,
+                                const Vector<double>        &solution,
+                                const Vector<double>        &u_start,
+                                const bool                   moving_bound);
 
   /**
    * The load of the points at corners of the master on a node of the slave: the
@@ -79,16 +87,24 @@ namespace Contact
   };
 
   /// By slave node; empty if there are no such points.
-  std::vector<CornerLoad> corner_loads(const ContactInterface &interface,
-                                       const ContactPair      &contact_pair,
-                                       const Vector<double>   &solution);
+  std::vector<CornerLoad> corner_loads(const ContactInterface<2> &interface,
+                                       const ContactPair<2>      &contact_pair,
+                                       const Vector<double>      &solution);
+
+  inline std::vector<CornerLoad> corner_loads(const ContactInterface<3> &,
+                                              const ContactPair<3> &,
+                                              const Vector<double> &)
+  {
+    return {};
+  }
 
   /// The points that have changed their status since @p statuses, where, from
   /// what to what: a line each, at most ten.
-  std::string describe_changes(const ContactInterface         &interface,
-                               const std::vector<PointStatus> &statuses,
-                               const Vector<double>           &solution,
-                               const Vector<double>           &u_start);
+  template<int dim>
+  std::string describe_changes(const ContactInterface<dim>         &interface,
+                               const std::vector<PointStatus<dim>> &statuses,
+                               const Vector<double>                &solution,
+                               const Vector<double>                &u_start);
 } // namespace Contact
 
 #endif

@@ -13,9 +13,26 @@
 
 namespace Contact
 {
-  void ContactInterface::initialize_status(const Vector<double> &u)
+  namespace
   {
-    for (ContactPoint &point : all_points)
+    /// The direction of a shear traction that is not zero.
+    template<int dim>
+    typename PointStatus<dim>::Direction
+    direction_of(const Tensor<1, dim - 1> &q)
+    {
+      if constexpr (dim == 2)
+        return q[0] > 0 ? 1 : -1;
+      else
+        return q / q.norm();
+    }
+  } // namespace
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::initialize_status(const Vector<double> &u)
+  {
+    for (ContactPoint<dim> &point : all_points)
       if (point.facing && !point.is_master_corner &&
           state(point, u, u).gap <=
             0.01 * contact_pair(point).edge_length(point))
@@ -25,27 +42,29 @@ namespace Contact
 
 
 
-  void ContactInterface::release_in_corners()
+  template<int dim>
+  void ContactInterface<dim>::release_in_corners()
   {
     for (const auto &[q, others] : in_corner)
       if (is_held_in_corner(q, [this](const unsigned int point) {
             return all_points[point].status;
           }))
-        all_points[q].status = {Status::slip, 0};
+        all_points[q].status = {Status::slip, {}};
   }
 
 
 
-  void ContactInterface::activate_nearest(const Vector<double> &u)
+  template<int dim>
+  void ContactInterface<dim>::activate_nearest(const Vector<double> &u)
   {
     if (count().active > 0)
       return;
     double smallest = std::numeric_limits<double>::max();
-    for (const ContactPoint &point : all_points)
+    for (const ContactPoint<dim> &point : all_points)
       if (point.facing)
         smallest = std::min(smallest, state(point, u, u).gap);
     const auto close = [&](const bool corners) {
-      for (ContactPoint &point : all_points)
+      for (ContactPoint<dim> &point : all_points)
         if (point.facing && point.is_master_corner == corners &&
             state(point, u, u).gap - smallest <=
               0.01 * contact_pair(point).edge_length(point))
@@ -59,7 +78,8 @@ namespace Contact
 
 
 
-  bool ContactInterface::can_stick(const ContactPoint &point) const
+  template<int dim>
+  bool ContactInterface<dim>::can_stick(const ContactPoint<dim> &point) const
   {
     return has_friction(point) && !point.tangential_row_is_void;
   }
@@ -67,7 +87,9 @@ namespace Contact
 
 
   // Where the supports rest, the last slip goes on.
-  int ContactInterface::prescribed_direction(const ContactPoint &point) const
+  template<>
+  int ContactInterface<2>::prescribed_direction(
+    const ContactPoint<2> &point) const
   {
     if (!has_friction(point) || contact_pair(point).tied ||
         support_motion.size() == 0)
@@ -78,11 +100,23 @@ namespace Contact
 
 
 
-  double ContactInterface::update_bounds(const Vector<double> &solution,
-                                         const Vector<double> &u_start)
+  // The rows that supports prescribe are left out where the points are
+  // eliminated.
+  template<>
+  Tensor<1, 2>
+  ContactInterface<3>::prescribed_direction(const ContactPoint<3> &) const
+  {
+    return {};
+  }
+
+
+
+  template<int dim>
+  double ContactInterface<dim>::update_bounds(const Vector<double> &solution,
+                                              const Vector<double> &u_start)
   {
     double change = 0, largest = 0;
-    for (ContactPoint &point : all_points)
+    for (ContactPoint<dim> &point : all_points)
       {
         if (contact_pair(point).tied)
           continue;
@@ -100,9 +134,10 @@ namespace Contact
 
 
 
-  void ContactInterface::raise_unknown_bounds()
+  template<int dim>
+  void ContactInterface<dim>::raise_unknown_bounds()
   {
-    for (ContactPoint &point : all_points)
+    for (ContactPoint<dim> &point : all_points)
       if (contact_pair(point).law.coulomb_coefficient > 0 &&
           point.friction_bound == 0)
         point.friction_bound = std::numeric_limits<double>::max();
@@ -110,7 +145,8 @@ namespace Contact
 
 
 
-  Vector<double> ContactInterface::bounds() const
+  template<int dim>
+  Vector<double> ContactInterface<dim>::bounds() const
   {
     Vector<double> bounds(all_points.size());
     for (unsigned int q = 0; q < all_points.size(); ++q)
@@ -120,7 +156,8 @@ namespace Contact
 
 
 
-  void ContactInterface::set_bounds(const Vector<double> &bounds)
+  template<int dim>
+  void ContactInterface<dim>::set_bounds(const Vector<double> &bounds)
   {
     for (unsigned int q = 0; q < all_points.size(); ++q)
       all_points[q].friction_bound = bounds[q];
@@ -130,34 +167,37 @@ namespace Contact
 
   // Slip turns round by way of sticking: where all points of a body slip, none
   // would hold it, whichever way they do.
-  PointStatus ContactInterface::updated_status(const ContactPoint &point,
-                                               const PointStatus  &before,
-                                               const double        p_trial,
-                                               const double        q_trial,
-                                               const bool moving_bound) const
+  template<int dim>
+  PointStatus<dim>
+  ContactInterface<dim>::updated_status(const ContactPoint<dim>  &point,
+                                        const PointStatus<dim>   &before,
+                                        const double              p_trial,
+                                        const Tensor<1, dim - 1> &q_trial,
+                                        const bool moving_bound) const
   {
     if (!point.facing || (!contact_pair(point).tied && p_trial <= 0))
-      return {Status::open, 0};
+      return {Status::open, {}};
     if (!can_stick(point))
       return {Status::slip, prescribed_direction(point)};
 
     const double bound = moving_bound ? contact_pair(point).law.bound(p_trial)
                                       : point.friction_bound;
-    const int    direction = q_trial > 0 ? 1 : -1;
-    if (std::abs(q_trial) <= bound || direction * before.slip_direction < 0)
-      return {Status::stick, 0};
-    return {Status::slip, direction};
+    if (q_trial.norm() <= bound || q_trial * before.direction() < 0)
+      return {Status::stick, {}};
+    return {Status::slip, direction_of<dim>(q_trial)};
   }
 
 
 
-  Traction ContactInterface::traction(const ContactPoint &point,
-                                      const PointStatus  &status,
-                                      const double        p_trial,
-                                      const double        q_trial,
-                                      const bool          moving_bound) const
+  template<int dim>
+  Traction<dim>
+  ContactInterface<dim>::traction(const ContactPoint<dim>  &point,
+                                  const PointStatus<dim>   &status,
+                                  const double              p_trial,
+                                  const Tensor<1, dim - 1> &q_trial,
+                                  const bool                moving_bound) const
   {
-    Traction traction;
+    Traction<dim> traction;
     if (status.kind == Status::open)
       return traction;
 
@@ -171,12 +211,12 @@ namespace Contact
     else if (moving_bound)
       {
         traction.q =
-          status.slip_direction * contact_pair(point).law.bound(p_trial);
-        traction.dq_dp = status.slip_direction *
+          status.direction() * contact_pair(point).law.bound(p_trial);
+        traction.dq_dp = status.direction() *
                          contact_pair(point).law.bound_derivative(p_trial);
       }
     else
-      traction.q = status.slip_direction * point.friction_bound;
+      traction.q = status.direction() * point.friction_bound;
     return traction;
   }
 
@@ -185,14 +225,16 @@ namespace Contact
   // From step to step a point knows its last status: slip turns round by way
   // of sticking. Under bounds that are frozen the problem is convex, and slip
   // turns round at once.
-  PointStatus ContactInterface::status_in(const ContactPoint   &point,
-                                          const Vector<double> &solution,
-                                          const Vector<double> &u_start,
-                                          const bool moving_bound) const
+  template<int dim>
+  PointStatus<dim>
+  ContactInterface<dim>::status_in(const ContactPoint<dim> &point,
+                                   const Vector<double>    &solution,
+                                   const Vector<double>    &u_start,
+                                   const bool               moving_bound) const
   {
-    const ContactState now = state(point, solution, u_start);
+    const ContactState<dim> now = state(point, solution, u_start);
     return updated_status(point,
-                          moving_bound ? point.status : PointStatus(),
+                          moving_bound ? point.status : PointStatus<dim>(),
                           now.p_trial,
                           now.q_trial,
                           moving_bound);
@@ -200,19 +242,21 @@ namespace Contact
 
 
 
-  unsigned int ContactInterface::update_statuses(const Vector<double> &solution,
-                                                 const Vector<double> &u_start,
-                                                 const bool moving_bound,
-                                                 const bool keep)
+  template<int dim>
+  unsigned int
+  ContactInterface<dim>::update_statuses(const Vector<double> &solution,
+                                         const Vector<double> &u_start,
+                                         const bool            moving_bound,
+                                         const bool            keep)
   {
-    std::vector<PointStatus> updated;
-    for (const ContactPoint &point : all_points)
+    std::vector<PointStatus<dim>> updated;
+    for (const ContactPoint<dim> &point : all_points)
       updated.push_back(status_in(point, solution, u_start, moving_bound));
     for (const auto &[q, others] : in_corner)
       if (is_held_in_corner(q, [&](const unsigned int point) {
             return updated[point];
           }))
-        updated[q] = {Status::slip, 0};
+        updated[q] = {Status::slip, {}};
 
     unsigned int n_changes = 0;
     for (unsigned int q = 0; q < all_points.size(); ++q)
@@ -224,14 +268,16 @@ namespace Contact
 
 
 
-  void ContactInterface::update_first_status(const Vector<double> &solution,
+  template<int dim>
+  void
+  ContactInterface<dim>::update_first_status(const Vector<double> &solution,
                                              const Vector<double> &u_start,
                                              const bool            moving_bound)
   {
     for (unsigned int q = 0; q < all_points.size(); ++q)
       {
-        ContactPoint     &point  = all_points[q];
-        const PointStatus before = point.status;
+        ContactPoint<dim>     &point  = all_points[q];
+        const PointStatus<dim> before = point.status;
         point.status = status_in(point, solution, u_start, moving_bound);
         release_in_corners();
         if (point.status == before)
@@ -244,14 +290,17 @@ namespace Contact
 
 
 
-  void ContactInterface::set_bound(const unsigned int point, const double bound)
+  template<int dim>
+  void ContactInterface<dim>::set_bound(const unsigned int point,
+                                        const double       bound)
   {
     all_points[point].friction_bound = bound;
   }
 
 
 
-  void ContactInterface::reset_bound(const unsigned int point)
+  template<int dim>
+  void ContactInterface<dim>::reset_bound(const unsigned int point)
   {
     all_points[point].friction_bound =
       contact_pair(all_points[point]).law.bound(0);
@@ -259,7 +308,8 @@ namespace Contact
 
 
 
-  void ContactInterface::reset_bounds_of_open_points()
+  template<int dim>
+  void ContactInterface<dim>::reset_bounds_of_open_points()
   {
     for (unsigned int q = 0; q < all_points.size(); ++q)
       if (all_points[q].status.kind == Status::open)
@@ -268,27 +318,31 @@ namespace Contact
 
 
 
-  void ContactInterface::release_parted(const Vector<double> &solution)
+  template<int dim>
+  void ContactInterface<dim>::release_parted(const Vector<double> &solution)
   {
-    for (ContactPoint &point : all_points)
+    for (ContactPoint<dim> &point : all_points)
       if (!contact_pair(point).tied &&
           state(point, solution, solution).p_trial <= 0)
-        point.status = PointStatus();
+        point.status = PointStatus<dim>();
   }
 
 
 
-  std::vector<PointStatus> ContactInterface::statuses() const
+  template<int dim>
+  std::vector<PointStatus<dim>> ContactInterface<dim>::statuses() const
   {
-    std::vector<PointStatus> all;
-    for (const ContactPoint &point : all_points)
+    std::vector<PointStatus<dim>> all;
+    for (const ContactPoint<dim> &point : all_points)
       all.push_back(point.status);
     return all;
   }
 
 
 
-  void ContactInterface::set_statuses(const std::vector<PointStatus> &all)
+  template<int dim>
+  void
+  ContactInterface<dim>::set_statuses(const std::vector<PointStatus<dim>> &all)
   {
     for (unsigned int q = 0; q < all_points.size(); ++q)
       all_points[q].status = all[q];
@@ -296,24 +350,29 @@ namespace Contact
 
 
 
-  std::vector<signed char> ContactInterface::signature() const
+  template<int dim>
+  std::vector<signed char> ContactInterface<dim>::signature() const
   {
     std::vector<signed char> signature;
-    for (const ContactPoint &point : all_points)
+    for (const ContactPoint<dim> &point : all_points)
       signature.push_back(point.status.code());
     return signature;
   }
 
 
 
-  StatusCount ContactInterface::count() const
+  template<int dim>
+  StatusCount ContactInterface<dim>::count() const
   {
     StatusCount count;
-    for (const ContactPoint &point : all_points)
+    for (const ContactPoint<dim> &point : all_points)
       {
         count.active += point.status.kind != Status::open;
         count.stick += point.status.kind == Status::stick;
       }
     return count;
   }
+
+  template class ContactInterface<2>;
+  template class ContactInterface<3>;
 } // namespace Contact

@@ -14,10 +14,11 @@ namespace Contact
   {
     /// Whether a projection lies at the end of a face, from where on both sides
     /// the overhang counts.
-    bool is_at_end_of_face(const Surface &surface, const ContactPoint &point)
+    bool is_at_end_of_face(const Surface<2>      &surface,
+                           const ContactPoint<2> &point)
     {
-      const Surface::Edge &edge = surface.edges[point.master_edge];
-      const double         last = 1 - SurfaceSearch::overhang;
+      const SurfaceFacet<2> &edge = surface.facets[point.master_facet];
+      const double           last = 1 - SurfaceSearch<2>::overhang;
       return (edge.begins_face && point.master_xi < -last) ||
              (edge.ends_face && point.master_xi > last);
     }
@@ -25,25 +26,25 @@ namespace Contact
 
 
 
-  bool has_ends(const Surface &surface)
+  bool has_ends(const Surface<2> &surface)
   {
-    return std::any_of(surface.edges.begin(),
-                       surface.edges.end(),
+    return std::any_of(surface.facets.begin(),
+                       surface.facets.end(),
                        [](const auto &edge) { return edge.begins_surface; });
   }
 
 
 
-  std::vector<ContactPoint> make_corner_points(const Surface &master,
-                                               const bool     with_ends)
+  std::vector<ContactPoint<2>> make_corner_points(const Surface<2> &master,
+                                                  const bool        with_ends)
   {
     std::vector<unsigned int> corners;
-    for (unsigned int e = 0; e < master.edges.size(); ++e)
+    for (unsigned int e = 0; e < master.facets.size(); ++e)
       {
-        const Surface::Edge &edge = master.edges[e];
-        const bool           is_corner =
-          edge.corner[0] && edge.begins_face &&
-          master.turn_of_curves(e) > numbers::PI / 180 * Surface::feature_angle;
+        const SurfaceFacet<2> &edge      = master.facets[e];
+        const bool             is_corner = edge.corner[0] && edge.begins_face &&
+                               master.turn_of_curves(e) >
+                                 numbers::PI / 180 * Surface<2>::feature_angle;
         if (is_corner || (with_ends && edge.begins_surface))
           corners.push_back(edge.nodes[0]);
         if (with_ends && edge.ends_surface)
@@ -52,9 +53,9 @@ namespace Contact
     if (corners.empty())
       return {};
 
-    MultiplierSpace           numbering;
-    const auto                all = make_nodal_points(master, {}, numbering);
-    std::vector<ContactPoint> points;
+    MultiplierSpace              numbering;
+    const auto                   all = make_nodal_points(master, {}, numbering);
+    std::vector<ContactPoint<2>> points;
     for (const unsigned int node : corners)
       {
         points.push_back(all[numbering.of_node[node]]);
@@ -67,19 +68,19 @@ namespace Contact
 
 
   void pair_corner_point(
-    ContactPoint                                          &point,
-    const Surface                                         &master,
-    const std::vector<Surface::PerEdgeNode<Tensor<1, 2>>> &master_normals,
-    const Surface                                         &slave,
-    const SurfaceSearch                                   &search,
-    const Discretization<2>                               &discretization,
-    const Vector<double>                                  &u)
+    ContactPoint<2>                              &point,
+    const Surface<2>                             &master,
+    const std::vector<PerEdgeNode<Tensor<1, 2>>> &master_normals,
+    const Surface<2>                             &slave,
+    const SurfaceSearch<2>                       &search,
+    const Discretization<2>                      &discretization,
+    const Vector<double>                         &u)
   {
     // A slave edge beside the end of the master does not obstruct it.
-    NormalCone directions = directions_of(point, master, master_normals);
-    directions.at_end     = false;
+    NormalCone<2> directions = directions_of(point, master, master_normals);
+    directions.at_end        = false;
     pair_with_master(point, directions, slave, search, discretization, u);
-    const double length = slave.reference_length(point.master_edge);
+    const double length = slave.reference_length(point.master_facet);
     double       gap    = 0;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
@@ -92,15 +93,15 @@ namespace Contact
 
 
 
-  bool lies_along_slave(
-    const ContactPoint                                    &corner,
-    const Surface                                         &master,
-    const std::vector<Surface::PerEdgeNode<Tensor<1, 2>>> &master_normals)
+  bool
+  lies_along_slave(const ContactPoint<2>                        &corner,
+                   const Surface<2>                             &master,
+                   const std::vector<PerEdgeNode<Tensor<1, 2>>> &master_normals)
   {
-    const unsigned int own   = corner.slave_edge;
+    const unsigned int own   = corner.slave_facet;
     const bool         first = corner.slave_xi < 0;
     const unsigned int other =
-      first ? master.edges[own].previous : master.edges[own].next;
+      first ? master.facets[own].previous : master.facets[own].next;
     if (other == numbers::invalid_unsigned_int)
       return false;
     const double least = std::cos(numbers::PI / 180 * inclination);
@@ -110,10 +111,11 @@ namespace Contact
 
 
 
-  unsigned int node_at_foot(const ContactPoint &corner, const Surface &slave)
+  unsigned int node_at_foot(const ContactPoint<2> &corner,
+                            const Surface<2>      &slave)
   {
     const double close = 1e-2;
-    const auto  &nodes = slave.edges[corner.master_edge].nodes;
+    const auto  &nodes = slave.facets[corner.master_facet].nodes;
     if (corner.facing)
       {
         if (std::abs(corner.master_xi) > 1 - close)

@@ -50,11 +50,22 @@ namespace Contact
    * contact as well follows from theirs, to round-off. It is met up to
    * @ref corner_slack, so that such a point stays open.
    */
-  std::vector<ContactPoint> make_corner_points(const Surface &master,
-                                               const bool     with_ends);
+  std::vector<ContactPoint<2>> make_corner_points(const Surface<2> &master,
+                                                  const bool        with_ends);
 
-  /// Whether a surface has ends.
-  bool has_ends(const Surface &surface);
+  /// In space corners and edges of the master have no points yet.
+  inline std::vector<ContactPoint<3>> make_corner_points(const Surface<3> &,
+                                                         const bool)
+  {
+    return {};
+  }
+
+  /// Whether a surface has ends that can have points.
+  bool        has_ends(const Surface<2> &surface);
+  inline bool has_ends(const Surface<3> &)
+  {
+    return false;
+  }
 
   /// The depth, by the length of the slave edge, that a corner may have: above
   /// all round-off of the pairing, below all depths that matter.
@@ -73,13 +84,13 @@ namespace Contact
    * inside than a slave edge is long: there it has come around it.
    */
   void pair_corner_point(
-    ContactPoint                                          &point,
-    const Surface                                         &master,
-    const std::vector<Surface::PerEdgeNode<Tensor<1, 2>>> &master_normals,
-    const Surface                                         &slave,
-    const SurfaceSearch                                   &search,
-    const Discretization<2>                               &discretization,
-    const Vector<double>                                  &u);
+    ContactPoint<2>                              &point,
+    const Surface<2>                             &master,
+    const std::vector<PerEdgeNode<Tensor<1, 2>>> &master_normals,
+    const Surface<2>                             &slave,
+    const SurfaceSearch<2>                       &search,
+    const Discretization<2>                      &discretization,
+    const Vector<double>                         &u);
 
   /**
    * Whether a face beside the corner lies along the slave edge that the corner
@@ -90,9 +101,9 @@ namespace Contact
    * only where these nodes do not suffice.
    */
   bool lies_along_slave(
-    const ContactPoint                                    &corner,
-    const Surface                                         &master,
-    const std::vector<Surface::PerEdgeNode<Tensor<1, 2>>> &master_normals);
+    const ContactPoint<2>                        &corner,
+    const Surface<2>                             &master,
+    const std::vector<PerEdgeNode<Tensor<1, 2>>> &master_normals);
 
   /**
    * The slave node that the projection of a corner is at, closer than a
@@ -100,7 +111,13 @@ namespace Contact
    * the corner would say the same twice. The corner is the one to keep: as the
    * bodies slide, it carries on, while a node beside it lifts off.
    */
-  unsigned int node_at_foot(const ContactPoint &corner, const Surface &slave);
+  unsigned int node_at_foot(const ContactPoint<2> &corner,
+                            const Surface<2>      &slave);
+
+  inline unsigned int node_at_foot(const ContactPoint<3> &, const Surface<3> &)
+  {
+    return numbers::invalid_unsigned_int;
+  }
 } // namespace Contact
 
 #endif

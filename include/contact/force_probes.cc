@@ -16,7 +16,8 @@ namespace Contact
 
   bool is_reaction(const Quantity quantity)
   {
-    return quantity == Quantity::reaction_x || quantity == Quantity::reaction_y;
+    return quantity == Quantity::reaction_x ||
+           quantity == Quantity::reaction_y || quantity == Quantity::reaction_z;
   }
 
 
@@ -24,21 +25,22 @@ namespace Contact
   bool is_force(const Quantity quantity)
   {
     return is_reaction(quantity) || quantity == Quantity::contact_force_x ||
-           quantity == Quantity::contact_force_y;
+           quantity == Quantity::contact_force_y ||
+           quantity == Quantity::contact_force_z;
   }
 
 
 
-  Resultant<2> resultant(const Quantity      quantity,
-                         const std::string  &boundary,
-                         const ContactModel &model)
+  template<int dim>
+  Resultant<dim> resultant(const Quantity           quantity,
+                           const std::string       &boundary,
+                           const ContactModel<dim> &model)
   {
-    return Resultant<2>(*model.elasticity,
-                        *model.discretization,
-                        model.mesh->boundary(boundary, "Probes/Probes"),
-                        quantity == Quantity::reaction_y ||
-                          quantity == Quantity::contact_force_y,
-                        is_reaction(quantity));
+    return Resultant<dim>(*model.elasticity,
+                          *model.discretization,
+                          model.mesh->boundary(boundary, "Probes/Probes"),
+                          component_of(quantity),
+                          is_reaction(quantity));
   }
 
 
@@ -46,15 +48,20 @@ namespace Contact
   namespace
   {
     /// Whether one of these unknowns is on a slave or a master.
-    bool is_on_contact(const IndexSet         &unknowns,
-                       const ContactInterface *interface)
+    template<int dim>
+    bool is_on_contact(const IndexSet              &unknowns,
+                       const ContactInterface<dim> *interface)
     {
-      const auto has_one = [&](const Surface &surface) {
+      const auto has_one = [&](const Surface<dim> &surface) {
         return std::any_of(surface.nodes.begin(),
                            surface.nodes.end(),
                            [&](const auto &node) {
-                             return unknowns.is_element(node.dofs[0]) ||
-                                    unknowns.is_element(node.dofs[1]);
+                             return std::any_of(node.dofs.begin(),
+                                                node.dofs.end(),
+                                                [&](const auto dof) {
+                                                  return unknowns.is_element(
+                                                    dof);
+                                                });
                            });
       };
       return interface != nullptr &&
@@ -70,10 +77,11 @@ namespace Contact
 
 
 
-  void check_force(const std::string  &probe,
-                   const Quantity      quantity,
-                   const std::string  &boundary,
-                   const ContactModel &model)
+  template<int dim>
+  void check_force(const std::string       &probe,
+                   const Quantity           quantity,
+                   const std::string       &boundary,
+                   const ContactModel<dim> &model)
   {
     const IndexSet unknowns = resultant(quantity, boundary, model).unknowns;
     const bool     is_known = is_reaction(quantity)
@@ -92,4 +100,20 @@ namespace Contact
             "contact force"
           : "name a boundary of 'Contact', or ask for a reaction");
   }
+
+  template void check_force(const std::string         &probe,
+                            const Parameters::Quantity quantity,
+                            const std::string         &boundary,
+                            const ContactModel<2>     &model);
+  template void check_force(const std::string         &probe,
+                            const Parameters::Quantity quantity,
+                            const std::string         &boundary,
+                            const ContactModel<3>     &model);
+
+  template Resultant<2> resultant(const Parameters::Quantity quantity,
+                                  const std::string         &boundary,
+                                  const ContactModel<2>     &model);
+  template Resultant<3> resultant(const Parameters::Quantity quantity,
+                                  const std::string         &boundary,
+                                  const ContactModel<3>     &model);
 } // namespace Contact

@@ -23,15 +23,17 @@ namespace Contact
 
   /// Check that supports, or contact, act on a named boundary. Throws
   /// InputError with the name of the @p probe. Collective.
+  template<int dim>
   void check_force(const std::string         &probe,
                    const Parameters::Quantity quantity,
                    const std::string         &boundary,
-                   const ContactModel        &model);
+                   const ContactModel<dim>   &model);
 
   /// The resultant that a quantity means at a boundary group.
-  Resultant<2> resultant(const Parameters::Quantity quantity,
-                         const std::string         &boundary,
-                         const ContactModel        &model);
+  template<int dim>
+  Resultant<dim> resultant(const Parameters::Quantity quantity,
+                           const std::string         &boundary,
+                           const ContactModel<dim>   &model);
 } // namespace Contact
 
 #endif

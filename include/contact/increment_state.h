@@ -18,6 +18,7 @@ namespace Contact
    * increment that does not converge ends there again. Every rank has all of
    * them.
    */
+  template<int dim>
   struct IncrementState
   {
     Vector<double> solution;
@@ -32,7 +33,7 @@ namespace Contact
     }
 
     /// An increment starts here, up to the load factor @p to.
-    void begin(const ContactModel &model, const double to)
+    void begin(const ContactModel<dim> &model, const double to)
     {
       load_factor = to;
       start       = solution;
@@ -45,7 +46,7 @@ namespace Contact
 
     /// Back to its start, also of what the points know and which edges they
     /// face.
-    void roll_back(ContactModel &model)
+    void roll_back(ContactModel<dim> &model)
     {
       solution = start;
       if (model.interface)
@@ -53,8 +54,8 @@ namespace Contact
     }
 
     /// The largest change of a displacement [mm]. Collective.
-    double largest_change(const ContactModel   &model,
-                          const Vector<double> &from) const
+    double largest_change(const ContactModel<dim> &model,
+                          const Vector<double>    &from) const
     {
       double change = 0;
       for (unsigned int i = 0; i < model.n_displacements(); ++i)
@@ -63,7 +64,7 @@ namespace Contact
     }
 
   private:
-    std::vector<ContactPoint> points_at_start;
+    std::vector<ContactPoint<dim>> points_at_start;
   };
 } // namespace Contact
 

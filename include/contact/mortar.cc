@@ -15,7 +15,7 @@ namespace Contact
   namespace
   {
     /// The node that a point belongs to, by its number in the slave edge.
-    unsigned int node_in_edge(const ContactPoint &point)
+    unsigned int node_in_edge(const ContactPoint<2> &point)
     {
       return std::find(node_coordinates.begin(),
                        node_coordinates.end(),
@@ -26,44 +26,44 @@ namespace Contact
 
 
 
-  MortarDiscretization::MortarDiscretization(
-    const Surface                &slave,
-    const Surface                &master,
+  MortarDiscretization<2>::MortarDiscretization(
+    const Surface<2>             &slave,
+    const Surface<2>             &master,
     const Discretization<2>      &discretization,
     const std::set<unsigned int> &excluded)
     : slave(slave)
     , master(master)
     , discretization(discretization)
-    , carries(slave.edges.size())
+    , carries(slave.facets.size())
   {
-    for (unsigned int e = 0; e < slave.edges.size(); ++e)
-      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
-        carries[e][a] = excluded.count(slave.edges[e].nodes[a]) == 0;
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
+      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+        carries[e][a] = excluded.count(slave.facets[e].nodes[a]) == 0;
   }
 
 
 
-  std::vector<ContactPoint>
-  MortarDiscretization::make_points(MultiplierSpace &multipliers) const
+  std::vector<ContactPoint<2>>
+  MortarDiscretization<2>::make_points(MultiplierSpace &multipliers) const
   {
     multipliers.of_node.assign(slave.nodes.size(),
                                numbers::invalid_unsigned_int);
     multipliers.n_multipliers = 0;
 
-    std::vector<ContactPoint> points;
-    for (unsigned int e = 0; e < slave.edges.size(); ++e)
-      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+    std::vector<ContactPoint<2>> points;
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
+      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
         {
-          const unsigned int node = slave.edges[e].nodes[a];
+          const unsigned int node = slave.facets[e].nodes[a];
           if (!carries[e][a] ||
               multipliers.of_node[node] != numbers::invalid_unsigned_int)
             continue;
           multipliers.of_node[node] = multipliers.n_multipliers++;
 
-          ContactPoint point;
-          point.slave_edge     = e;
+          ContactPoint<2> point;
+          point.slave_facet    = e;
           point.slave_xi       = node_coordinates[a];
-          point.master_edge    = 0;
+          point.master_facet   = 0;
           point.weight         = 0;
           point.n_multipliers  = 1;
           point.multipliers[0] = multipliers.of_node[node];
@@ -77,15 +77,15 @@ namespace Contact
 
 
 
-  bool MortarDiscretization::pair(const ArrayView<ContactPoint> &points,
-                                  const Vector<double>          &u,
-                                  const bool with_derivatives) const
+  bool MortarDiscretization<2>::pair(const ArrayView<ContactPoint<2>> &points,
+                                     const Vector<double>             &u,
+                                     const bool with_derivatives) const
   {
     const MortarGeometry<double> now(slave, master, discretization, u);
     const MortarSegments         segments(now, u);
     MortarIntegrals<double>      integrals(now, carries);
-    std::vector<MortarOverlap>   overlaps(slave.edges.size());
-    for (unsigned int e = 0; e < slave.edges.size(); ++e)
+    std::vector<MortarOverlap>   overlaps(slave.facets.size());
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
       {
         overlaps[e] = segments.overlap(e);
         if (!overlaps[e].segments.empty())
@@ -96,7 +96,7 @@ namespace Contact
     if (with_derivatives)
       moving.emplace(slave, master, discretization, u);
     bool changed = false;
-    for (ContactPoint &point : points)
+    for (ContactPoint<2> &point : points)
       {
         const auto old_dofs    = point.dofs;
         const auto old_changes = point.change.dofs;
@@ -112,26 +112,27 @@ namespace Contact
 
 
 
-  unsigned int MortarDiscretization::slave_node(const ContactPoint &point) const
+  unsigned int
+  MortarDiscretization<2>::slave_node(const ContactPoint<2> &point) const
   {
-    return slave.edges[point.slave_edge].nodes[node_in_edge(point)];
+    return slave.facets[point.slave_facet].nodes[node_in_edge(point)];
   }
 
 
 
-  void MortarDiscretization::fill_in(const MortarGeometry<double> &now,
-                                     const MortarPairing<double>  &pairing,
-                                     const Vector<double>         &u,
-                                     ContactPoint                 &point) const
+  void MortarDiscretization<2>::fill_in(const MortarGeometry<double> &now,
+                                        const MortarPairing<double>  &pairing,
+                                        const Vector<double>         &u,
+                                        ContactPoint<2> &point) const
   {
     const unsigned int node = slave_node(point);
     point.facing            = pairing.facing;
     point.weight            = pairing.weight;
-    point.normal            = point.facing
-                                ? pairing.normal
-                                : now.slave_normals[point.slave_edge][node_in_edge(point)];
-    point.tangent           = Tensor<1, 2>({-point.normal[1], point.normal[0]});
-    point.metric            = 1;
+    point.normal =
+      point.facing ? pairing.normal
+                   : now.slave_normals[point.slave_facet][node_in_edge(point)];
+    point.tangents[0] = Tensor<1, 2>({-point.normal[1], point.normal[0]});
+    point.metric      = 1;
     point.keep_nodes(0);
     if (point.facing)
       {
@@ -143,15 +144,15 @@ namespace Contact
         // Only to keep the equation of its multiplier, which is zero. In the
         // middle of the edge, which is never on an axis.
         point.keep_nodes(0);
-        point.weight = slave.reference_jacobian(slave.edges[point.slave_edge],
+        point.weight = slave.reference_jacobian(slave.facets[point.slave_facet],
                                                 EdgeShape(slave.degree, 0));
         point.add_node(slave.nodes[node], 1, 0, 0);
         point.n_slave_nodes = 1;
         return;
       }
 
-    point.master_edge = pairing.master_edge;
-    point.projection  = Point<2>(pairing.excess * point.normal);
+    point.master_facet = pairing.master_facet;
+    point.projection   = Point<2>(pairing.excess * point.normal);
 
     point.tangential_row_is_void =
       tangential_row_is_void(point, discretization) ||
@@ -164,13 +165,14 @@ namespace Contact
   // odd function of the distance from the line, its integral over the dual
   // function and the mirror image of that zero, although the row on this side
   // of the line has other nodes.
-  bool MortarDiscretization::is_on_symmetry_line(const ContactPoint   &point,
-                                                 const Vector<double> &u) const
+  bool
+  MortarDiscretization<2>::is_on_symmetry_line(const ContactPoint<2> &point,
+                                               const Vector<double>  &u) const
   {
     const auto along_tangent = [&](const unsigned int a) {
       double s = 0;
       for (unsigned int i = 0; i < 2; ++i)
-        s += point.tangent[i] * (point.X[a][i] + u[point.dofs[a][i]]);
+        s += point.tangents[0][i] * (point.X[a][i] + u[point.dofs[a][i]]);
       return s;
     };
     const auto move_alike = [&](const unsigned int a) {
@@ -181,12 +183,12 @@ namespace Contact
           return false;
       return true;
     };
-    const double tolerance = 1e-6 * slave.reference_length(point.slave_edge);
+    const double tolerance = 1e-6 * slave.reference_length(point.slave_facet);
     for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
       if (std::abs(along_tangent(a) - along_tangent(0)) < tolerance &&
           move_alike(a))
         {
-          ContactPoint pair = point;
+          ContactPoint<2> pair = point;
           pair.keep_nodes(1);
           pair.dofs.push_back(point.dofs[a]);
           pair.X.push_back(point.X[a]);
@@ -200,8 +202,8 @@ namespace Contact
 
 
 
-  void MortarDiscretization::add_nodes(const MortarPairing<double> &pairing,
-                                       ContactPoint                &point) const
+  void MortarDiscretization<2>::add_nodes(const MortarPairing<double> &pairing,
+                                          ContactPoint<2> &point) const
   {
     const unsigned int node = slave_node(point);
     point.add_node(slave.nodes[node], pairing.slave.at(node), 0, 0);
@@ -218,25 +220,25 @@ namespace Contact
   // The pairing depends on the nodes of the edges around the slave node, of the
   // master edges that these face, and of the neighbours of both, by their
   // normals.
-  std::array<std::set<unsigned int>, 2> MortarDiscretization::nodes_around(
+  std::array<std::set<unsigned int>, 2> MortarDiscretization<2>::nodes_around(
     const unsigned int                node,
     const std::vector<MortarOverlap> &overlaps) const
   {
     std::set<unsigned int> slave_nodes, master_nodes;
     const auto             add =
-      [](const Surface &surface, const unsigned int e, auto &all) {
+      [](const Surface<2> &surface, const unsigned int e, auto &all) {
         for (const unsigned int near :
-             {e, surface.edges[e].previous, surface.edges[e].next})
+             {e, surface.facets[e].previous, surface.facets[e].next})
           if (near != numbers::invalid_unsigned_int)
-            for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
-              all.insert(surface.edges[near].nodes[a]);
+            for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+              all.insert(surface.facets[near].nodes[a]);
       };
-    for (const unsigned int e : slave.edges_of_node[node])
+    for (const unsigned int e : slave.facets_of_node[node])
       {
         add(slave, e, slave_nodes);
         for (const auto &segment : overlaps[e].segments)
           {
-            add(master, segment.master_edge, master_nodes);
+            add(master, segment.master_facet, master_nodes);
             for (const auto &cut : {segment.low, segment.high})
               if (cut.master_node != numbers::invalid_unsigned_int)
                 master_nodes.insert(cut.master_node);
@@ -247,16 +249,16 @@ namespace Contact
 
 
 
-  void MortarDiscretization::differentiate(
+  void MortarDiscretization<2>::differentiate(
     MortarGeometry<WithDerivatives>  &now,
     const std::vector<MortarOverlap> &overlaps,
-    ContactPoint                     &point) const
+    ContactPoint<2>                  &point) const
   {
     const unsigned int node                = slave_node(point);
     const auto [slave_nodes, master_nodes] = nodes_around(node, overlaps);
     now.follow(slave_nodes, master_nodes);
     MortarIntegrals<WithDerivatives> integrals(now, carries);
-    for (const unsigned int e : slave.edges_of_node[node])
+    for (const unsigned int e : slave.facets_of_node[node])
       if (!overlaps[e].segments.empty())
         integrals.add_edge(e, overlaps[e], node);
     const MortarPairing<WithDerivatives> pairing = integrals.pairing(node);
@@ -273,7 +275,8 @@ namespace Contact
     change.weight.resize(n);
     change.turn.resize(n);
     change.projection.resize(n);
-    const auto add_coefficients = [&](const Surface &surface, const auto &all) {
+    const auto add_coefficients = [&](const Surface<2> &surface,
+                                      const auto       &all) {
       for (const auto &[i, c] : all)
         {
           const unsigned int a = std::find(point.dofs.begin(),
@@ -291,7 +294,7 @@ namespace Contact
         change.weight[j]     = pairing.weight.dx(j) / point.weight;
         change.projection[j] = pairing.excess.dx(j);
         for (unsigned int i = 0; i < 2; ++i)
-          change.turn[j] -= point.tangent[i] * pairing.normal[i].dx(j);
+          change.turn[j] -= point.tangents[0][i] * pairing.normal[i].dx(j);
       }
   }
 } // namespace Contact

@@ -15,6 +15,11 @@ namespace Contact
 {
   using namespace dealii;
 
+  template<int dim>
+  class MortarDiscretization;
+
+
+
   /**
    * The mortar discretization: one contact point per slave node, whose gap is
    * weighted along the surface by a dual function Phi_k of the node, g_k = n_k
@@ -62,16 +67,18 @@ namespace Contact
    *    to the gap (the same end as in M. A. Puso and T. A. Laursen, Comput.
    *    Methods Appl. Mech. Engrg. 193, 2004).
    */
-  class MortarDiscretization
+  template<>
+  class MortarDiscretization<2>
   {
   public:
-    MortarDiscretization(const Surface                &slave,
-                         const Surface                &master,
+    MortarDiscretization(const Surface<2>             &slave,
+                         const Surface<2>             &master,
                          const Discretization<2>      &discretization,
                          const std::set<unsigned int> &excluded);
 
     /// The points, not paired yet, and their multipliers.
-    std::vector<ContactPoint> make_points(MultiplierSpace &multipliers) const;
+    std::vector<ContactPoint<2>>
+    make_points(MultiplierSpace &multipliers) const;
 
     /**
      * Integrate in the configuration @p u, and fill in what belongs to the
@@ -79,22 +86,22 @@ namespace Contact
      * surroundings do not face the master are marked so. Returns whether a
      * point has other unknowns than before.
      */
-    bool pair(const ArrayView<ContactPoint> &points,
-              const Vector<double>          &u,
-              const bool                     with_derivatives = false) const;
+    bool pair(const ArrayView<ContactPoint<2>> &points,
+              const Vector<double>             &u,
+              const bool                        with_derivatives = false) const;
 
   private:
     void fill_in(const MortarGeometry<double> &now,
                  const MortarPairing<double>  &pairing,
                  const Vector<double>         &u,
-                 ContactPoint                 &point) const;
+                 ContactPoint<2>              &point) const;
 
     /// Whether a point is on a line that both bodies are symmetric to.
-    bool is_on_symmetry_line(const ContactPoint   &point,
-                             const Vector<double> &u) const;
+    bool is_on_symmetry_line(const ContactPoint<2> &point,
+                             const Vector<double>  &u) const;
 
     void add_nodes(const MortarPairing<double> &pairing,
-                   ContactPoint                &point) const;
+                   ContactPoint<2>             &point) const;
 
     /// The nodes of both surfaces that move the segments around a slave node.
     std::array<std::set<unsigned int>, 2>
@@ -105,17 +112,17 @@ namespace Contact
     /// edges around it.
     void differentiate(MortarGeometry<WithDerivatives>  &now,
                        const std::vector<MortarOverlap> &overlaps,
-                       ContactPoint                     &point) const;
+                       ContactPoint<2>                  &point) const;
 
-    unsigned int slave_node(const ContactPoint &point) const;
+    unsigned int slave_node(const ContactPoint<2> &point) const;
 
-    const Surface           &slave;
-    const Surface           &master;
+    const Surface<2>        &slave;
+    const Surface<2>        &master;
     const Discretization<2> &discretization;
 
     /// Whether a node of a slave edge carries a multiplier, as that edge sees
     /// it.
-    std::vector<Surface::PerEdgeNode<bool>> carries;
+    std::vector<PerEdgeNode<bool>> carries;
   };
 } // namespace Contact
 

@@ -48,14 +48,14 @@ namespace Contact
 
     /// The outward normal at a node of an edge by that edge alone.
     template<typename Number>
-    Tensor<1, 2, Number> own_normal(const Surface &surface,
+    Tensor<1, 2, Number> own_normal(const Surface<2> &surface,
                                     const std::vector<Tensor<1, 2, Number>> &x,
                                     const unsigned int edge,
                                     const unsigned int a)
     {
       const EdgeShape            shape(surface.degree, node_coordinates[a]);
       const Tensor<1, 2, Number> along =
-        MortarGeometry<Number>::at(x, surface.edges[edge], shape.first);
+        MortarGeometry<Number>::at(x, surface.facets[edge], shape.first);
       const Number         size = length(along);
       Tensor<1, 2, Number> outward;
       outward[0] = along[1] / size;
@@ -67,16 +67,16 @@ namespace Contact
 
     /// The same by both edges that meet there, but at a corner.
     template<typename Number>
-    Tensor<1, 2, Number> mean_normal(const Surface &surface,
+    Tensor<1, 2, Number> mean_normal(const Surface<2> &surface,
                                      const std::vector<Tensor<1, 2, Number>> &x,
                                      const unsigned int                       e,
                                      const unsigned int                       a)
     {
-      const Surface::Edge &edge   = surface.edges[e];
-      Tensor<1, 2, Number> normal = own_normal(surface, x, e, a);
-      const unsigned int   other  = a == 0   ? edge.previous
-                                    : a == 1 ? edge.next
-                                             : numbers::invalid_unsigned_int;
+      const SurfaceFacet<2> &edge   = surface.facets[e];
+      Tensor<1, 2, Number>   normal = own_normal(surface, x, e, a);
+      const unsigned int     other  = a == 0   ? edge.previous
+                                      : a == 1 ? edge.next
+                                               : numbers::invalid_unsigned_int;
       if (other == numbers::invalid_unsigned_int || edge.corner[a])
         return normal;
       normal += own_normal(surface, x, other, 1 - a);
@@ -94,12 +94,12 @@ namespace Contact
      * edges, in the middle of which it is that of the piece; on a circle this
      * is exact.
      */
-    bool ends_along(const Surface     &surface,
+    bool ends_along(const Surface<2>  &surface,
                     const unsigned int e,
                     const unsigned int a,
                     const unsigned int c)
     {
-      const auto &edge  = surface.edges[e];
+      const auto &edge  = surface.facets[e];
       const auto  place = [&](const unsigned int node) {
         return Tensor<1, 2>(surface.nodes[node].X);
       };
@@ -113,7 +113,7 @@ namespace Contact
         }
       else if (next != numbers::invalid_unsigned_int && !edge.corner[1 - a])
         second =
-          place(surface.edges[next].nodes[1 - a]) - place(edge.nodes[1 - a]);
+          place(surface.facets[next].nodes[1 - a]) - place(edge.nodes[1 - a]);
 
       Tensor<1, 2> along;
       along[c]         = first[c] > 0 ? 1 : -1;
@@ -124,7 +124,7 @@ namespace Contact
       const double length = first.norm() / (first.norm() + second.norm());
       // With its mirror image the curve has no corner there.
       return std::abs(angle(along, first) - turn * length) <=
-             numbers::PI / 180 * Surface::feature_angle / 2;
+             numbers::PI / 180 * Surface<2>::feature_angle / 2;
     }
 
 
@@ -140,14 +140,14 @@ namespace Contact
 
   template<typename Number>
   MortarGeometry<Number>::MortarGeometry(
-    const Surface           &slave,
-    const Surface           &master,
+    const Surface<2>        &slave,
+    const Surface<2>        &master,
     const Discretization<2> &discretization,
     const Vector<double>    &u)
     : slave(slave)
     , master(master)
-    , slave_normals(slave.edges.size())
-    , master_normals(master.edges.size())
+    , slave_normals(slave.facets.size())
+    , master_normals(master.facets.size())
     , discretization(discretization)
   {
     for (unsigned int i = 0; i < slave.nodes.size(); ++i)
@@ -155,9 +155,9 @@ namespace Contact
     for (unsigned int i = 0; i < master.nodes.size(); ++i)
       master_x.emplace_back(master.position(i, u));
     find_symmetry_lines();
-    for (unsigned int e = 0; e < slave.edges.size(); ++e)
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
       find_slave_normals(e);
-    for (unsigned int e = 0; e < master.edges.size(); ++e)
+    for (unsigned int e = 0; e < master.facets.size(); ++e)
       find_master_normals(e);
   }
 
@@ -171,13 +171,13 @@ namespace Contact
   void MortarGeometry<Number>::find_symmetry_lines()
   {
     using End          = std::pair<unsigned int, unsigned int>;
-    const auto ends_of = [](const Surface &surface) {
+    const auto ends_of = [](const Surface<2> &surface) {
       std::vector<End> ends;
-      for (unsigned int e = 0; e < surface.edges.size(); ++e)
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
         {
-          if (surface.edges[e].begins_face)
+          if (surface.facets[e].begins_face)
             ends.emplace_back(e, 0);
-          if (surface.edges[e].ends_face)
+          if (surface.facets[e].ends_face)
             ends.emplace_back(e, 1);
         }
       return ends;
@@ -186,7 +186,7 @@ namespace Contact
     for (const auto &[e, a] : ends_of(slave))
       for (unsigned int c = 0; c < 2; ++c)
         {
-          const unsigned int node = slave.edges[e].nodes[a];
+          const unsigned int node = slave.facets[e].nodes[a];
           const auto        &dofs = slave.nodes[node].dofs;
           if (!discretization.is_fixed(dofs[c]) ||
               discretization.is_fixed(dofs[1 - c]) ||
@@ -194,7 +194,7 @@ namespace Contact
             continue;
           for (const auto &[e_m, a_m] : master_ends)
             {
-              const unsigned int m = master.edges[e_m].nodes[a_m];
+              const unsigned int m = master.facets[e_m].nodes[a_m];
               if (discretization.are_fixed_alike(dofs[c],
                                                  master.nodes[m].dofs[c]) &&
                   std::abs(value_of(slave_x[node][c] - master_x[m][c])) <
@@ -225,7 +225,7 @@ namespace Contact
   template<typename Number>
   void MortarGeometry<Number>::find_slave_normals(const unsigned int edge)
   {
-    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
       {
         const Tensor<1, 2, Number> normal =
           Number(-1) * mean_normal(slave, slave_x, edge, a);
@@ -238,7 +238,7 @@ namespace Contact
   template<typename Number>
   void MortarGeometry<Number>::find_master_normals(const unsigned int edge)
   {
-    for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
+    for (unsigned int a = 0; a < master.n_nodes_per_facet(); ++a)
       master_normals[edge][a] = mean_normal(master, master_x, edge, a);
   }
 
@@ -246,14 +246,14 @@ namespace Contact
 
   template<typename Number>
   std::set<unsigned int>
-  MortarGeometry<Number>::edges_around(const Surface                &surface,
+  MortarGeometry<Number>::edges_around(const Surface<2>             &surface,
                                        const std::set<unsigned int> &nodes)
   {
     std::set<unsigned int> edges;
     for (const unsigned int node : nodes)
-      for (const unsigned int e : surface.edges_of_node[node])
+      for (const unsigned int e : surface.facets_of_node[node])
         for (const unsigned int near :
-             {e, surface.edges[e].previous, surface.edges[e].next})
+             {e, surface.facets[e].previous, surface.facets[e].next})
           if (near != numbers::invalid_unsigned_int)
             edges.insert(near);
     return edges;
@@ -305,9 +305,9 @@ namespace Contact
   Number MortarGeometry<Number>::projection_on_edge(
     const Tensor<1, 2, Number> &x,
     const Tensor<1, 2, Number> &n,
-    const unsigned int          master_edge) const
+    const unsigned int          master_facet) const
   {
-    const auto                 &edge = master.edges[master_edge];
+    const auto                 &edge = master.facets[master_facet];
     const Tensor<1, 2>          x_0 = value_of(x), n_0 = value_of(n);
     std::array<Tensor<1, 2>, 3> nodes;
     for (unsigned int a = 0; a < 3; ++a)
@@ -332,16 +332,16 @@ namespace Contact
 
   template<typename Number>
   Number
-  MortarGeometry<Number>::slave_coordinate(const unsigned int slave_edge,
+  MortarGeometry<Number>::slave_coordinate(const unsigned int slave_facet,
                                            const Tensor<1, 2, Number> &x) const
   {
-    const auto                 &edge = slave.edges[slave_edge];
+    const auto                 &edge = slave.facets[slave_facet];
     const Tensor<1, 2>          x_0  = value_of(x);
     std::array<Tensor<1, 2>, 3> nodes, normals;
     for (unsigned int a = 0; a < 3; ++a)
       nodes[a] = value_of(slave_x[edge.nodes[a]]);
-    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
-      normals[a] = value_of(slave_normals[slave_edge][a]);
+    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      normals[a] = value_of(slave_normals[slave_facet][a]);
     const auto sum = [](const std::array<Tensor<1, 2>, 3> &values,
                         const std::array<double, 3>       &shape) {
       return shape[0] * values[0] + shape[1] * values[1] + shape[2] * values[2];
@@ -362,7 +362,7 @@ namespace Contact
     const EdgeShape            shape(slave.degree, xi);
     const Tensor<1, 2, Number> r = at(slave_x, edge, shape.value) - x;
     return follow_root(xi,
-                       cross(r, slave_normal(slave_edge, shape.value)),
+                       cross(r, slave_normal(slave_facet, shape.value)),
                        slope(shape));
   }
 

@@ -73,8 +73,8 @@ namespace Contact
   {
   public:
     /// In the configuration @p u. The surfaces have to outlive the object.
-    MortarGeometry(const Surface           &slave,
-                   const Surface           &master,
+    MortarGeometry(const Surface<2>        &slave,
+                   const Surface<2>        &master,
                    const Discretization<2> &discretization,
                    const Vector<double>    &u);
 
@@ -89,7 +89,7 @@ namespace Contact
     template<typename Shape>
     static Tensor<1, 2, Number>
     at(const std::vector<Tensor<1, 2, Number>> &values,
-       const Surface::Edge                     &edge,
+       const SurfaceFacet<2>                   &edge,
        const std::array<Shape, 3>              &shape)
     {
       // A shape function that an edge of degree 1 does not have is zero, and so
@@ -101,12 +101,12 @@ namespace Contact
     }
 
     template<typename Shape>
-    Tensor<1, 2, Number> slave_normal(const unsigned int          slave_edge,
+    Tensor<1, 2, Number> slave_normal(const unsigned int          slave_facet,
                                       const std::array<Shape, 3> &shape) const
     {
       Tensor<1, 2, Number> sum;
-      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
-        sum += shape[a] * slave_normals[slave_edge][a];
+      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+        sum += shape[a] * slave_normals[slave_facet][a];
       return sum;
     }
 
@@ -120,17 +120,17 @@ namespace Contact
     /// edge, perhaps beyond its ends.
     Number projection_on_edge(const Tensor<1, 2, Number> &x,
                               const Tensor<1, 2, Number> &n,
-                              const unsigned int          master_edge) const;
+                              const unsigned int          master_facet) const;
 
     /// The slave coordinate from where the normal meets the point @p x.
-    Number slave_coordinate(const unsigned int          slave_edge,
+    Number slave_coordinate(const unsigned int          slave_facet,
                             const Tensor<1, 2, Number> &x) const;
 
-    const Surface &slave, &master;
+    const Surface<2> &slave, &master;
 
     std::vector<Tensor<1, 2, Number>> slave_x, master_x; // of the nodes [mm]
 
-    using Normals = std::vector<Surface::PerEdgeNode<Tensor<1, 2, Number>>>;
+    using Normals = std::vector<PerEdgeNode<Tensor<1, 2, Number>>>;
 
     /// By edge and node, out of the master: of the slave those that it is
     /// projected along.
@@ -143,7 +143,8 @@ namespace Contact
 
     /// The edges whose normals depend on a node.
     static std::set<unsigned int>
-    edges_around(const Surface &surface, const std::set<unsigned int> &nodes);
+    edges_around(const Surface<2>             &surface,
+                 const std::set<unsigned int> &nodes);
 
     const Discretization<2> &discretization;
 

@@ -65,13 +65,13 @@ namespace Contact
   // middle has one only if no end has.
   template<typename Number>
   std::vector<unsigned int>
-  MortarIntegrals<Number>::carrying_nodes(const unsigned int   slave_edge,
+  MortarIntegrals<Number>::carrying_nodes(const unsigned int   slave_facet,
                                           const MortarOverlap &overlap) const
   {
     std::vector<unsigned int> candidates, nodes;
     double                    nearest = std::numeric_limits<double>::max();
-    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
-      if (carries[slave_edge][a])
+    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      if (carries[slave_facet][a])
         {
           candidates.push_back(a);
           nearest = std::min(nearest, overlap.distance(node_coordinates[a]));
@@ -81,7 +81,7 @@ namespace Contact
     // they deform.
     for (const unsigned int a : candidates)
       if (overlap.distance(node_coordinates[a]) <=
-          nearest + SurfaceSearch::overhang)
+          nearest + SurfaceSearch<2>::overhang)
         nodes.push_back(a);
     const bool all_seen =
       overlap.parts.size() == 1 && nearest < mortar_round_off;
@@ -102,7 +102,7 @@ namespace Contact
     const EdgeShapes<Number>        &shape) const
   {
     std::array<Number, 3> values{{0, 0, 0}};
-    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
       {
         const auto distance = [&](const unsigned int b) {
           return std::abs(node_coordinates[a] - node_coordinates[b]);
@@ -169,22 +169,22 @@ namespace Contact
 
 
   template<typename Number>
-  void MortarIntegrals<Number>::add_edge(const unsigned int   slave_edge,
+  void MortarIntegrals<Number>::add_edge(const unsigned int   slave_facet,
                                          const MortarOverlap &overlap,
                                          const unsigned int   only)
   {
-    const auto &edge  = slave.edges[slave_edge];
-    const auto  nodes = carrying_nodes(slave_edge, overlap);
+    const auto &edge  = slave.facets[slave_facet];
+    const auto  nodes = carrying_nodes(slave_facet, overlap);
     if (nodes.empty())
       return;
 
-    const auto  samples = mortar_samples(now, slave_edge, overlap);
+    const auto  samples = mortar_samples(now, slave_facet, overlap);
     const Table dual    = dual_functions(nodes, samples);
     for (const auto &sample : samples)
       {
         const EdgeShapes<Number> shape(slave.degree, sample.xi);
         const EdgeShapes<Number> projection(master.degree, sample.master_xi);
-        const auto              &m_edge = master.edges[sample.master_edge];
+        const auto              &m_edge = master.facets[sample.master_facet];
         const Number             metric = length(
           MortarGeometry<Number>::at(now.master_x, m_edge, projection.first));
 
@@ -207,16 +207,16 @@ namespace Contact
 
             OfNode &of_node = of_nodes[edge.nodes[nodes[k]]];
             of_node.weight += phi;
-            for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+            for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
               of_node.slave[edge.nodes[a]] += phi * shape.value[a];
-            for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
+            for (unsigned int a = 0; a < master.n_nodes_per_facet(); ++a)
               {
                 of_node.master[m_edge.nodes[a]] += phi * projection.value[a];
                 of_node.shift[m_edge.nodes[a]] +=
                   phi * projection.first[a] / metric;
               }
             of_node.distances.push_back(distance);
-            add_normals(slave_edge, nodes[k], sample, phi, of_node);
+            add_normals(slave_facet, nodes[k], sample, phi, of_node);
           }
       }
   }
@@ -224,20 +224,20 @@ namespace Contact
 
 
   template<typename Number>
-  void MortarIntegrals<Number>::add_normals(const unsigned int slave_edge,
+  void MortarIntegrals<Number>::add_normals(const unsigned int slave_facet,
                                             const unsigned int a,
                                             const MortarSample<Number> &sample,
                                             const Number               &phi,
                                             OfNode &integrals) const
   {
-    const auto              &edge = master.edges[sample.master_edge];
+    const auto              &edge = master.facets[sample.master_facet];
     const EdgeShapes<Number> projection(master.degree, sample.master_xi);
     Tensor<1, 2, Number>     normal;
     Number                   turn_square = 0;
-    for (unsigned int b = 0; b < master.n_nodes_per_edge(); ++b)
+    for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
       {
         normal +=
-          projection.value[b] * now.master_normals[sample.master_edge][b];
+          projection.value[b] * now.master_normals[sample.master_facet][b];
         // Beyond a corner is another face, or none: that it is seen, its normal
         // tells.
         if (b == 2 || !(edge.corner[b] ||
@@ -246,13 +246,13 @@ namespace Contact
             absolute(projection.value[b]) * square(master.turns[edge.nodes[b]]);
       }
     const Number size = absolute(phi);
-    integrals.slave_normal += phi * now.slave_normals[slave_edge][a];
+    integrals.slave_normal += phi * now.slave_normals[slave_facet][a];
     integrals.master_normal += phi * normal;
     integrals.magnitude += size;
     integrals.master_turn += size * turn_square;
     integrals.master_square += size * square_of(normal);
     integrals.master_mean += size * normal;
-    integrals.master_edges[sample.master_edge] += value_of(size);
+    integrals.master_edges[sample.master_facet] += value_of(size);
   }
 
 
@@ -288,9 +288,9 @@ namespace Contact
     if (value_of(sum) * value_of(n_s) <= 0)
       return n_s;
     Tensor<1, 2, Number> n = normalized(sum);
-    for (const unsigned int e : slave.edges_of_node[node])
+    for (const unsigned int e : slave.facets_of_node[node])
       for (unsigned int a = 0; a < 2; ++a)
-        if (slave.edges[e].nodes[a] == node)
+        if (slave.facets[e].nodes[a] == node)
           n = now.symmetric(n, e, a);
     return n;
   }
@@ -317,7 +317,7 @@ namespace Contact
     // A ten-thousandth of an edge is left to the mean: flat surfaces that touch
     // are as uneven as that.
     const double slack =
-      1e-4 * slave.reference_length(slave.edges_of_node[node].front());
+      1e-4 * slave.reference_length(slave.facets_of_node[node].front());
     const Number excess = gap - smallest + slack;
     return value_of(excess) < 0 ? excess : Number(0);
   }
@@ -337,7 +337,7 @@ namespace Contact
     pairing.facing          = true;
     pairing.weight          = integrals.weight;
     pairing.normal          = direction(node, integrals);
-    pairing.master_edge     = largest(integrals.master_edges);
+    pairing.master_facet    = largest(integrals.master_edges);
 
     // The offset of the projections along the tangent, and how far a unit of
     // shift carries them.

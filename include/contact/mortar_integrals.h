@@ -24,8 +24,8 @@ namespace Contact
     Tensor<1, 2, Number>           normal;     // n_k, or that of the slave
     std::map<unsigned int, Number> slave;      // coefficients, by node
     std::map<unsigned int, Number> master;     // likewise, negative
-    Number                         excess      = 0; // of the weighted gap [mm]
-    unsigned int                   master_edge = 0; // most of it
+    Number                         excess       = 0; // of the weighted gap [mm]
+    unsigned int                   master_facet = 0; // most of it
   };
 
 
@@ -40,13 +40,13 @@ namespace Contact
   {
   public:
     /// By edge and node, whether it carries a multiplier.
-    using Carriers = std::vector<Surface::PerEdgeNode<bool>>;
+    using Carriers = std::vector<PerEdgeNode<bool>>;
 
     MortarIntegrals(const MortarGeometry<Number> &geometry,
                     const Carriers               &carries);
 
     /// Integrate over a slave edge, for all of its nodes or for one.
-    void add_edge(const unsigned int   slave_edge,
+    void add_edge(const unsigned int   slave_facet,
                   const MortarOverlap &overlap,
                   const unsigned int   only = numbers::invalid_unsigned_int);
 
@@ -78,7 +78,7 @@ namespace Contact
 
     /// The nodes of an edge, by their number in it, that have a dual function.
     std::vector<unsigned int>
-    carrying_nodes(const unsigned int   slave_edge,
+    carrying_nodes(const unsigned int   slave_facet,
                    const MortarOverlap &overlap) const;
 
     /// The functions that the dual functions of these nodes are biorthogonal
@@ -92,7 +92,7 @@ namespace Contact
     dual_functions(const std::vector<unsigned int>         &nodes,
                    const std::vector<MortarSample<Number>> &samples) const;
 
-    void add_normals(const unsigned int          slave_edge,
+    void add_normals(const unsigned int          slave_facet,
                      const unsigned int          a,
                      const MortarSample<Number> &sample,
                      const Number               &phi,
@@ -109,7 +109,7 @@ namespace Contact
                   const MortarPairing<Number> &pairing) const;
 
     const MortarGeometry<Number> &now;
-    const Surface                &slave, &master;
+    const Surface<2>             &slave, &master;
     const Carriers               &carries;
 
     std::map<unsigned int, OfNode> of_nodes;

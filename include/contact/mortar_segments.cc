@@ -44,14 +44,14 @@ namespace Contact
 
   // The search begins near the edge and goes further and further away, until
   // all of the edge has a partner that nothing can hide.
-  MortarOverlap MortarSegments::overlap(const unsigned int slave_edge) const
+  MortarOverlap MortarSegments::overlap(const unsigned int slave_facet) const
   {
-    const auto &ends = now.slave.edges[slave_edge].nodes;
+    const auto &ends = now.slave.facets[slave_facet].nodes;
     double reach     = 2 * (now.slave_x[ends[1]] - now.slave_x[ends[0]]).norm();
     std::vector<Segment> found;
     while (true)
       {
-        found          = segments(slave_edge, candidates(slave_edge, reach));
+        found          = segments(slave_facet, candidates(slave_facet, reach));
         double covered = 0, distance = 0;
         for (const Segment &segment : found)
           {
@@ -78,15 +78,15 @@ namespace Contact
 
 
   std::vector<unsigned int>
-  MortarSegments::candidates(const unsigned int slave_edge,
+  MortarSegments::candidates(const unsigned int slave_facet,
                              const double       reach) const
   {
-    const auto           &nodes = now.slave.edges[slave_edge].nodes;
+    const auto           &nodes = now.slave.facets[slave_facet].nodes;
     std::vector<Point<2>> corners;
-    for (unsigned int a = 0; a < now.slave.n_nodes_per_edge(); ++a)
+    for (unsigned int a = 0; a < now.slave.n_nodes_per_facet(); ++a)
       for (const double side : {-1., 1.})
         corners.emplace_back(now.slave_x[nodes[a]] +
-                             side * reach * now.slave_normals[slave_edge][a]);
+                             side * reach * now.slave_normals[slave_facet][a]);
 
     // Of the edges near by those between the lines: not all on one side of all
     // of them.
@@ -94,11 +94,11 @@ namespace Contact
     for (const unsigned int m : search.edges_in(BoundingBox<2>(corners)))
       {
         bool left = false, right = false;
-        for (unsigned int a = 0; a < now.slave.n_nodes_per_edge(); ++a)
+        for (unsigned int a = 0; a < now.slave.n_nodes_per_facet(); ++a)
           for (const Tensor<1, 2> &x : search.hull(m))
             {
               const double side = cross(x - now.slave_x[nodes[a]],
-                                        now.slave_normals[slave_edge][a]);
+                                        now.slave_normals[slave_facet][a]);
               left              = left || side >= 0;
               right             = right || side <= 0;
             }
@@ -113,16 +113,16 @@ namespace Contact
   // Lines from the nodes of the master cut the edge into intervals that face
   // one edge each, or none.
   std::vector<MortarSegments::Segment>
-  MortarSegments::segments(const unsigned int               slave_edge,
+  MortarSegments::segments(const unsigned int               slave_facet,
                            const std::vector<unsigned int> &candidates) const
   {
     std::vector<Cut> cuts{{-1}, {1}};
     for (const unsigned int m : candidates)
       for (unsigned int a = 0; a < 2; ++a)
         {
-          const unsigned int node = now.master.edges[m].nodes[a];
+          const unsigned int node = now.master.facets[m].nodes[a];
           const double       xi =
-            now.slave_coordinate(slave_edge, now.master_x[node]);
+            now.slave_coordinate(slave_facet, now.master_x[node]);
           if (std::abs(xi) < 1)
             cuts.push_back({xi, node});
         }
@@ -137,10 +137,10 @@ namespace Contact
         if (cuts[i].xi - cuts[i - 1].xi < mortar_round_off)
           continue;
         const auto [m, distance] =
-          partner(slave_edge, (cuts[i - 1].xi + cuts[i].xi) / 2, candidates);
+          partner(slave_facet, (cuts[i - 1].xi + cuts[i].xi) / 2, candidates);
         if (m == numbers::invalid_unsigned_int)
           continue;
-        if (!segments.empty() && segments.back().master_edge == m &&
+        if (!segments.empty() && segments.back().master_facet == m &&
             cuts[i - 1].xi - segments.back().high.xi < mortar_round_off)
           {
             segments.back().high = cuts[i];
@@ -156,25 +156,25 @@ namespace Contact
 
 
   std::pair<unsigned int, double>
-  MortarSegments::partner(const unsigned int               slave_edge,
+  MortarSegments::partner(const unsigned int               slave_facet,
                           const double                     xi,
                           const std::vector<unsigned int> &candidates) const
   {
     struct Hit
     {
-      unsigned int master_edge = numbers::invalid_unsigned_int;
-      double       distance    = std::numeric_limits<double>::max();
-      bool         faces       = false;
+      unsigned int master_facet = numbers::invalid_unsigned_int;
+      double       distance     = std::numeric_limits<double>::max();
+      bool         faces        = false;
     };
     Hit ahead, behind;
 
     const EdgeShape shape(now.slave.degree, xi);
     const auto      x = MortarGeometry<double>::at(now.slave_x,
-                                              now.slave.edges[slave_edge],
+                                              now.slave.facets[slave_facet],
                                               shape.value);
-    auto            n = now.slave_normal(slave_edge, shape.value);
+    auto            n = now.slave_normal(slave_facet, shape.value);
     n /= n.norm();
-    const NormalCone direction{-n, -n};
+    const NormalCone<2> direction{-n, -n};
     for (const unsigned int m : candidates)
       {
         const double master_xi = now.projection_on_edge(x, n, m);
@@ -182,7 +182,7 @@ namespace Contact
           continue;
         const EdgeShape projection(now.master.degree, master_xi);
         const auto      r = x - MortarGeometry<double>::at(now.master_x,
-                                                      now.master.edges[m],
+                                                      now.master.facets[m],
                                                       projection.value);
         // A line beside a parallel edge has no projection there.
         if (std::abs(cross(r, n)) > 1e-8 * size)
@@ -195,7 +195,7 @@ namespace Contact
       }
     if (!behind.faces || (ahead.faces && ahead.distance <= behind.distance))
       std::swap(ahead, behind);
-    return behind.faces ? std::make_pair(behind.master_edge, behind.distance)
+    return behind.faces ? std::make_pair(behind.master_facet, behind.distance)
                         : std::make_pair(numbers::invalid_unsigned_int, 0.);
   }
 
@@ -204,16 +204,16 @@ namespace Contact
   template<typename Number>
   std::vector<MortarSample<Number>>
   mortar_samples(const MortarGeometry<Number> &geometry,
-                 const unsigned int            slave_edge,
+                 const unsigned int            slave_facet,
                  const MortarOverlap          &overlap)
   {
-    const Surface       &slave  = geometry.slave;
-    const Surface::Edge &s_edge = slave.edges[slave_edge];
-    const QGauss<1>      quadrature(slave.degree + 2);
-    const auto           coordinate = [&](const MortarOverlap::Cut &cut) {
+    const Surface<2>      &slave  = geometry.slave;
+    const SurfaceFacet<2> &s_edge = slave.facets[slave_facet];
+    const QGauss<1>        quadrature(slave.degree + 2);
+    const auto             coordinate = [&](const MortarOverlap::Cut &cut) {
       return cut.master_node == numbers::invalid_unsigned_int
-                         ? Number(cut.xi)
-                         : geometry.slave_coordinate(slave_edge,
+                           ? Number(cut.xi)
+                           : geometry.slave_coordinate(slave_facet,
                                            geometry.master_x[cut.master_node]);
     };
 
@@ -228,13 +228,13 @@ namespace Contact
           samples.push_back(
             {xi,
              weight * length * slave.reference_jacobian(s_edge, shape),
-             segment.master_edge,
+             segment.master_facet,
              geometry.projection_on_edge(
                MortarGeometry<Number>::at(geometry.slave_x,
                                           s_edge,
                                           shape.value),
-               geometry.slave_normal(slave_edge, shape.value),
-               segment.master_edge)});
+               geometry.slave_normal(slave_facet, shape.value),
+               segment.master_facet)});
         };
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           add(quadrature.point(q)[0], quadrature.weight(q));

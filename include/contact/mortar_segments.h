@@ -40,7 +40,7 @@ namespace Contact
     struct Segment
     {
       Cut          low, high;
-      unsigned int master_edge;
+      unsigned int master_facet;
       double       distance; // in the middle [mm]
     };
 
@@ -59,7 +59,7 @@ namespace Contact
   {
     Number       xi;     // on the slave edge
     Number       weight; // undeformed length [mm]; of rings, area [mm^2]
-    unsigned int master_edge;
+    unsigned int master_facet;
     Number       master_xi;
   };
 
@@ -67,7 +67,7 @@ namespace Contact
   template<typename Number>
   std::vector<MortarSample<Number>>
   mortar_samples(const MortarGeometry<Number> &geometry,
-                 const unsigned int            slave_edge,
+                 const unsigned int            slave_facet,
                  const MortarOverlap          &overlap);
 
 
@@ -90,7 +90,7 @@ namespace Contact
                    const Vector<double>         &u);
 
     /// The part of a slave edge that faces the master.
-    MortarOverlap overlap(const unsigned int slave_edge) const;
+    MortarOverlap overlap(const unsigned int slave_facet) const;
 
   private:
     using Cut     = MortarOverlap::Cut;
@@ -98,23 +98,23 @@ namespace Contact
 
     /// All of a slave edge that faces the master edges @p candidates.
     std::vector<Segment>
-    segments(const unsigned int               slave_edge,
+    segments(const unsigned int               slave_facet,
              const std::vector<unsigned int> &candidates) const;
 
     /// The master edge that the normal from a place of the slave meets, and
     /// how far away.
     std::pair<unsigned int, double>
-    partner(const unsigned int               slave_edge,
+    partner(const unsigned int               slave_facet,
             const double                     xi,
             const std::vector<unsigned int> &candidates) const;
 
     /// The master edges near the lines along the normals of a slave edge, up to
     /// a distance from it.
-    std::vector<unsigned int> candidates(const unsigned int slave_edge,
+    std::vector<unsigned int> candidates(const unsigned int slave_facet,
                                          const double       reach) const;
 
     const MortarGeometry<double> &now;
-    const SurfaceSearch           search; // on the master
+    const SurfaceSearch<2>        search; // on the master
     double                        size;   // of both surfaces together [mm]
   };
 } // namespace Contact

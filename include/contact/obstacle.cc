@@ -7,45 +7,51 @@
 
 #include <cmath>
 
+#include "base/errors.h"
+
 
 namespace Contact
 {
   namespace
   {
-    class HalfPlane : public Obstacle
+    template<int dim>
+    class HalfSpace : public Obstacle<dim>
     {
     public:
-      HalfPlane(const Point<2> &point, const Tensor<1, 2> &normal)
+      HalfSpace(const Point<dim> &point, const Tensor<1, dim> &normal)
         : point(point)
         , normal(normal / normal.norm())
       {
       }
 
-      ClosestPoint closest_point(const Point<2> &x) const override
+      typename Obstacle<dim>::ClosestPoint
+      closest_point(const Point<dim> &x) const override
       {
         return {x - ((x - point) * normal) * normal, normal, 0};
       }
 
     private:
-      const Point<2>     point;
-      const Tensor<1, 2> normal;
+      const Point<dim>     point;
+      const Tensor<1, dim> normal;
     };
 
 
 
-    class Circle : public Obstacle
+    template<int dim>
+    class Ball : public Obstacle<dim>
     {
     public:
-      Circle(const Point<2> &centre, const double radius)
+      Ball(const Point<dim> &centre, const double radius)
         : centre(centre)
         , radius(radius)
       {
       }
 
       // In its centre any direction is as good as another.
-      ClosestPoint closest_point(const Point<2> &x) const override
+      typename Obstacle<dim>::ClosestPoint
+      closest_point(const Point<dim> &x) const override
       {
-        Tensor<1, 2> normal = x - centre;
+        Tensor<1, dim> normal = x - centre;
         if (normal.norm() == 0)
           normal[1] = 1;
         normal *= std::copysign(1 / normal.norm(), radius);
@@ -53,29 +59,98 @@ namespace Contact
       }
 
     private:
-      const Point<2> centre;
-      const double   radius;
+      const Point<dim> centre;
+      const double     radius;
     };
+
+
+
+    // A ball in the planes across the axis.
+    class Cylinder : public Obstacle<3>
+    {
+    public:
+      Cylinder(const Point<3>     &point,
+               const Tensor<1, 3> &axis,
+               const double        radius)
+        : point(point)
+        , axis(axis / axis.norm())
+        , section(Point<3>(), radius)
+      {
+      }
+
+      ClosestPoint closest_point(const Point<3> &x) const override
+      {
+        const Tensor<1, 3> along = ((x - point) * axis) * axis;
+        auto closest = section.closest_point(Point<3>(x - point - along));
+        closest.x += point + along;
+        return closest;
+      }
+
+    private:
+      const Point<3>     point;
+      const Tensor<1, 3> axis;
+      const Ball<3>      section;
+    };
+
+
+
+    [[noreturn]] void refuse(const Parameters::ObstacleShape shape,
+                             const std::string              &meshes,
+                             const std::string              &remedy)
+    {
+      throw InputError(
+        "the obstacle '" +
+          Parameters::Choice<Parameters::ObstacleShape>(shape).name() +
+          "' is none for a mesh of " + meshes,
+        "Contact/Obstacle",
+        remedy);
+    }
   } // namespace
 
 
 
-  std::unique_ptr<const Obstacle>
-  Obstacle::create(const Parameters::ObstacleShape shape,
-                   const std::vector<double>      &numbers)
+  template<>
+  std::unique_ptr<const Obstacle<2>>
+  Obstacle<2>::create(const Parameters::ObstacleShape shape,
+                      const std::vector<double>      &numbers)
   {
     using Parameters::ObstacleShape;
     const Point<2> x(numbers[0], numbers[1]);
     switch (shape)
       {
         case ObstacleShape::half_plane:
-          return std::make_unique<HalfPlane>(x,
-                                             Tensor<1, 2>(
-                                               {numbers[2], numbers[3]}));
+          return std::make_unique<HalfSpace<2>>(x,
+                                                Tensor<1, 2>(
+                                                  {numbers[2], numbers[3]}));
         case ObstacleShape::circle:
-          return std::make_unique<Circle>(x, numbers[2]);
+          return std::make_unique<Ball<2>>(x, numbers[2]);
+        default:
+          refuse(shape, "surfaces", "take a half plane or a circle");
       }
-    AssertThrow(false, ExcInternalError());
-    return nullptr;
+  }
+
+
+
+  template<>
+  std::unique_ptr<const Obstacle<3>>
+  Obstacle<3>::create(const Parameters::ObstacleShape shape,
+                      const std::vector<double>      &numbers)
+  {
+    using Parameters::ObstacleShape;
+    const Point<3> x(numbers[0], numbers[1], numbers[2]);
+    const auto     direction = [&]() {
+      return Tensor<1, 3>({numbers[3], numbers[4], numbers[5]});
+    };
+    switch (shape)
+      {
+        case ObstacleShape::half_space:
+          return std::make_unique<HalfSpace<3>>(x, direction());
+        case ObstacleShape::sphere:
+          return std::make_unique<Ball<3>>(x, numbers[3]);
+        case ObstacleShape::cylinder:
+          return std::make_unique<Cylinder>(x, direction(), numbers[6]);
+        default:
+          refuse(shape, "volumes", "take a half space, a sphere or a cylinder");
+      }
   }
 } // namespace Contact

@@ -21,6 +21,7 @@ namespace Contact
    * A rigid master without a mesh, which stands still (in the manner of
    * step-42): it answers what a point of the slave faces.
    */
+  template<int dim>
   class Obstacle
   {
   public:
@@ -28,20 +29,23 @@ namespace Contact
 
     /// A half plane by the numbers x, y, n_x, n_y, a point of it and its
     /// outward normal, or a circle by x, y and its radius, solid, with a
-    /// negative radius the inside of a hole [mm].
-    static std::unique_ptr<const Obstacle>
+    /// negative radius the inside of a hole [mm]; in space a half space and a
+    /// sphere alike, and a cylinder by a point of its axis, the direction of
+    /// the axis and its radius. Throws InputError if a shape is one of the
+    /// other dimension.
+    static std::unique_ptr<const Obstacle<dim>>
     create(const Parameters::ObstacleShape shape,
            const std::vector<double>      &numbers);
 
     /// The closest point and what is known of the obstacle there.
     struct ClosestPoint
     {
-      Point<2>     x;      // [mm]
-      Tensor<1, 2> normal; // outward
-      double       radius; // [mm], negative in a hole; 0: flat
+      Point<dim>     x;      // [mm]
+      Tensor<1, dim> normal; // outward
+      double         radius; // [mm], negative in a hole; 0: flat
     };
 
-    virtual ClosestPoint closest_point(const Point<2> &x) const = 0;
+    virtual ClosestPoint closest_point(const Point<dim> &x) const = 0;
   };
 } // namespace Contact
 

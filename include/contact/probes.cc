@@ -22,7 +22,8 @@ namespace Contact
   bool is_displacement(const Quantity quantity)
   {
     return quantity == Quantity::displacement_x ||
-           quantity == Quantity::displacement_y;
+           quantity == Quantity::displacement_y ||
+           quantity == Quantity::displacement_z;
   }
 
 
@@ -52,19 +53,22 @@ namespace Contact
   namespace
   {
     /// A node of the slave of a contact pair, with a pressure.
+    template<int dim>
     struct SlaveNode
     {
-      const ContactPair *contact_pair;
-      unsigned int       number;
+      const ContactPair<dim> *contact_pair;
+      unsigned int            number;
     };
 
 
 
     /// The slave nodes with these unknowns, at most one of each contact pair.
-    std::vector<SlaveNode> slave_nodes_at(const NodeDoFs<2>      &dofs,
-                                          const ContactInterface *interface)
+    template<int dim>
+    std::vector<SlaveNode<dim>>
+    slave_nodes_at(const NodeDoFs<dim>         &dofs,
+                   const ContactInterface<dim> *interface)
     {
-      std::vector<SlaveNode> found;
+      std::vector<SlaveNode<dim>> found;
       if (interface != nullptr)
         for (const auto &contact_pair : interface->pairs)
           for (unsigned int n = 0; n < contact_pair->slave.nodes.size(); ++n)
@@ -76,7 +80,8 @@ namespace Contact
 
 
 
-    bool has_node(const Surface &surface, const NodeDoFs<2> &dofs)
+    template<int dim>
+    bool has_node(const Surface<dim> &surface, const NodeDoFs<dim> &dofs)
     {
       return std::any_of(surface.nodes.begin(),
                          surface.nodes.end(),
@@ -86,8 +91,9 @@ namespace Contact
 
 
     /// Why no multiplier is at a node.
-    std::string why_no_multiplier(const NodeDoFs<2>      &dofs,
-                                  const ContactInterface *interface)
+    template<int dim>
+    std::string why_no_multiplier(const NodeDoFs<dim>         &dofs,
+                                  const ContactInterface<dim> *interface)
     {
       if (interface == nullptr)
         return "the scene has no contact";
@@ -97,9 +103,10 @@ namespace Contact
             contact_pair->name.empty()
               ? ""
               : " of the contact pair '" + contact_pair->name + "'";
-          if (has_node(contact_pair->slave, dofs))
+          if (has_node<dim>(contact_pair->slave, dofs))
             return "it is on the slave" + name + ", but no point of contact is";
-          if (contact_pair->master && has_node(*contact_pair->master, dofs))
+          if (contact_pair->master &&
+              has_node<dim>(*contact_pair->master, dofs))
             return "it is on the master" + name +
                    ", and the tractions are those of the slave";
         }
@@ -109,20 +116,21 @@ namespace Contact
 
 
 
-  void check_contact_traction(const std::string       &probe,
-                              const Quantity           quantity,
-                              const std::string       &point,
-                              const ContactInterface  *interface,
-                              const Discretization<2> &discretization)
+  template<int dim>
+  void check_contact_traction(const std::string           &probe,
+                              const Quantity               quantity,
+                              const std::string           &point,
+                              const ContactInterface<dim> *interface,
+                              const Discretization<dim>   &discretization)
   {
-    const NodeDoFs<2> &dofs =
+    const NodeDoFs<dim> &dofs =
       discretization
         .vertex_dofs[discretization.mesh.point(point, "Probes/Probes")];
-    const auto found = slave_nodes_at(dofs, interface);
+    const auto found = slave_nodes_at<dim>(dofs, interface);
     if (found.empty())
       throw InputError("there is no " + Choice<Quantity>(quantity).name() +
                          " of contact at the point '" + point +
-                         "': " + why_no_multiplier(dofs, interface),
+                         "': " + why_no_multiplier<dim>(dofs, interface),
                        "Probes/Probes, '" + probe + "'",
                        "name a point group on a slave, or a stress");
     if (found.size() > 1)
@@ -138,14 +146,15 @@ namespace Contact
 
 
 
-  double contact_traction(const Quantity           quantity,
-                          const unsigned int       vertex,
-                          const ContactInterface  *interface,
-                          const Discretization<2> &discretization,
-                          const Vector<double>    &solution)
+  template<int dim>
+  double contact_traction(const Quantity               quantity,
+                          const unsigned int           vertex,
+                          const ContactInterface<dim> *interface,
+                          const Discretization<dim>   &discretization,
+                          const Vector<double>        &solution)
   {
     const auto found =
-      slave_nodes_at(discretization.vertex_dofs[vertex], interface);
+      slave_nodes_at<dim>(discretization.vertex_dofs[vertex], interface);
     if (found.empty())
       return 0;
     const auto [contact_pair, n] = found[0];
@@ -157,10 +166,15 @@ namespace Contact
       return interface->pressure(contact_pair->pressure_at(n), solution) +
              of_corner;
     const unsigned int k = contact_pair->multipliers.of_node[n];
-    return contact_pair->law.is_frictionless() ||
-               k == numbers::invalid_unsigned_int
-             ? of_corner
-             : solution[interface->tangential_index(k)] + of_corner;
+    if (contact_pair->law.is_frictionless() ||
+        k == numbers::invalid_unsigned_int)
+      return of_corner;
+    if (dim == 2)
+      return solution[interface->tangential_index(k)] + of_corner;
+    Tensor<1, dim - 1> shear;
+    for (unsigned int t = 0; t < dim - 1; ++t)
+      shear[t] = solution[interface->tangential_index(k, t)];
+    return shear.norm();
   }
 
 
@@ -178,16 +192,23 @@ namespace Contact
           return stress[2][2];
         case Quantity::stress_xy:
           return stress[0][1];
+        case Quantity::stress_xz:
+          return stress[0][2];
+        case Quantity::stress_yz:
+          return stress[1][2];
         case Quantity::von_mises:
           return von_mises(stress);
         case Quantity::displacement_x:
         case Quantity::displacement_y:
+        case Quantity::displacement_z:
         case Quantity::pressure:
         case Quantity::shear:
         case Quantity::reaction_x:
         case Quantity::reaction_y:
+        case Quantity::reaction_z:
         case Quantity::contact_force_x:
         case Quantity::contact_force_y:
+        case Quantity::contact_force_z:
         case Quantity::strain_energy:
           break;
       }
@@ -197,9 +218,10 @@ namespace Contact
 
 
 
-  double body_energy(const std::string    &body,
-                     const ContactModel   &model,
-                     const Vector<double> &u)
+  template<int dim>
+  double body_energy(const std::string       &body,
+                     const ContactModel<dim> &model,
+                     const Vector<double>    &u)
   {
     return model.elasticity->strain_energy(model.mesh->body(body,
                                                             "Probes/Probes"),
@@ -208,15 +230,15 @@ namespace Contact
 
 
 
+  template<int dim>
   double probe_value(const Quantity                            quantity,
                      const unsigned int                        vertex,
-                     const Discretization<2>                  &discretization,
+                     const Discretization<dim>                &discretization,
                      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                      const Vector<double>                     &u)
   {
     if (is_displacement(quantity))
-      return u[discretization
-                 .vertex_dofs[vertex][quantity == Quantity::displacement_y]];
+      return u[discretization.vertex_dofs[vertex][component_of(quantity)]];
     return stress_component(quantity, vertex_stresses[vertex]);
   }
 
@@ -224,27 +246,30 @@ namespace Contact
 
   namespace
   {
-    void add_derivative_of_displacement(const Quantity      quantity,
-                                        const unsigned int  vertex,
-                                        const double        factor,
-                                        const ContactModel &model,
-                                        Vector<double>     &derivative)
+    template<int dim>
+    void add_derivative_of_displacement(const Quantity           quantity,
+                                        const unsigned int       vertex,
+                                        const double             factor,
+                                        const ContactModel<dim> &model,
+                                        Vector<double>          &derivative)
     {
-      const NodeDoFs<2> &dofs = model.discretization->vertex_dofs[vertex];
-      derivative[dofs[quantity == Quantity::displacement_y]] += factor;
+      const NodeDoFs<dim> &dofs = model.discretization->vertex_dofs[vertex];
+      derivative[dofs[component_of(quantity)]] += factor;
     }
 
 
 
-    void add_derivative_of_traction(const Quantity      quantity,
-                                    const unsigned int  vertex,
-                                    const double        factor,
-                                    const ContactModel &model,
-                                    Vector<double>     &derivative)
+    template<int dim>
+    void add_derivative_of_traction(const Quantity           quantity,
+                                    const unsigned int       vertex,
+                                    const double             factor,
+                                    const ContactModel<dim> &model,
+                                    Vector<double>          &derivative)
     {
-      const ContactInterface &interface = *model.interface;
+      const ContactInterface<dim> &interface = *model.interface;
       const auto [contact_pair, n] =
-        slave_nodes_at(model.discretization->vertex_dofs[vertex], &interface)
+        slave_nodes_at<dim>(model.discretization->vertex_dofs[vertex],
+                            &interface)
           .at(0);
       if (quantity == Quantity::pressure)
         {
@@ -261,15 +286,16 @@ namespace Contact
 
 
     // Central differences over the unknowns of the cells at the vertex.
-    void add_derivative_of_stress(const Quantity        quantity,
-                                  const unsigned int    vertex,
-                                  const double          factor,
-                                  const ContactModel   &model,
-                                  const Vector<double> &solution,
-                                  Vector<double>       &derivative)
+    template<int dim>
+    void add_derivative_of_stress(const Quantity           quantity,
+                                  const unsigned int       vertex,
+                                  const double             factor,
+                                  const ContactModel<dim> &model,
+                                  const Vector<double>    &solution,
+                                  Vector<double>          &derivative)
     {
-      const StressRecovery<2> recovery(*model.discretization);
-      const auto              cells = recovery.cells_at(vertex);
+      const StressRecovery<dim> recovery(*model.discretization);
+      const auto                cells = recovery.cells_at(vertex);
 
       std::set<types::global_dof_index>    unknowns;
       std::vector<types::global_dof_index> dofs;
@@ -303,12 +329,13 @@ namespace Contact
 
 
 
-    void add_derivative_at(const Quantity        quantity,
-                           const unsigned int    vertex,
-                           const double          factor,
-                           const ContactModel   &model,
-                           const Vector<double> &solution,
-                           Vector<double>       &derivative)
+    template<int dim>
+    void add_derivative_at(const Quantity           quantity,
+                           const unsigned int       vertex,
+                           const double             factor,
+                           const ContactModel<dim> &model,
+                           const Vector<double>    &solution,
+                           Vector<double>          &derivative)
     {
       if (is_displacement(quantity))
         add_derivative_of_displacement(quantity,
@@ -332,10 +359,11 @@ namespace Contact
 
   namespace
   {
-    double value_at(const Quantity        quantity,
-                    const std::string    &place,
-                    const ContactModel   &model,
-                    const IncrementState &state)
+    template<int dim>
+    double value_at(const Quantity             quantity,
+                    const std::string         &place,
+                    const ContactModel<dim>   &model,
+                    const IncrementState<dim> &state)
     {
       if (is_force(quantity))
         return resultant(quantity, place, model)
@@ -355,7 +383,7 @@ namespace Contact
                            *model.discretization,
                            {},
                            state.solution);
-      const StressRecovery<2> recovery(*model.discretization);
+      const StressRecovery<dim> recovery(*model.discretization);
       return stress_component(quantity,
                               recovery.stress_at(vertex,
                                                  recovery.cells_at(vertex),
@@ -366,9 +394,10 @@ namespace Contact
 
 
 
+  template<int dim>
   double probe_value(const Parameters::Probes::Definition &probe,
-                     const ContactModel                   &model,
-                     const IncrementState                 &state)
+                     const ContactModel<dim>              &model,
+                     const IncrementState<dim>            &state)
   {
     double value  = 0;
     double factor = 1;
@@ -382,8 +411,9 @@ namespace Contact
 
 
 
+  template<int dim>
   Vector<double> probe_derivative(const Parameters::Probes::Definition &probe,
-                                  const ContactModel                   &model,
+                                  const ContactModel<dim>              &model,
                                   const Vector<double> &solution)
   {
     Vector<double> derivative(model.n_unknowns());
@@ -410,4 +440,58 @@ namespace Contact
       }
     return derivative;
   }
+
+  template void   check_contact_traction(const std::string         &probe,
+                                         const Parameters::Quantity quantity,
+                                         const std::string         &point,
+                                         const ContactInterface<2> *interface,
+                                         const Discretization<2> &discretization);
+  template void   check_contact_traction(const std::string         &probe,
+                                         const Parameters::Quantity quantity,
+                                         const std::string         &point,
+                                         const ContactInterface<3> *interface,
+                                         const Discretization<3> &discretization);
+  template double contact_traction(const Parameters::Quantity quantity,
+                                   const unsigned int         vertex,
+                                   const ContactInterface<2> *interface,
+                                   const Discretization<2>   &discretization,
+                                   const Vector<double>      &solution);
+  template double contact_traction(const Parameters::Quantity quantity,
+                                   const unsigned int         vertex,
+                                   const ContactInterface<3> *interface,
+                                   const Discretization<3>   &discretization,
+                                   const Vector<double>      &solution);
+  template double
+  probe_value(const Parameters::Quantity                quantity,
+              const unsigned int                        vertex,
+              const Discretization<2>                  &discretization,
+              const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+              const Vector<double>                     &u);
+  template double
+                  probe_value(const Parameters::Quantity                quantity,
+                              const unsigned int                        vertex,
+                              const Discretization<3>                  &discretization,
+                              const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+                              const Vector<double>                     &u);
+  template double body_energy(const std::string     &body,
+                              const ContactModel<2> &model,
+                              const Vector<double>  &u);
+  template double body_energy(const std::string     &body,
+                              const ContactModel<3> &model,
+                              const Vector<double>  &u);
+  template double probe_value(const Parameters::Probes::Definition &probe,
+                              const ContactModel<2>                &model,
+                              const IncrementState<2>              &state);
+  template double probe_value(const Parameters::Probes::Definition &probe,
+                              const ContactModel<3>                &model,
+                              const IncrementState<3>              &state);
+
+  template Vector<double>
+  probe_derivative(const Parameters::Probes::Definition &probe,
+                   const ContactModel<2>                &model,
+                   const Vector<double>                 &solution);
+  template Vector<double>
+  probe_derivative(const Parameters::Probes::Definition &probe,
+                   const ContactModel<3>                &model,
+                   const Vector<double>                 &solution);
 } // namespace Contact

@@ -31,19 +31,21 @@ namespace Contact
   /// Check that there is one traction of contact at a named point. Throws
   /// InputError with the name of the @p probe and the reason if no slave, or
   /// those of two contact pairs, carry a multiplier there.
-  void check_contact_traction(const std::string         &probe,
-                              const Parameters::Quantity quantity,
-                              const std::string         &point,
-                              const ContactInterface    *interface,
-                              const Discretization<2>   &discretization);
+  template<int dim>
+  void check_contact_traction(const std::string           &probe,
+                              const Parameters::Quantity   quantity,
+                              const std::string           &point,
+                              const ContactInterface<dim> *interface,
+                              const Discretization<dim>   &discretization);
 
   /// The traction [MPa] at a vertex of the triangulation: the multiplier there;
   /// zero where there is none, as for the shear without friction.
-  double contact_traction(const Parameters::Quantity quantity,
-                          const unsigned int         vertex,
-                          const ContactInterface    *interface,
-                          const Discretization<2>   &discretization,
-                          const Vector<double>      &solution);
+  template<int dim>
+  double contact_traction(const Parameters::Quantity   quantity,
+                          const unsigned int           vertex,
+                          const ContactInterface<dim> *interface,
+                          const Discretization<dim>   &discretization,
+                          const Vector<double>        &solution);
 
   /// The stress [MPa] that a quantity means.
   double stress_component(const Parameters::Quantity   quantity,
@@ -51,27 +53,31 @@ namespace Contact
 
   /// A displacement [mm] or a stress [MPa] at a vertex of the triangulation.
   /// For a displacement @p vertex_stresses may be empty.
+  template<int dim>
   double probe_value(const Parameters::Quantity                quantity,
                      const unsigned int                        vertex,
-                     const Discretization<2>                  &discretization,
+                     const Discretization<dim>                &discretization,
                      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                      const Vector<double>                     &u);
 
   /// The energy [N mm per mm of thickness] of a named body. Collective.
-  double body_energy(const std::string    &body,
-                     const ContactModel   &model,
-                     const Vector<double> &u);
+  template<int dim>
+  double body_energy(const std::string       &body,
+                     const ContactModel<dim> &model,
+                     const Vector<double>    &u);
 
   /// A probe in a state [mm, MPa, N or N mm per mm of thickness]; at points by
   /// the cells around them alone.
+  template<int dim>
   double probe_value(const Parameters::Probes::Definition &probe,
-                     const ContactModel                   &model,
-                     const IncrementState                 &state);
+                     const ContactModel<dim>              &model,
+                     const IncrementState<dim>            &state);
 
   /// The derivative of a probe with respect to all unknowns, in a state: of
   /// tractions without the forces of corners of the master.
+  template<int dim>
   Vector<double> probe_derivative(const Parameters::Probes::Definition &probe,
-                                  const ContactModel                   &model,
+                                  const ContactModel<dim>              &model,
                                   const Vector<double> &solution);
 } // namespace Contact
 

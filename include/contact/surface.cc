@@ -7,6 +7,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -17,19 +18,24 @@ namespace Contact
 {
   namespace
   {
-    /// An edge with its own nodes, as the ranks exchange it.
-    struct LooseEdge
+    /// A facet with its own nodes, as the ranks exchange it.
+    template<int dim>
+    struct LooseFacet
     {
-      std::array<Surface::Node, 3> nodes;
-      types::material_id           body;
-      unsigned int                 part;
-      Point<2>                     middle;
+      PerFacetNode<dim, SurfaceNode<dim>> nodes;
+      types::material_id                  body;
+      unsigned int                        part;
+      Point<dim>                          middle;
 
       template<class Archive>
       void serialize(Archive &archive, const unsigned int)
       {
-        for (Surface::Node &node : nodes)
-          archive &node.dofs[0] & node.dofs[1] & node.X;
+        for (SurfaceNode<dim> &node : nodes)
+          {
+            for (auto &dof : node.dofs)
+              archive &dof;
+            archive &node.X;
+          }
         archive &body &part &middle;
       }
     };
@@ -38,7 +44,8 @@ namespace Contact
 
     /// Of each cell of the coarse mesh, which every rank has, the connected
     /// part of the mesh that it belongs to: a cell number that all of it share.
-    std::vector<unsigned int> connected_parts(const Triangulation<2> &mesh)
+    template<int dim>
+    std::vector<unsigned int> connected_parts(const Triangulation<dim> &mesh)
     {
       std::vector<unsigned int> root(mesh.n_cells(0));
       std::iota(root.begin(), root.end(), 0);
@@ -75,79 +82,102 @@ namespace Contact
 
 
 
-    /// A face of a cell at the boundary, its part left open.
-    LooseEdge make_loose_edge(const Discretization<2> &discretization,
-                              const DoFHandler<2>::active_cell_iterator &cell,
-                              const unsigned int                         f)
+    /// The coordinates of a facet go round the outward normal.
+    void orient(LooseFacet<2> &edge, const Tensor<1, 2> &inward)
+    {
+      const Tensor<1, 2> along = edge.nodes[1].X - edge.nodes[0].X;
+      if (along[0] * inward[1] - along[1] * inward[0] < 0)
+        std::swap(edge.nodes[0], edge.nodes[1]);
+    }
+
+
+
+    // Exchanged coordinates exchange two corners, and the middles of the sides.
+    void orient(LooseFacet<3> &facet, const Tensor<1, 3> &inward)
+    {
+      auto              &nodes = facet.nodes;
+      const Tensor<1, 3> outward =
+        cross_product_3d(nodes[3].X - nodes[0].X, nodes[2].X - nodes[1].X);
+      if (outward * inward < 0)
+        return;
+      std::swap(nodes[1], nodes[2]);
+      std::swap(nodes[4], nodes[6]);
+      std::swap(nodes[5], nodes[7]);
+    }
+
+
+
+    /// A face of a cell at the boundary, its part left open. The unknowns of a
+    /// face come in the order of its own vertices, then the middles of its
+    /// sides, and its centre.
+    template<int dim>
+    LooseFacet<dim>
+    make_loose_facet(const Discretization<dim> &discretization,
+                     const typename DoFHandler<dim>::active_cell_iterator &cell,
+                     const unsigned int                                    f)
     {
       const auto                           face  = cell->face(f);
       const unsigned int                   index = cell->active_fe_index();
       const auto                          &fe    = cell->get_fe();
       std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face(f));
+      std::vector<types::global_dof_index> of_cell(fe.n_dofs_per_cell());
       face->get_dof_indices(dofs, index);
+      cell->get_dof_indices(of_cell);
 
-      // The unknowns of a face come in the order of its own vertices.
-      LooseEdge edge;
-      edge.body   = cell->material_id();
-      edge.middle = face->center(/*respect_manifold=*/true);
-      for (unsigned int a = 0; a < 2; ++a)
-        edge.nodes[a].X = face->vertex(a);
-      // The elements number the corners, then the mid-sides as the faces.
-      if (discretization.degree == 2)
-        edge.nodes[2].X =
-          discretization.mapping[index].transform_unit_to_real_cell(
-            cell,
-            fe.base_element(0).unit_support_point(cell->n_vertices() + f));
+      LooseFacet<dim> facet;
+      facet.body   = cell->material_id();
+      facet.middle = face->center(/*respect_manifold=*/true);
       for (unsigned int k = 0; k < dofs.size(); ++k)
         {
-          const auto [c, a]     = fe.face_system_to_component_index(k, f);
-          edge.nodes[a].dofs[c] = dofs[k];
+          const auto [c, a]      = fe.face_system_to_component_index(k, f);
+          facet.nodes[a].dofs[c] = dofs[k];
+          if (c > 0)
+            continue;
+          const unsigned int in_cell =
+            std::find(of_cell.begin(), of_cell.end(), dofs[k]) -
+            of_cell.begin();
+          facet.nodes[a].X =
+            a < face->n_vertices()
+              ? face->vertex(a)
+              : discretization.mapping[index].transform_unit_to_real_cell(
+                  cell,
+                  fe.base_element(0).unit_support_point(
+                    fe.system_to_component_index(in_cell).second));
         }
-
-      const Tensor<1, 2> along  = edge.nodes[1].X - edge.nodes[0].X;
-      const Tensor<1, 2> inward = cell->center() - face->center();
-      if (along[0] * inward[1] - along[1] * inward[0] < 0)
-        std::swap(edge.nodes[0], edge.nodes[1]);
-      return edge;
-    }
-
-
-
-    /// The angle from a to b, positive to the left [rad].
-    double angle(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-    {
-      return std::atan2(a[0] * b[1] - a[1] * b[0], a * b);
+      orient(facet, cell->center() - face->center());
+      return facet;
     }
   } // namespace
 
 
 
-  Surface::Surface(const Discretization<2>            &discretization,
-                   const std::set<types::boundary_id> &boundary_ids,
-                   const std::string                  &name)
+  template<int dim>
+  Surface<dim>::Surface(const Discretization<dim>          &discretization,
+                        const std::set<types::boundary_id> &boundary_ids,
+                        const std::string                  &name)
     : degree(discretization.degree)
     , discretization(discretization)
   {
-    collect_edges(boundary_ids);
-    if (edges.empty())
-      throw InputError("the surface '" + name + "' has no edge",
+    collect_facets(boundary_ids);
+    if (facets.empty())
+      throw InputError("the surface '" + name + "' has no " +
+                         (dim == 2 ? "edge" : "face"),
                        "Contact",
-                       "name a boundary group of the mesh that has lines");
-    chain_edges();
-    renumber_nodes();
-    link_edges();
-    find_corners();
-    measure_turns();
+                       std::string("name a boundary group of the mesh that ") +
+                         "has " + (dim == 2 ? "lines" : "surfaces"));
+    arrange();
   }
 
 
 
-  // Every rank collects the edges of its own cells; put together, all have the
+  // Every rank collects the facets of its own cells; put together, all have the
   // whole surface.
-  void Surface::collect_edges(const std::set<types::boundary_id> &boundary_ids)
+  template<int dim>
+  void
+  Surface<dim>::collect_facets(const std::set<types::boundary_id> &boundary_ids)
   {
     const auto parts = connected_parts(discretization.mesh.triangulation);
-    std::vector<LooseEdge> own;
+    std::vector<LooseFacet<dim>> own;
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         {
@@ -156,290 +186,118 @@ namespace Contact
               boundary_ids.count(face->boundary_id()) == 0)
             continue;
 
-          own.push_back(make_loose_edge(discretization, cell, f));
+          own.push_back(make_loose_facet<dim>(discretization, cell, f));
           own.back().part =
-            parts[coarse_cell<Triangulation<2>::cell_iterator>(cell)];
+            parts[coarse_cell<typename Triangulation<dim>::cell_iterator>(
+              cell)];
         }
 
     std::map<types::global_dof_index, unsigned int> node_of_dof;
     for (const auto &of_rank :
          Utilities::MPI::all_gather(discretization.communicator, own))
-      for (const LooseEdge &loose : of_rank)
+      for (const LooseFacet<dim> &loose : of_rank)
         {
-          const unsigned int none = numbers::invalid_unsigned_int;
-          Edge               edge{{{0, 0, 0}},
-                    loose.body,
-                    false,
-                    false,
-                    none,
-                    none,
-                    loose.part,
-                    loose.middle};
-          for (unsigned int a = 0; a < n_nodes_per_edge(); ++a)
+          SurfaceFacet<dim> facet;
+          facet.nodes.fill(0);
+          facet.body   = loose.body;
+          facet.part   = loose.part;
+          facet.middle = loose.middle;
+          for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
             {
-              const Node &node = loose.nodes[a];
-              const auto  found =
+              const SurfaceNode<dim> &node = loose.nodes[a];
+              const auto              found =
                 node_of_dof.emplace(node.dofs[0], nodes.size());
               if (found.second)
                 nodes.push_back(node);
-              edge.nodes[a] = found.first->second;
+              facet.nodes[a] = found.first->second;
             }
-          edges.push_back(edge);
+          facets.push_back(facet);
         }
   }
 
 
 
-  void Surface::chain_edges()
+  template<int dim>
+  Point<dim> Surface<dim>::position(const unsigned int    node,
+                                    const Vector<double> &u) const
   {
-    std::map<unsigned int, unsigned int> begins_at, ends_at;
-    for (unsigned int e = 0; e < edges.size(); ++e)
-      {
-        begins_at[edges[e].nodes[0]] = e;
-        ends_at[edges[e].nodes[1]]   = e;
-      }
-    for (Edge &edge : edges)
-      {
-        edge.begins_surface = ends_at.count(edge.nodes[0]) == 0;
-        edge.ends_surface   = begins_at.count(edge.nodes[1]) == 0;
-      }
-
-    // Follow every open chain from its beginning, then what is left: loops.
-    std::vector<Edge> chained;
-    std::vector<bool> taken(edges.size(), false);
-    const auto        follow = [&](unsigned int e) {
-      while (!taken[e])
-        {
-          taken[e] = true;
-          chained.push_back(edges[e]);
-          if (!edges[e].ends_surface)
-            e = begins_at[edges[e].nodes[1]];
-        }
-    };
-    for (unsigned int e = 0; e < edges.size(); ++e)
-      if (edges[e].begins_surface)
-        follow(e);
-    for (unsigned int e = 0; e < edges.size(); ++e)
-      follow(e);
-    edges = chained;
+    Point<dim> x = nodes[node].X;
+    for (unsigned int c = 0; c < dim; ++c)
+      x[c] += u[nodes[node].dofs[c]];
+    return x;
   }
 
 
 
-  void Surface::renumber_nodes()
+  template<int dim>
+  Tensor<1, dim> Surface<dim>::normal(const SurfaceFacet<dim> &facet,
+                                      const unsigned int       a,
+                                      const Vector<double>    &u) const
   {
-    std::vector<unsigned int> new_number(nodes.size(),
-                                         numbers::invalid_unsigned_int);
-    std::vector<Node>         ordered;
-    for (Edge &edge : edges)
-      {
-        // Along the edge: first, (middle,) last.
-        std::vector<unsigned int> along{0, 1};
-        if (degree == 2)
-          along = {0, 2, 1};
-        for (const unsigned int a : along)
-          {
-            unsigned int &node = edge.nodes[a];
-            if (new_number[node] == numbers::invalid_unsigned_int)
-              {
-                new_number[node] = ordered.size();
-                ordered.push_back(nodes[node]);
-              }
-            node = new_number[node];
-          }
-      }
-    nodes = ordered;
-  }
-
-
-
-  void Surface::link_edges()
-  {
-    std::map<unsigned int, unsigned int> begins_at;
-    edges_of_node.resize(nodes.size());
-    for (unsigned int e = 0; e < edges.size(); ++e)
-      {
-        begins_at[edges[e].nodes[0]] = e;
-        for (unsigned int a = 0; a < n_nodes_per_edge(); ++a)
-          edges_of_node[edges[e].nodes[a]].push_back(e);
-      }
-    for (unsigned int e = 0; e < edges.size(); ++e)
-      if (!edges[e].ends_surface)
-        {
-          edges[e].next                 = begins_at.at(edges[e].nodes[1]);
-          edges[edges[e].next].previous = e;
-        }
-  }
-
-
-
-  Tensor<1, 2> Surface::reference_tangent(const Edge  &edge,
-                                          const double xi) const
-  {
-    const EdgeShape shape(degree, xi);
-    Tensor<1, 2>    tangent;
-    for (unsigned int a = 0; a < n_nodes_per_edge(); ++a)
-      tangent += shape.first[a] * nodes[edge.nodes[a]].X;
-    return tangent;
-  }
-
-
-
-  // With the body on the left, the surface turns to the left where it is
-  // convex.
-  void Surface::find_corners()
-  {
-    for (Edge &edge : edges)
-      {
-        edge.begins_face = edge.begins_face || edge.begins_surface;
-        edge.ends_face   = edge.ends_face || edge.ends_surface;
-        if (edge.previous == numbers::invalid_unsigned_int)
-          continue;
-        Edge        &before = edges[edge.previous];
-        const double turn =
-          angle(reference_tangent(before, 1), reference_tangent(edge, -1));
-        if (std::abs(turn) <= numbers::PI / 180 * feature_angle)
-          continue;
-        before.corner[1] = edge.corner[0] = true;
-        if (turn > 0)
-          before.ends_face = edge.begins_face = true;
-      }
-  }
-
-
-
-  // On an arc the angle between the chords of its halves is half of what it
-  // turns by, and each chord is a quarter of that off the tangent at its end.
-  double Surface::turn_of_curves(const unsigned int e) const
-  {
-    if (edges[e].previous == numbers::invalid_unsigned_int)
-      return 0;
-    const auto half = [this](const Edge &edge, const unsigned int a) {
-      const Point<2> end = nodes[edge.nodes[a]].X;
-      return a == 0 ? edge.middle - end : end - edge.middle;
-    };
-    const Edge &before = edges[edges[e].previous];
-    return angle(half(before, 1), half(edges[e], 0)) -
-           0.5 * (angle(half(before, 0), half(before, 1)) +
-                  angle(half(edges[e], 0), half(edges[e], 1)));
-  }
-
-
-
-  void Surface::measure_turns()
-  {
-    turns.assign(nodes.size(), 0.);
-    const auto chord = [this](const Edge &edge) {
-      return nodes[edge.nodes[1]].X - nodes[edge.nodes[0]].X;
-    };
-    for (const Edge &edge : edges)
-      {
-        if (edge.previous != numbers::invalid_unsigned_int)
-          turns[edge.nodes[0]] =
-            std::abs(angle(chord(edges[edge.previous]), chord(edge)));
-        if (degree == 2)
-          turns[edge.nodes[2]] = std::abs(
-            angle(reference_tangent(edge, -1), reference_tangent(edge, 1)));
-      }
-
-    // The body ends there, or it goes on with a side that is in no group.
-    for (const Edge &edge : edges)
-      for (unsigned int a = 0; a < 2; ++a)
-        if (a == 0 ? edge.begins_surface : edge.ends_surface)
-          turns[edge.nodes[a]] = numbers::PI / 2;
-  }
-
-
-
-  Point<2> Surface::position(const unsigned int    node,
-                             const Vector<double> &u) const
-  {
-    const auto &[dofs, X] = nodes[node];
-    return X + Point<2>(u[dofs[0]], u[dofs[1]]);
-  }
-
-
-
-  Tensor<1, 2> Surface::normal(const Edge           &edge,
-                               const unsigned int    a,
-                               const Vector<double> &u) const
-  {
-    const EdgeShape shape(degree, node_coordinates[a]);
-    Tensor<1, 2>    along;
-    for (unsigned int b = 0; b < n_nodes_per_edge(); ++b)
-      along += shape.first[b] * position(edge.nodes[b], u);
-
-    // The body lies to the left of the edge.
-    const Tensor<1, 2> outward = cross_product_2d(along);
+    const FacetShape<dim>               shape(degree, node_place<dim>(a));
+    std::array<Tensor<1, dim>, dim - 1> tangents;
+    for (unsigned int b = 0; b < n_nodes_per_facet(); ++b)
+      for (unsigned int k = 0; k < dim - 1; ++k)
+        tangents[k] += shape.derivative(b, k) * position(facet.nodes[b], u);
+    const Tensor<1, dim> outward = outward_normal(tangents);
     return outward / outward.norm();
   }
 
 
 
-  std::vector<Tensor<1, 2>> Surface::normals(const Vector<double> &u) const
+  template<int dim>
+  std::vector<Tensor<1, dim>>
+  Surface<dim>::normals(const Vector<double> &u) const
   {
-    std::vector<Tensor<1, 2>> normals(nodes.size());
-    for (const Edge &edge : edges)
-      for (unsigned int a = 0; a < n_nodes_per_edge(); ++a)
-        normals[edge.nodes[a]] += normal(edge, a, u);
-    for (Tensor<1, 2> &normal : normals)
+    std::vector<Tensor<1, dim>> normals(nodes.size());
+    for (const SurfaceFacet<dim> &facet : facets)
+      for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+        normals[facet.nodes[a]] += normal(facet, a, u);
+    for (Tensor<1, dim> &normal : normals)
       normal /= normal.norm();
     return normals;
   }
 
 
 
-  std::vector<Surface::PerEdgeNode<Tensor<1, 2>>>
-  Surface::edge_normals(const Vector<double> &u) const
+  template<int dim>
+  FacetNormals<dim> Surface<dim>::facet_normals(const Vector<double> &u) const
   {
-    const auto                             mean = normals(u);
-    std::vector<PerEdgeNode<Tensor<1, 2>>> normals(edges.size());
-    for (unsigned int e = 0; e < edges.size(); ++e)
-      for (unsigned int a = 0; a < n_nodes_per_edge(); ++a)
-        normals[e][a] = a < 2 && edges[e].corner[a] ? normal(edges[e], a, u)
-                                                    : mean[edges[e].nodes[a]];
+    const auto        mean = normals(u);
+    FacetNormals<dim> normals(facets.size());
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+        {
+          const unsigned int node   = facets[e].nodes[a];
+          const auto         around = smooth_around(e, a);
+          if (around.size() == facets_of_node[node].size())
+            normals[e][a] = mean[node];
+          else
+            normals[e][a] = mean_normal(node, around, u);
+        }
     return normals;
   }
 
 
 
-  double Surface::reference_length(const unsigned int edge) const
+  template<int dim>
+  Tensor<1, dim>
+  Surface<dim>::mean_normal(const unsigned int               node,
+                            const std::vector<unsigned int> &of_facets,
+                            const Vector<double>            &u) const
   {
-    const auto &ends = edges[edge].nodes;
-    return nodes[ends[0]].X.distance(nodes[ends[1]].X);
+    Tensor<1, dim> sum;
+    for (const unsigned int e : of_facets)
+      {
+        const auto &of_facet = facets[e].nodes;
+        sum += normal(facets[e],
+                      std::find(of_facet.begin(), of_facet.end(), node) -
+                        of_facet.begin(),
+                      u);
+      }
+    return of_facets.size() == 1 ? sum : sum / sum.norm();
   }
 
-
-
-  std::vector<double> Surface::arc_length(const std::vector<Point<2>> &x) const
-  {
-    std::vector<double> s(nodes.size(), 0.);
-    for (unsigned int i = 1; i < s.size(); ++i)
-      s[i] = s[i - 1] + x[i].distance(x[i - 1]);
-    return s;
-  }
-
-
-
-  double Surface::largest_bend() const
-  {
-    const auto is_straight = [this](const Edge &edge) {
-      const Point<2> &a = nodes[edge.nodes[0]].X, &b = nodes[edge.nodes[1]].X;
-      return edge.middle.distance(a + 0.5 * (b - a)) <= 1e-6 * a.distance(b);
-    };
-    const auto chord = [this](const Edge &edge) {
-      return nodes[edge.nodes[1]].X - nodes[edge.nodes[0]].X;
-    };
-    double largest = 0;
-    for (const Edge &edge : edges)
-      if (edge.previous != numbers::invalid_unsigned_int)
-        {
-          const double bend =
-            180 / numbers::PI *
-            std::abs(angle(chord(edges[edge.previous]), chord(edge)));
-          if (!edge.corner[0] && is_straight(edge))
-            largest = std::max(largest, bend);
-        }
-    return largest;
-  }
+  template class Surface<2>;
+  template class Surface<3>;
 } // namespace Contact

@@ -6,10 +6,13 @@
 #ifndef contact_surface_h
 #define contact_surface_h
 
+#include <deal.II/base/utilities.h>
+
 #include <array>
 #include <cmath>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "solid/discretization.h"
@@ -18,12 +21,17 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// The Lagrange functions of an edge, on [-1, 1], and two derivatives. Node
-  /// order: first, last, middle.
+  /// The Lagrange functions of a facet of a surface at a place of it, and their
+  /// derivatives: of an edge in the plane, of a quadrangle in space.
+  template<int dim, typename Number>
+  struct FacetShapes;
+
+  /// Those of an edge, on [-1, 1], and two derivatives. Node order: first,
+  /// last, middle.
   template<typename Number>
-  struct EdgeShapes
+  struct FacetShapes<2, Number>
   {
-    EdgeShapes(const unsigned int degree, const Number &xi)
+    FacetShapes(const unsigned int degree, const Number &xi)
     {
       if (degree == 1)
         {
@@ -39,8 +47,17 @@ namespace Contact
         }
     }
 
+    /// The derivative of a function along a coordinate of the facet.
+    const Number &derivative(const unsigned int a, const unsigned int) const
+    {
+      return first[a];
+    }
+
     std::array<Number, 3> value, first, second;
   };
+
+  template<typename Number>
+  using EdgeShapes = FacetShapes<2, Number>;
 
   using EdgeShape = EdgeShapes<double>;
 
@@ -49,41 +66,160 @@ namespace Contact
 
 
 
-  /// A boundary of the bodies as a chain of straight or parabolic edges.
+  /// Those of a quadrangle, on [-1, 1] x [-1, 1]: products of those of edges.
+  /// Node order: corners, middles of the sides, centre, as deal.II's.
+  template<typename Number>
+  struct FacetShapes<3, Number>
+  {
+    static constexpr unsigned int max_nodes = 9;
+
+    /// The node of the edge shapes in either coordinate.
+    static constexpr std::array<std::array<unsigned int, 2>, max_nodes> factors{
+      {{{0, 0}},
+       {{1, 0}},
+       {{0, 1}},
+       {{1, 1}},
+       {{0, 2}},
+       {{1, 2}},
+       {{2, 0}},
+       {{2, 1}},
+       {{2, 2}}}};
+
+    FacetShapes(const unsigned int degree, const Point<2, Number> &xi)
+    {
+      const EdgeShapes<Number> x(degree, xi[0]), y(degree, xi[1]);
+      for (unsigned int a = 0; a < (degree == 1 ? 4 : max_nodes); ++a)
+        {
+          const auto [i, j] = factors[a];
+          value[a]          = x.value[i] * y.value[j];
+          first[0][a]       = x.first[i] * y.value[j];
+          first[1][a]       = x.value[i] * y.first[j];
+          second[0][a]      = x.second[i] * y.value[j];
+          second[1][a]      = x.value[i] * y.second[j];
+          mixed[a]          = x.first[i] * y.first[j];
+        }
+    }
+
+    const Number &derivative(const unsigned int a, const unsigned int k) const
+    {
+      return first[k][a];
+    }
+
+    using Values = std::array<Number, max_nodes>;
+    Values                value{};
+    std::array<Values, 2> first{}, second{};
+    Values                mixed{}; // second derivative by both coordinates
+  };
+
+  template<int dim>
+  using FacetShape = FacetShapes<dim, double>;
+
+  /// A place on a facet: one coordinate in the plane, two in space.
+  template<int dim>
+  using FacetPoint = std::conditional_t<dim == 2, double, Point<2>>;
+
+  /// The coordinates of a node of a facet.
+  template<int dim>
+  FacetPoint<dim> node_place(const unsigned int a);
+  template<>
+  FacetPoint<2> node_place<2>(const unsigned int a);
+  template<>
+  FacetPoint<3> node_place<3>(const unsigned int a);
+
+  /// Something at each node of a facet.
+  template<int dim, typename T>
+  using PerFacetNode = std::array<T, dim == 2 ? 3 : 9>;
+
+  template<typename T>
+  using PerEdgeNode = PerFacetNode<2, T>;
+
+  /// A vector at each node of each facet.
+  template<int dim>
+  using FacetNormals = std::vector<PerFacetNode<dim, Tensor<1, dim>>>;
+
+
+
+  /// A node of a surface.
+  template<int dim>
+  struct SurfaceNode
+  {
+    NodeDoFs<dim> dofs;
+    Point<dim>    X; // reference position [mm]
+  };
+
+
+
+  /// What facets of both dimensions have.
+  template<int dim>
+  struct FacetOfBody
+  {
+    /// In the order of the shape functions.
+    PerFacetNode<dim, unsigned int> nodes;
+    types::material_id              body;
+
+    /// The connected part of the mesh it belongs to, which may be of several
+    /// bodies, or a part of one.
+    unsigned int part = 0;
+
+    /// The middle of the curve or the surface that the facet stands for,
+    /// undeformed [mm].
+    Point<dim> middle;
+  };
+
+  template<int dim>
+  struct SurfaceFacet;
+
+
+
+  /// An edge. The body lies to its left.
+  template<>
+  struct SurfaceFacet<2> : public FacetOfBody<2>
+  {
+    bool         begins_surface = false, ends_surface = false;
+    unsigned int previous = numbers::invalid_unsigned_int; // along the chain,
+    unsigned int next     = numbers::invalid_unsigned_int; // or invalid
+
+    /// Corners at the first and the last node.
+    std::array<bool, 2> corner{{false, false}};
+
+    /// A face ends where the surface ends, and at convex corners: beyond
+    /// them nothing faces it.
+    bool begins_face = false, ends_face = false;
+  };
+
+
+
+  /// A quadrangle, whose coordinates are a right-handed system with the outward
+  /// normal. Sides in the order of deal.II: where the first coordinate is -1
+  /// and 1, then the second one.
+  template<>
+  struct SurfaceFacet<3> : public FacetOfBody<3>
+  {
+    static constexpr std::array<std::array<unsigned int, 2>, 4> corners_of_side{
+      {{{0, 2}}, {{1, 3}}, {{0, 1}}, {{2, 3}}}};
+
+    /// The facets across the sides, invalid where the surface ends.
+    std::array<unsigned int, 4> neighbors{{numbers::invalid_unsigned_int,
+                                           numbers::invalid_unsigned_int,
+                                           numbers::invalid_unsigned_int,
+                                           numbers::invalid_unsigned_int}};
+
+    /// Where a corner is between the two, and where it is convex: as at an end
+    /// of the surface nothing faces the facet beyond it.
+    std::array<bool, 4> corner{{false, false, false, false}};
+    std::array<bool, 4> ends_face{{true, true, true, true}};
+  };
+
+
+
+  /// A boundary of the bodies: in the plane a chain of straight or parabolic
+  /// edges, in space quadrangles, bilinear or of degree 2.
+  template<int dim>
   class Surface
   {
   public:
-    struct Node
-    {
-      NodeDoFs<2> dofs;
-      Point<2>    X; // reference position [mm]
-    };
-
-    /// The body lies to the left of the edge.
-    struct Edge
-    {
-      std::array<unsigned int, 3> nodes; // first, last, middle
-      types::material_id          body;
-      bool                        begins_surface, ends_surface;
-      unsigned int                previous, next; // along the chain, or invalid
-
-      /// The connected part of the mesh it belongs to, which may be of several
-      /// bodies, or a part of one.
-      unsigned int part = 0;
-
-      /// The middle of the curve that the edge stands for, undeformed [mm].
-      Point<2> middle;
-
-      /// Corners at the first and the last node.
-      std::array<bool, 2> corner{{false, false}};
-
-      /// A face ends where the surface ends, and at convex corners: beyond
-      /// them nothing faces it.
-      bool begins_face = false, ends_face = false;
-    };
-
     /**
-     * Two edges that meet, undeformed, at an angle of more than this [degrees]
+     * Two facets that meet, undeformed, at an angle of more than this [degrees]
      * make a corner: each has a normal of its own there. Less is a curve that
      * the mesh has drawn as a polygon, with one normal at each node. Contact
      * codes and mesh generators draw the line between 20 and 40 degrees; here
@@ -92,8 +228,8 @@ namespace Contact
      */
     static constexpr double feature_angle = 35;
 
-    /// Throws InputError if there is no edge.
-    Surface(const Discretization<2>            &discretization,
+    /// Throws InputError if there is no facet.
+    Surface(const Discretization<dim>          &discretization,
             const std::set<types::boundary_id> &boundary_ids,
             const std::string                  &name);
 
@@ -103,87 +239,156 @@ namespace Contact
       return discretization.counters;
     }
 
-    const unsigned int degree;
-    std::vector<Node>  nodes; // along the chain, mid-sides in their place
-    std::vector<Edge>  edges; // along the chain
+    const unsigned int             degree;
+    std::vector<SurfaceNode<dim>>  nodes;  // in the plane along the chain
+    std::vector<SurfaceFacet<dim>> facets; // likewise
 
-    /// The edges that meet at each node.
-    std::vector<std::vector<unsigned int>> edges_of_node;
+    /// The facets that meet at each node.
+    std::vector<std::vector<unsigned int>> facets_of_node;
 
     /// The largest angle by which one edge turns against the one before it
-    /// [degrees], of those that are no corners.
+    /// [degrees], of those that are no corners. In the plane.
     double largest_bend() const;
 
     /// By how much the curves turn that two edges stand for, where an edge
     /// begins, to the left [rad]: on an arc of any number of edges not at all.
+    /// In the plane.
     double turn_of_curves(const unsigned int edge) const;
 
     /// By how much the undeformed surface turns at each node, from the middle
     /// of the edge before it to the middle of the edge behind it [rad]; at an
-    /// end by a right angle.
+    /// end by a right angle. In the plane.
     std::vector<double> turns;
 
-    unsigned int n_nodes_per_edge() const
+    unsigned int n_nodes_per_facet() const
     {
-      return degree + 1;
+      return Utilities::fixed_power<dim - 1>(degree + 1);
     }
 
     /// Current position of a node.
-    Point<2> position(const unsigned int node, const Vector<double> &u) const;
+    Point<dim> position(const unsigned int node, const Vector<double> &u) const;
 
     /// The outward unit normals at the nodes of the deformed surface: the mean
-    /// of those of the edges that meet there.
-    std::vector<Tensor<1, 2>> normals(const Vector<double> &u) const;
+    /// of those of the facets that meet there.
+    std::vector<Tensor<1, dim>> normals(const Vector<double> &u) const;
 
-    /// Something at each node of an edge: first, last, middle.
-    template<typename T>
-    using PerEdgeNode = std::array<T, 3>;
+    /// The same by facet: at corners the normal of the facets on its side
+    /// alone.
+    FacetNormals<dim> facet_normals(const Vector<double> &u) const;
 
-    /// The same by edge: at corners the normal of the edge alone.
-    std::vector<PerEdgeNode<Tensor<1, 2>>>
-    edge_normals(const Vector<double> &u) const;
+    /// The size of a facet, undeformed [mm]: the distance of the ends of an
+    /// edge, the shorter one of the diagonals by the root of two.
+    double reference_length(const unsigned int facet) const;
 
-    /// The distance of the ends of an edge, undeformed [mm].
-    double reference_length(const unsigned int edge) const;
-
-    /// The measure of integrals per unit of an edge's coordinate, undeformed:
-    /// its length [mm]; of rings the area [mm^2].
+    /// The measure of integrals per unit of a facet's coordinates, undeformed:
+    /// length [mm] or area; of rings the area [mm^2].
     template<typename Number>
-    Number reference_jacobian(const Edge               &edge,
-                              const EdgeShapes<Number> &shape) const
-    {
-      Tensor<1, 2, Number> X, tangent;
-      for (unsigned int a = 0; a <= degree; ++a)
-        {
-          X += shape.value[a] * Tensor<1, 2>(nodes[edge.nodes[a]].X);
-          tangent += shape.first[a] * Tensor<1, 2>(nodes[edge.nodes[a]].X);
-        }
-      using std::sqrt;
-      return sqrt(tangent * tangent) * discretization.circumference_at(X[0]);
-    }
+    Number reference_jacobian(const SurfaceFacet<dim>        &facet,
+                              const FacetShapes<dim, Number> &shape) const;
+
+    /// The integrals of the shape functions of a facet, undeformed [mm^2]. In
+    /// space.
+    std::vector<double> shares_of_nodes(const unsigned int facet) const;
 
     /// Arc length of all nodes from the first one [mm], from the positions
-    /// @p x of the nodes.
+    /// @p x of the nodes. In the plane.
     std::vector<double> arc_length(const std::vector<Point<2>> &x) const;
 
   private:
-    void collect_edges(const std::set<types::boundary_id> &boundary_ids);
+    void collect_facets(const std::set<types::boundary_id> &boundary_ids);
+
+    /// The order of the facets, how they hang together, and the corners: what
+    /// differs between the plane (surface_chain.cc) and space
+    /// (surface_sides.cc).
+    void arrange();
+
     void chain_edges();
     void renumber_nodes();
     void link_edges();
     void find_corners();
     void measure_turns();
 
+    void link_sides();
+
+    /// The facets around a node of a facet that no corner parts from it.
+    std::vector<unsigned int> smooth_around(const unsigned int facet,
+                                            const unsigned int a) const;
+
+    /// The outward unit normal at a node by some of the facets around it.
+    Tensor<1, dim> mean_normal(const unsigned int               node,
+                               const std::vector<unsigned int> &of_facets,
+                               const Vector<double>            &u) const;
+
     /// The direction of an edge at its coordinate xi, undeformed.
-    Tensor<1, 2> reference_tangent(const Edge &edge, const double xi) const;
+    Tensor<1, dim> reference_tangent(const SurfaceFacet<dim> &edge,
+                                     const double             xi) const;
 
-    /// The outward unit normal at a node of an edge by that edge alone.
-    Tensor<1, 2> normal(const Edge           &edge,
-                        const unsigned int    a,
-                        const Vector<double> &u) const;
+    /// The outward unit normal at a node of a facet by that facet alone.
+    Tensor<1, dim> normal(const SurfaceFacet<dim> &facet,
+                          const unsigned int       a,
+                          const Vector<double>    &u) const;
 
-    const Discretization<2> &discretization;
+    const Discretization<dim> &discretization;
   };
+
+
+
+  template<>
+  void Surface<2>::arrange();
+  template<>
+  void Surface<3>::arrange();
+  template<>
+  std::vector<unsigned int>
+  Surface<2>::smooth_around(const unsigned int edge,
+                            const unsigned int a) const;
+  template<>
+  std::vector<unsigned int>
+  Surface<3>::smooth_around(const unsigned int facet,
+                            const unsigned int a) const;
+  template<>
+  double Surface<2>::reference_length(const unsigned int edge) const;
+  template<>
+  double Surface<3>::reference_length(const unsigned int facet) const;
+
+
+
+  /// A vector along the outward normal, as long as the measure of the facet per
+  /// unit of its coordinates, from the tangents along these.
+  template<typename Number>
+  Tensor<1, 2, Number>
+  outward_normal(const std::array<Tensor<1, 2, Number>, 1> &tangents)
+  {
+    return cross_product_2d(tangents[0]);
+  }
+
+  template<typename Number>
+  Tensor<1, 3, Number>
+  outward_normal(const std::array<Tensor<1, 3, Number>, 2> &tangents)
+  {
+    return cross_product_3d(tangents[0], tangents[1]);
+  }
+
+
+
+  template<int dim>
+  template<typename Number>
+  Number
+  Surface<dim>::reference_jacobian(const SurfaceFacet<dim>        &facet,
+                                   const FacetShapes<dim, Number> &shape) const
+  {
+    Tensor<1, dim, Number>                      X;
+    std::array<Tensor<1, dim, Number>, dim - 1> tangents;
+    for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+      {
+        const Tensor<1, dim> X_a(nodes[facet.nodes[a]].X);
+        X += shape.value[a] * X_a;
+        for (unsigned int k = 0; k < dim - 1; ++k)
+          tangents[k] += shape.derivative(a, k) * X_a;
+      }
+    const Tensor<1, dim, Number> normal = outward_normal(tangents);
+    using std::sqrt;
+    return sqrt(normal * normal) * discretization.circumference_at(X[0]);
+  }
 } // namespace Contact
 
 #endif

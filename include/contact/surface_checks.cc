@@ -16,10 +16,11 @@ namespace Contact
   namespace
   {
     /// The connected parts of the mesh that a surface has lines of.
-    std::set<unsigned int> parts_of(const Surface &surface)
+    template<int dim>
+    std::set<unsigned int> parts_of(const Surface<dim> &surface)
     {
       std::set<unsigned int> parts;
-      for (const Surface::Edge &edge : surface.edges)
+      for (const SurfaceFacet<dim> &edge : surface.facets)
         parts.insert(edge.part);
       return parts;
     }
@@ -27,17 +28,18 @@ namespace Contact
 
 
     /// The lines of a surface that are on one of these parts.
-    std::string lines_on(const Surface                &surface,
+    template<int dim>
+    std::string lines_on(const Surface<dim>           &surface,
                          const std::set<unsigned int> &parts)
     {
       const auto at = [&](const unsigned int node) {
-        const Point<2> &X = surface.nodes[node].X;
+        const Point<dim> &X = surface.nodes[node].X;
         return "(" + brief(X[0]) + ", " + brief(X[1]) + ")";
       };
       const unsigned int n_named = 3;
       std::string        names;
       unsigned int       n = 0;
-      for (const Surface::Edge &edge : surface.edges)
+      for (const SurfaceFacet<dim> &edge : surface.facets)
         if (parts.count(edge.part) > 0 && n++ < n_named)
           names += (n > 1 ? ", " : "") + at(edge.nodes[0]) + " to " +
                    at(edge.nodes[1]);
@@ -48,9 +50,10 @@ namespace Contact
 
 
 
-    void check_bodies(const Surface             &slave,
-                      const Surface             &master,
-                      const Discretization<2>   &discretization,
+    template<int dim>
+    void check_bodies(const Surface<dim>        &slave,
+                      const Surface<dim>        &master,
+                      const Discretization<dim> &discretization,
                       const Parameters::Contact &parameters)
     {
       const auto of_slave = parts_of(slave), of_master = parts_of(master);
@@ -61,10 +64,10 @@ namespace Contact
       if (common.empty() || (of_slave.size() == 1 && of_master.size() == 1))
         return;
 
-      const bool     in_slave = of_slave.size() > 1;
-      const Surface &wrong    = in_slave ? slave : master;
-      const auto     edge     = std::find_if(wrong.edges.begin(),
-                                     wrong.edges.end(),
+      const bool          in_slave = of_slave.size() > 1;
+      const Surface<dim> &wrong    = in_slave ? slave : master;
+      const auto          edge     = std::find_if(wrong.facets.begin(),
+                                     wrong.facets.end(),
                                      [&](const auto &edge) {
                                        return common.count(edge.part) > 0;
                                      });
@@ -83,12 +86,13 @@ namespace Contact
 
 
 
-    void check_nodes(const Surface             &slave,
-                     const Surface             &master,
+    template<int dim>
+    void check_nodes(const Surface<dim>        &slave,
+                     const Surface<dim>        &master,
                      const Parameters::Contact &parameters)
     {
-      for (const Surface::Node &a : slave.nodes)
-        for (const Surface::Node &b : master.nodes)
+      for (const SurfaceNode<dim> &a : slave.nodes)
+        for (const SurfaceNode<dim> &b : master.nodes)
           if (a.dofs == b.dofs)
             throw InputError("slave '" + parameters.slave + "' and master '" +
                                parameters.master +
@@ -104,9 +108,10 @@ namespace Contact
 
 
 
-  void check_surfaces(const Surface             &slave,
-                      const Surface             &master,
-                      const Discretization<2>   &discretization,
+  template<int dim>
+  void check_surfaces(const Surface<dim>        &slave,
+                      const Surface<dim>        &master,
+                      const Discretization<dim> &discretization,
                       const Parameters::Contact &parameters)
   {
     check_nodes(slave, master, parameters);
@@ -115,16 +120,17 @@ namespace Contact
 
 
 
-  void check_ties(const Surface                &slave,
-                  const Surface                &master,
+  template<int dim>
+  void check_ties(const Surface<dim>           &slave,
+                  const Surface<dim>           &master,
                   const std::set<unsigned int> &excluded,
-                  const Discretization<2>      &discretization,
+                  const Discretization<dim>    &discretization,
                   const Parameters::Contact    &parameters)
   {
     const auto is_on_master = [&](const types::global_dof_index dof) {
       return std::any_of(master.nodes.begin(),
                          master.nodes.end(),
-                         [&](const Surface::Node &node) {
+                         [&](const SurfaceNode<dim> &node) {
                            return node.dofs[1] == dof;
                          });
     };
@@ -149,17 +155,41 @@ namespace Contact
 
 
 
-  bool overlap(const Surface &a, const Surface &b)
+  template<int dim>
+  bool overlap(const Surface<dim> &a, const Surface<dim> &b)
   {
-    const auto ends = [](const Surface &surface, const Surface::Edge &edge) {
+    const auto ends = [](const Surface<dim>      &surface,
+                         const SurfaceFacet<dim> &edge) {
       return std::minmax(surface.nodes[edge.nodes[0]].dofs[0],
                          surface.nodes[edge.nodes[1]].dofs[0]);
     };
     std::set<std::pair<types::global_dof_index, types::global_dof_index>> of_a;
-    for (const Surface::Edge &edge : a.edges)
+    for (const SurfaceFacet<dim> &edge : a.facets)
       of_a.insert(ends(a, edge));
-    return std::any_of(b.edges.begin(), b.edges.end(), [&](const auto &edge) {
+    return std::any_of(b.facets.begin(), b.facets.end(), [&](const auto &edge) {
       return of_a.count(ends(b, edge)) > 0;
     });
   }
+
+  template void check_surfaces(const Surface<2>          &slave,
+                               const Surface<2>          &master,
+                               const Discretization<2>   &discretization,
+                               const Parameters::Contact &parameters);
+  template void check_surfaces(const Surface<3>          &slave,
+                               const Surface<3>          &master,
+                               const Discretization<3>   &discretization,
+                               const Parameters::Contact &parameters);
+  template void check_ties(const Surface<2>             &slave,
+                           const Surface<2>             &master,
+                           const std::set<unsigned int> &excluded,
+                           const Discretization<2>      &discretization,
+                           const Parameters::Contact    &parameters);
+  template void check_ties(const Surface<3>             &slave,
+                           const Surface<3>             &master,
+                           const std::set<unsigned int> &excluded,
+                           const Discretization<3>      &discretization,
+                           const Parameters::Contact    &parameters);
+
+  template bool overlap(const Surface<2> &a, const Surface<2> &b);
+  template bool overlap(const Surface<3> &a, const Surface<3> &b);
 } // namespace Contact

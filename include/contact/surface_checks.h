@@ -20,22 +20,25 @@ namespace Contact
    * ones. Two surfaces of one and the same part, the lips of a slit, are meant
    * to touch. Throws InputError.
    */
-  void check_surfaces(const Surface             &slave,
-                      const Surface             &master,
-                      const Discretization<2>   &discretization,
+  template<int dim>
+  void check_surfaces(const Surface<dim>        &slave,
+                      const Surface<dim>        &master,
+                      const Discretization<dim> &discretization,
                       const Parameters::Contact &parameters);
 
   /// Check that no node of the slave but those @p excluded is tied to one of
   /// the master: tie and contact would share one force as they like. Throws
   /// InputError.
-  void check_ties(const Surface                &slave,
-                  const Surface                &master,
+  template<int dim>
+  void check_ties(const Surface<dim>           &slave,
+                  const Surface<dim>           &master,
                   const std::set<unsigned int> &excluded,
-                  const Discretization<2>      &discretization,
+                  const Discretization<dim>    &discretization,
                   const Parameters::Contact    &parameters);
 
   /// Whether two surfaces have an edge in common.
-  bool overlap(const Surface &a, const Surface &b);
+  template<int dim>
+  bool overlap(const Surface<dim> &a, const Surface<dim> &b);
 } // namespace Contact
 
 #endif

@@ -14,7 +14,7 @@ namespace Contact
   namespace
   {
     const double smallest_cosine =
-      std::cos(NormalCone::largest_angle * numbers::PI / 180);
+      std::cos(NormalCone<2>::largest_angle * numbers::PI / 180);
 
     double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
     {
@@ -24,7 +24,7 @@ namespace Contact
 
 
 
-  bool NormalCone::faces(const Tensor<1, 2> &normal) const
+  bool NormalCone<2>::faces(const Tensor<1, 2> &normal) const
   {
     const Tensor<1, 2> to = -normal;
     return to * first >= smallest_cosine || to * last >= smallest_cosine ||
@@ -34,21 +34,22 @@ namespace Contact
 
 
 
-  bool NormalCone::is_beside(const Tensor<1, 2> &normal) const
+  bool NormalCone<2>::is_beside(const Tensor<1, 2> &normal) const
   {
     return std::max(-normal * first, -normal * last) > -smallest_cosine;
   }
 
 
 
-  SurfaceSearch::SurfaceSearch(const Surface &surface, const Vector<double> &u)
+  SurfaceSearch<2>::SurfaceSearch(const Surface<2>     &surface,
+                                  const Vector<double> &u)
     : surface(surface)
   {
     for (unsigned int i = 0; i < surface.nodes.size(); ++i)
       positions.push_back(surface.position(i, u));
 
     std::vector<std::pair<Box, unsigned int>> entries;
-    for (unsigned int e = 0; e < surface.edges.size(); ++e)
+    for (unsigned int e = 0; e < surface.facets.size(); ++e)
       {
         const auto corners = hull(e);
         entries.emplace_back(Box(std::vector<Point<2>>(corners.begin(),
@@ -61,24 +62,24 @@ namespace Contact
 
 
   std::pair<double, double>
-  SurfaceSearch::coordinate_range(const unsigned int edge) const
+  SurfaceSearch<2>::coordinate_range(const unsigned int edge) const
   {
-    return {surface.edges[edge].begins_face ? -1 - overhang : -1.,
-            surface.edges[edge].ends_face ? 1 + overhang : 1.};
+    return {surface.facets[edge].begins_face ? -1 - overhang : -1.,
+            surface.facets[edge].ends_face ? 1 + overhang : 1.};
   }
 
 
 
   // All that project() can answer with. A parabola stays within the triangle of
   // its ends and the point where their tangents meet.
-  std::array<Point<2>, 3> SurfaceSearch::hull(const unsigned int edge) const
+  std::array<Point<2>, 3> SurfaceSearch<2>::hull(const unsigned int edge) const
   {
     const auto [low, high]    = coordinate_range(edge);
     const auto              x = edge_positions(edge);
     const EdgeShape         first(surface.degree, low);
     const EdgeShape         last(surface.degree, high);
     std::array<Point<2>, 3> hull;
-    for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
+    for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
       {
         hull[0] += first.value[a] * x[a];
         hull[1] += last.value[a] * x[a];
@@ -90,36 +91,37 @@ namespace Contact
 
 
   std::array<Point<2>, 3>
-  SurfaceSearch::edge_positions(const unsigned int edge) const
+  SurfaceSearch<2>::edge_positions(const unsigned int edge) const
   {
     std::array<Point<2>, 3> x;
-    for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
-      x[a] = positions[surface.edges[edge].nodes[a]];
+    for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+      x[a] = positions[surface.facets[edge].nodes[a]];
     return x;
   }
 
 
 
-  Projection SurfaceSearch::closest_point(const Point<2> &x) const
+  Projection<2> SurfaceSearch<2>::closest_point(const Point<2> &x) const
   {
-    return choose(x, [](const Projection &) { return true; });
+    return choose(x, [](const Projection<2> &) { return true; });
   }
 
 
 
-  Projection SurfaceSearch::closest_facing(const Point<2>   &x,
-                                           const NormalCone &directions) const
+  Projection<2>
+  SurfaceSearch<2>::closest_facing(const Point<2>      &x,
+                                   const NormalCone<2> &directions) const
   {
-    const auto opposite = [&](const Projection &candidate) {
-      return directions.faces(normal(candidate.edge, candidate.xi));
+    const auto opposite = [&](const Projection<2> &candidate) {
+      return directions.faces(normal(candidate.facet, candidate.xi));
     };
-    Projection found = choose(x, opposite);
+    Projection<2> found = choose(x, opposite);
     if (found.off_the_end && directions.at_end)
       {
-        const auto beside = [&](const Projection &candidate) {
-          return directions.is_beside(normal(candidate.edge, candidate.xi));
+        const auto beside = [&](const Projection<2> &candidate) {
+          return directions.is_beside(normal(candidate.facet, candidate.xi));
         };
-        const Projection next = choose(x, beside);
+        const Projection<2> next = choose(x, beside);
         if (!next.off_the_end)
           found = next;
       }
@@ -128,14 +130,14 @@ namespace Contact
 
 
 
-  Projection SurfaceSearch::choose(const Point<2> &x,
-                                   const Accept   &accept) const
+  Projection<2> SurfaceSearch<2>::choose(const Point<2> &x,
+                                         const Accept   &accept) const
   {
-    Projection found = closest(x, accept);
-    if (found.edge == numbers::invalid_unsigned_int)
+    Projection<2> found = closest(x, accept);
+    if (found.facet == numbers::invalid_unsigned_int)
       {
         // Only to have a distance.
-        found             = closest(x, [](const Projection &) { return true; });
+        found = closest(x, [](const Projection<2> &) { return true; });
         found.off_the_end = true;
         return found;
       }
@@ -146,15 +148,15 @@ namespace Contact
 
 
 
-  Projection SurfaceSearch::closest(const Point<2> &x,
-                                    const Accept   &accept) const
+  Projection<2> SurfaceSearch<2>::closest(const Point<2> &x,
+                                          const Accept   &accept) const
   {
     namespace bgi = boost::geometry::index;
 
     ++surface.counters().projections;
-    Projection best;
-    double     best_distance = std::numeric_limits<double>::max();
-    for (auto entry = tree.qbegin(bgi::nearest(x, surface.edges.size()));
+    Projection<2> best;
+    double        best_distance = std::numeric_limits<double>::max();
+    for (auto entry = tree.qbegin(bgi::nearest(x, surface.facets.size()));
          entry != tree.qend();
          ++entry)
       {
@@ -163,8 +165,8 @@ namespace Contact
         if (to_box > best_distance)
           break;
         ++surface.counters().candidate_pairs;
-        const Projection candidate = project(x, entry->second);
-        const double     distance  = distance_square(x, candidate);
+        const Projection<2> candidate = project(x, entry->second);
+        const double        distance  = distance_square(x, candidate);
         if (distance < best_distance && accept(candidate) &&
             is_closest_around(x, candidate))
           {
@@ -177,24 +179,24 @@ namespace Contact
 
 
 
-  bool SurfaceSearch::is_closest_around(const Point<2>   &x,
-                                        const Projection &candidate) const
+  bool SurfaceSearch<2>::is_closest_around(const Point<2>      &x,
+                                           const Projection<2> &candidate) const
   {
     const unsigned int other = neighbor(candidate);
     if (!candidate.clipped || other == numbers::invalid_unsigned_int ||
-        surface.edges[candidate.edge].corner[candidate.xi > 0 ? 1 : 0])
+        surface.facets[candidate.facet].corner[candidate.xi > 0 ? 1 : 0])
       return true;
-    const Projection beside         = project(x, other);
-    const bool       is_same_vertex = beside.xi * candidate.xi == -1;
+    const Projection<2> beside         = project(x, other);
+    const bool          is_same_vertex = beside.xi * candidate.xi == -1;
     return is_same_vertex ||
            distance_square(x, beside) >= distance_square(x, candidate);
   }
 
 
 
-  unsigned int SurfaceSearch::neighbor(const Projection &projection) const
+  unsigned int SurfaceSearch<2>::neighbor(const Projection<2> &projection) const
   {
-    const auto &edge = surface.edges[projection.edge];
+    const auto &edge = surface.facets[projection.facet];
     return projection.xi > 0   ? edge.next
            : projection.xi < 0 ? edge.previous
                                : numbers::invalid_unsigned_int;
@@ -202,14 +204,14 @@ namespace Contact
 
 
 
-  Projection SurfaceSearch::choose_at_corner(const Point<2>   &x,
-                                             const Projection &best,
-                                             const Accept     &accept) const
+  Projection<2> SurfaceSearch<2>::choose_at_corner(const Point<2>      &x,
+                                                   const Projection<2> &best,
+                                                   const Accept &accept) const
   {
     const unsigned int other = neighbor(best);
     if (other == numbers::invalid_unsigned_int || std::abs(best.xi) <= 1)
       return best;
-    const Projection beside = project(x, other);
+    const Projection<2> beside = project(x, other);
     if (best.xi * beside.xi > 0 || std::abs(beside.xi) <= 1 ||
         beside.off_the_end || !accept(beside))
       return best;
@@ -221,17 +223,17 @@ namespace Contact
 
 
 
-  unsigned int SurfaceSearch::find_twin(const Point<2>   &x,
-                                        const Projection &found,
-                                        const Accept     &accept) const
+  unsigned int SurfaceSearch<2>::find_twin(const Point<2>      &x,
+                                           const Projection<2> &found,
+                                           const Accept        &accept) const
   {
     const unsigned int other = neighbor(found);
     if (other == numbers::invalid_unsigned_int || std::abs(found.xi) > 1)
       return numbers::invalid_unsigned_int;
-    const Projection beside = project(x, other);
+    const Projection<2> beside = project(x, other);
 
     // Round-off of coordinates, against an edge.
-    const auto   nodes     = edge_positions(found.edge);
+    const auto   nodes     = edge_positions(found.facet);
     const double round_off = 1e-10 * (nodes[1] - nodes[0]).norm();
     return std::abs(std::sqrt(distance_square(x, beside)) -
                     std::sqrt(distance_square(x, found))) <= round_off &&
@@ -243,7 +245,7 @@ namespace Contact
 
 
   std::vector<unsigned int>
-  SurfaceSearch::edges_in(const BoundingBox<2> &box) const
+  SurfaceSearch<2>::edges_in(const BoundingBox<2> &box) const
   {
     std::vector<unsigned int> edges;
     for (auto entry = tree.qbegin(boost::geometry::index::intersects(box));
@@ -255,13 +257,13 @@ namespace Contact
 
 
 
-  Tensor<1, 2> SurfaceSearch::normal(const unsigned int edge,
-                                     const double       xi) const
+  Tensor<1, 2> SurfaceSearch<2>::normal(const unsigned int edge,
+                                        const double       xi) const
   {
     const auto      nodes = edge_positions(edge);
     const EdgeShape shape(surface.degree, xi);
     Tensor<1, 2>    along;
-    for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
+    for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
       along += shape.first[a] * nodes[a];
     return cross_product_2d(along) / along.norm();
   }
@@ -271,9 +273,9 @@ namespace Contact
   // Newton's method for (x - x_m(xi)) . x_m'(xi) = 0 from the projection onto
   // the chord; on a straight edge the first step is exact. Where the curvature
   // of the distance is not positive, Gauss-Newton takes over.
-  Projection SurfaceSearch::project(const Point<2>    &x,
-                                    const unsigned int edge,
-                                    const double       extension) const
+  Projection<2> SurfaceSearch<2>::project(const Point<2>    &x,
+                                          const unsigned int edge,
+                                          const double       extension) const
   {
     const auto         nodes = edge_positions(edge);
     const Tensor<1, 2> chord = nodes[1] - nodes[0];
@@ -301,7 +303,7 @@ namespace Contact
           }
       }
 
-    const auto  &flags = surface.edges[edge];
+    const auto  &flags = surface.facets[edge];
     const auto   range = coordinate_range(edge);
     const double low   = std::min(range.first, -1 - extension);
     const double high  = std::max(range.second, 1 + extension);
@@ -315,13 +317,14 @@ namespace Contact
 
 
 
-  double SurfaceSearch::distance_square(const Point<2>   &x,
-                                        const Projection &projection) const
+  double
+  SurfaceSearch<2>::distance_square(const Point<2>      &x,
+                                    const Projection<2> &projection) const
   {
-    const auto      nodes = edge_positions(projection.edge);
+    const auto      nodes = edge_positions(projection.facet);
     const EdgeShape shape(surface.degree, projection.xi);
     Tensor<1, 2>    r = x;
-    for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
+    for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
       r -= shape.value[a] * nodes[a];
     return r.norm_square();
   }

@@ -18,12 +18,24 @@ namespace Contact
 {
   using namespace dealii;
 
+  template<int dim>
+  struct NormalCone;
+
+  template<int dim>
+  struct Projection;
+
+  template<int dim>
+  class SurfaceSearch;
+
+
+
   /**
    * The directions in which a place of a surface looks: the outward normal
    * there, and at a convex corner all those between the normals of the two
    * edges.
    */
-  struct NormalCone
+  template<>
+  struct NormalCone<2>
   {
     Tensor<1, 2> first, last; // of the edge before and the edge behind
 
@@ -54,10 +66,11 @@ namespace Contact
 
 
   /// The point of a surface that is closest to a point in space.
-  struct Projection
+  template<>
+  struct Projection<2>
   {
-    unsigned int edge = numbers::invalid_unsigned_int;
-    double       xi   = 0;
+    unsigned int facet = numbers::invalid_unsigned_int;
+    double       xi    = 0;
 
     /// The point lies beyond the end of a face.
     bool off_the_end = false;
@@ -77,17 +90,18 @@ namespace Contact
    * of their bounding boxes, and visited by the distance of their boxes until
    * no box can hold a closer point.
    */
-  class SurfaceSearch
+  template<>
+  class SurfaceSearch<2>
   {
   public:
-    SurfaceSearch(const Surface &surface, const Vector<double> &u);
+    SurfaceSearch(const Surface<2> &surface, const Vector<double> &u);
 
-    Projection closest_point(const Point<2> &x) const;
+    Projection<2> closest_point(const Point<2> &x) const;
 
     /// The closest of the points that face a place which looks in these
     /// directions; off the end if there is none.
-    Projection closest_facing(const Point<2>   &x,
-                              const NormalCone &directions) const;
+    Projection<2> closest_facing(const Point<2>      &x,
+                                 const NormalCone<2> &directions) const;
 
     /// The edges that may have a point in a box.
     std::vector<unsigned int> edges_in(const BoundingBox<2> &box) const;
@@ -100,13 +114,13 @@ namespace Contact
 
     /// The closest point of one edge, which at vertices goes on by @p extension
     /// in its coordinate, at ends of faces by the overhang.
-    Projection project(const Point<2>    &x,
-                       const unsigned int edge,
-                       const double       extension = 0) const;
+    Projection<2> project(const Point<2>    &x,
+                          const unsigned int edge,
+                          const double       extension = 0) const;
 
     /// Squared distance of a point to its projection [mm^2].
-    double distance_square(const Point<2>   &x,
-                           const Projection &projection) const;
+    double distance_square(const Point<2>      &x,
+                           const Projection<2> &projection) const;
 
     /**
      * The distance beyond the end of a face, in edge coordinates, at which a
@@ -120,12 +134,12 @@ namespace Contact
   private:
     using Box = BoundingBox<2>;
 
-    using Accept = std::function<bool(const Projection &)>;
+    using Accept = std::function<bool(const Projection<2> &)>;
 
     /// The closest point of those accepted; off the end if there is none.
-    Projection choose(const Point<2> &x, const Accept &accept) const;
+    Projection<2> choose(const Point<2> &x, const Accept &accept) const;
 
-    Projection closest(const Point<2> &x, const Accept &accept) const;
+    Projection<2> closest(const Point<2> &x, const Accept &accept) const;
 
     /**
      * Whether a surface that goes on smoothly at the end of an edge comes no
@@ -133,33 +147,33 @@ namespace Contact
      * the edge is no projection: the point may be far off to the side, where
      * its distance along the normal says nothing.
      */
-    bool is_closest_around(const Point<2>   &x,
-                           const Projection &candidate) const;
+    bool is_closest_around(const Point<2>      &x,
+                           const Projection<2> &candidate) const;
 
     /**
      * Beyond both faces that meet in a convex corner a point touches neither as
      * long as it is outside of one: the further one is what it may come to
      * touch. @p best is what is closest.
      */
-    Projection choose_at_corner(const Point<2>   &x,
-                                const Projection &best,
-                                const Accept     &accept) const;
+    Projection<2> choose_at_corner(const Point<2>      &x,
+                                   const Projection<2> &best,
+                                   const Accept        &accept) const;
 
     /// The other edge at the end that xi is nearer to, if it is as close: which
     /// of the two was found first must not matter.
-    unsigned int find_twin(const Point<2>   &x,
-                           const Projection &found,
-                           const Accept     &accept) const;
+    unsigned int find_twin(const Point<2>      &x,
+                           const Projection<2> &found,
+                           const Accept        &accept) const;
 
     /// The edge at the end of another one that xi is nearer to, or invalid.
-    unsigned int neighbor(const Projection &projection) const;
+    unsigned int neighbor(const Projection<2> &projection) const;
 
     /// The coordinates of an edge, with the overhang at an end of a face.
     std::pair<double, double> coordinate_range(const unsigned int edge) const;
 
     std::array<Point<2>, 3> edge_positions(const unsigned int edge) const;
 
-    const Surface                      &surface;
+    const Surface<2>                   &surface;
     std::vector<Point<2>>               positions;
     RTree<std::pair<Box, unsigned int>> tree;
   };

@@ -5,6 +5,8 @@
 
 #include "contact/surface_transfer.h"
 
+#include <deal.II/numerics/rtree.h>
+
 #include <algorithm>
 
 namespace Contact
@@ -12,10 +14,10 @@ namespace Contact
   namespace
   {
     /// The place of the nodes, see SurfaceState.
-    std::vector<double> places(const Surface &slave)
+    std::vector<double> places(const Surface<2> &slave)
     {
       std::vector<Point<2>> X;
-      for (const Surface::Node &node : slave.nodes)
+      for (const SurfaceNode<2> &node : slave.nodes)
         X.push_back(node.X);
       auto         places = slave.arc_length(X);
       const double length = places.back();
@@ -34,9 +36,9 @@ namespace Contact
      * of degree 2 they are of one kind, and not the very last ones, which the
      * end within their support disturbs. Without as many points: the middle.
      */
-    double end_of_contact(const SurfaceState &state,
-                          const unsigned int  last,
-                          const unsigned int  open)
+    double end_of_contact(const SurfaceState<2> &state,
+                          const unsigned int     last,
+                          const unsigned int     open)
     {
       const int             inward = last < open ? -2 : 2;
       const int             n      = state.place.size();
@@ -66,12 +68,12 @@ namespace Contact
 
 
 
-    SurfaceState save_pair(const ContactInterface &interface,
-                           const ContactPair      &contact_pair,
-                           const Vector<double>   &solution)
+    SurfaceState<2> save_pair(const ContactInterface<2> &interface,
+                              const ContactPair<2>      &contact_pair,
+                              const Vector<double>      &solution)
     {
-      const auto   all_places = places(contact_pair.slave);
-      SurfaceState state;
+      const auto      all_places = places(contact_pair.slave);
+      SurfaceState<2> state;
       for (unsigned int i = 0; i < contact_pair.slave.nodes.size(); ++i)
         {
           const unsigned int k = contact_pair.multipliers.of_node[i];
@@ -85,7 +87,7 @@ namespace Contact
           state.bound.push_back(interface.points()[k].friction_bound);
           state.statuses.push_back(interface.points()[k].status);
         }
-      for (const ContactPoint &point : interface.points_of(contact_pair))
+      for (const ContactPoint<2> &point : interface.points_of(contact_pair))
         if (point.is_master_corner)
           {
             const unsigned int k = point.multipliers[0];
@@ -104,11 +106,11 @@ namespace Contact
 
     // Values are interpolated; a status is that of the nearer point, but that
     // the end of the contact is looked for between the points.
-    void restore_pair(const SurfaceState        &state,
-                      const ContactPair         &contact_pair,
-                      const ContactInterface    &interface,
-                      std::vector<ContactPoint> &points,
-                      Vector<double>            &solution)
+    void restore_pair(const SurfaceState<2>        &state,
+                      const ContactPair<2>         &contact_pair,
+                      const ContactInterface<2>    &interface,
+                      std::vector<ContactPoint<2>> &points,
+                      Vector<double>               &solution)
     {
       const auto all_places = places(contact_pair.slave);
       for (unsigned int i = 0; i < contact_pair.slave.nodes.size(); ++i)
@@ -147,7 +149,7 @@ namespace Contact
               points[k].status = state.statuses[all_places[i] < end ? a : b];
             }
           if (!points[k].facing)
-            points[k].status = PointStatus();
+            points[k].status = PointStatus<2>();
           else if (points[k].status.kind == Status::stick &&
                    !interface.can_stick(points[k]))
             points[k].status = {Status::slip, 0};
@@ -158,11 +160,11 @@ namespace Contact
 
     // They come in the order of the chain. Where a finer slave has got a node
     // close to a corner, that does not face it any more.
-    void restore_corners(const SurfaceState        &state,
-                         const ContactPair         &contact_pair,
-                         const ContactInterface    &interface,
-                         std::vector<ContactPoint> &points,
-                         Vector<double>            &solution)
+    void restore_corners(const SurfaceState<2>        &state,
+                         const ContactPair<2>         &contact_pair,
+                         const ContactInterface<2>    &interface,
+                         std::vector<ContactPoint<2>> &points,
+                         Vector<double>               &solution)
     {
       auto corner = state.corners.begin();
       for (unsigned int q = contact_pair.first_point;
@@ -171,8 +173,8 @@ namespace Contact
            ++q)
         if (points[q].is_master_corner)
           {
-            ContactPoint &point = points[q];
-            point.status        = point.facing ? corner->status : PointStatus();
+            ContactPoint<2> &point = points[q];
+            point.status = point.facing ? corner->status : PointStatus<2>();
             point.friction_bound = corner->bound;
             if (point.status.kind == Status::stick &&
                 !interface.can_stick(point))
@@ -185,14 +187,74 @@ namespace Contact
             ++corner;
           }
     }
+
+
+
+    SurfaceState<3> save_pair(const ContactInterface<3> &interface,
+                              const ContactPair<3>      &contact_pair,
+                              const Vector<double>      &solution)
+    {
+      SurfaceState<3> state;
+      for (unsigned int i = 0; i < contact_pair.slave.nodes.size(); ++i)
+        {
+          const unsigned int k = contact_pair.multipliers.of_node[i];
+          if (k == numbers::invalid_unsigned_int)
+            continue;
+          state.place.push_back(contact_pair.slave.nodes[i].X);
+          state.pressure.push_back(solution[interface.normal_index(k)]);
+          state.bound.push_back(interface.points()[k].friction_bound);
+          state.statuses.push_back(interface.points()[k].status);
+        }
+      return state;
+    }
+
+
+
+    // What the nearest node of the coarser mesh has; the shears follow from the
+    // forces of the bodies.
+    void restore_pair(const SurfaceState<3>        &state,
+                      const ContactPair<3>         &contact_pair,
+                      const ContactInterface<3>    &interface,
+                      std::vector<ContactPoint<3>> &points,
+                      Vector<double>               &solution)
+    {
+      const auto nearest = pack_rtree_of_indices(state.place);
+      for (unsigned int i = 0; i < contact_pair.slave.nodes.size(); ++i)
+        {
+          const unsigned int k = contact_pair.multipliers.of_node[i];
+          if (k == numbers::invalid_unsigned_int)
+            continue;
+          const unsigned int n = *nearest.qbegin(
+            boost::geometry::index::nearest(contact_pair.slave.nodes[i].X, 1));
+          solution[interface.normal_index(k)] = state.pressure[n];
+          points[k].friction_bound            = state.bound[n];
+          points[k].status =
+            points[k].facing ? state.statuses[n] : PointStatus<3>();
+          // Its direction is that of another frame.
+          if (points[k].status.has_direction())
+            points[k].status = {Status::stick, {}};
+        }
+    }
+
+
+
+    void restore_corners(const SurfaceState<3> &,
+                         const ContactPair<3> &,
+                         const ContactInterface<3> &,
+                         std::vector<ContactPoint<3>> &,
+                         Vector<double> &)
+    {
+    }
   } // namespace
 
 
 
-  std::vector<SurfaceState> save_surfaces(const ContactInterface &interface,
-                                          const Vector<double>   &solution)
+  template<int dim>
+  std::vector<SurfaceState<dim>>
+  save_surfaces(const ContactInterface<dim> &interface,
+                const Vector<double>        &solution)
   {
-    std::vector<SurfaceState> states;
+    std::vector<SurfaceState<dim>> states;
     for (const auto &contact_pair : interface.pairs)
       states.push_back(save_pair(interface, *contact_pair, solution));
     return states;
@@ -200,17 +262,33 @@ namespace Contact
 
 
 
-  void restore_surfaces(const std::vector<SurfaceState> &states,
-                        ContactInterface                &interface,
-                        Vector<double>                  &solution)
+  template<int dim>
+  void restore_surfaces(const std::vector<SurfaceState<dim>> &states,
+                        ContactInterface<dim>                &interface,
+                        Vector<double>                       &solution)
   {
-    std::vector<ContactPoint> points = interface.points();
+    std::vector<ContactPoint<dim>> points = interface.points();
     for (unsigned int z = 0; z < states.size(); ++z)
       {
-        const ContactPair &contact_pair = *interface.pairs[z];
+        const ContactPair<dim> &contact_pair = *interface.pairs[z];
         restore_pair(states[z], contact_pair, interface, points, solution);
         restore_corners(states[z], contact_pair, interface, points, solution);
       }
     interface.set_points(points);
   }
+
+  template std::vector<SurfaceState<2>>
+  save_surfaces(const ContactInterface<2> &interface,
+                const Vector<double>      &solution);
+
+  template std::vector<SurfaceState<3>>
+  save_surfaces(const ContactInterface<3> &interface,
+                const Vector<double>      &solution);
+
+  template void restore_surfaces(const std::vector<SurfaceState<2>> &states,
+                                 ContactInterface<2>                &interface,
+                                 Vector<double>                     &solution);
+  template void restore_surfaces(const std::vector<SurfaceState<3>> &states,
+                                 ContactInterface<3>                &interface,
+                                 Vector<double>                     &solution);
 } // namespace Contact

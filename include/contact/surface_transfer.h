@@ -12,35 +12,53 @@ namespace Contact
 {
   using namespace dealii;
 
+  template<int dim>
+  struct SurfaceState;
+
   /// The part of the solution that belongs to the points, by the place on the
   /// slave: its reference arc length as a part of the whole.
-  struct SurfaceState
+  template<>
+  struct SurfaceState<2>
   {
-    std::vector<double>      place;
-    std::vector<double>      pressure, shear, bound; // [MPa]
-    std::vector<PointStatus> statuses;
+    std::vector<double>         place;
+    std::vector<double>         pressure, shear, bound; // [MPa]
+    std::vector<PointStatus<2>> statuses;
 
     /// Corners of the master, which every mesh has: force and shear [N per
     /// mm], bound [MPa].
     struct Corner
     {
-      double      force, shear, bound;
-      PointStatus status;
+      double         force, shear, bound;
+      PointStatus<2> status;
     };
     std::vector<Corner> corners;
   };
 
 
 
+  /// In space by the undeformed places of the slave nodes.
+  template<>
+  struct SurfaceState<3>
+  {
+    std::vector<Point<3>>       place;
+    std::vector<double>         pressure, bound; // [MPa]
+    std::vector<PointStatus<3>> statuses;
+  };
+
+
+
   /// The states of all contact pairs, to be carried from one mesh to a finer
   /// one: of discretizations with a point per node.
-  std::vector<SurfaceState> save_surfaces(const ContactInterface &interface,
-                                          const Vector<double>   &solution);
+  template<int dim>
+  std::vector<SurfaceState<dim>>
+  save_surfaces(const ContactInterface<dim> &interface,
+                const Vector<double>        &solution);
 
   /// Set statuses and bounds of the points, and the multipliers in @p solution.
-  void restore_surfaces(const std::vector<SurfaceState> &states,
-                        ContactInterface                &interface,
-                        Vector<double>                  &solution);
+  template<int dim>
+  void restore_surfaces(const std::vector<SurfaceState<dim>> &states,
+                        ContactInterface<dim>                &interface,
+                        Vector<double>                       &solution);
 } // namespace Contact
 
 #endif

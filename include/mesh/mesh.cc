@@ -142,14 +142,12 @@ namespace Contact
     , owned_triangulation(make_triangulation<dim>(msh, communicator))
     , triangulation(*owned_triangulation)
   {
+    if (dim == 2 && msh.dimension() == 3)
+      throw MeshOfVolumes();
     if (msh.dimension() != dim)
-      throw InputError(dim == 2
-                         ? "the mesh has volumes, and scenes are plane or "
-                           "axisymmetric"
-                         : "the mesh has no volumes",
+      throw InputError("the mesh has no volumes",
                        msh.name,
-                       dim == 2 ? "mesh a section: gmsh -2"
-                                : "mesh volumes: gmsh -3");
+                       "mesh volumes: gmsh -3");
     for (const auto &body : msh.names[dim])
       bodies.emplace(body.second, bodies.size());
 

@@ -24,6 +24,14 @@ namespace Contact
 
   struct MshFile;
 
+  /// A mesh in the plane was asked for, and the file has volumes: the scene is
+  /// one in space.
+  struct MeshOfVolumes
+  {
+  };
+
+
+
   /**
    * The triangulation of all bodies and the names of its parts: bodies are
    * material ids (0, 1, ... in the order of gmsh's tags), boundaries are sets

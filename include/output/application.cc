@@ -81,9 +81,11 @@ namespace Contact
                               const bool              verbose,
                               const SolveCase        &solve)
     {
-      RunSummary summary = solve(parameters, prm, verbose);
+      RunSummary      summary = solve(parameters, prm, verbose);
+      Parameters::All same    = parameters;
+      same.in_space           = summary.in_space;
       for (const Parameters::All &other :
-           parameters.with_other_loops(summary.n_displacements))
+           same.with_other_loops(summary.n_displacements))
         {
           if (summary.converged || summary.interrupted)
             break;

@@ -12,14 +12,16 @@
 
 namespace Contact
 {
-  Checkpoint::Checkpoint(const Parameters::All                 &parameters,
-                         const ParameterHandler                &prm,
-                         const ContactModel                    &model,
-                         const std::unique_ptr<InvariantCheck> &invariants,
-                         IncrementState                        &state,
-                         Pairing                               &pairing,
-                         ConvergenceTest                       &convergence,
-                         Report                                &report)
+  template<int dim>
+  Checkpoint<dim>::Checkpoint(
+    const Parameters::All                      &parameters,
+    const ParameterHandler                     &prm,
+    const ContactModel<dim>                    &model,
+    const std::unique_ptr<InvariantCheck<dim>> &invariants,
+    IncrementState<dim>                        &state,
+    Pairing<dim>                               &pairing,
+    ConvergenceTest<dim>                       &convergence,
+    Report<dim>                                &report)
     : parameters(parameters)
     , prm(prm)
     , model(model)
@@ -33,7 +35,8 @@ namespace Contact
 
 
 
-  void Checkpoint::write(LoadSteps &steps)
+  template<int dim>
+  void Checkpoint<dim>::write(LoadSteps &steps)
   {
     if (steps.finished())
       return;
@@ -48,7 +51,8 @@ namespace Contact
 
 
 
-  void Checkpoint::read(LoadSteps &steps)
+  template<int dim>
+  void Checkpoint<dim>::read(LoadSteps &steps)
   {
     const auto file = report.files().directory / "restart.bin";
     if (!std::filesystem::exists(file))
@@ -66,8 +70,9 @@ namespace Contact
 
 
 
+  template<int dim>
   template<class Archive>
-  void Checkpoint::serialize(Archive &archive, LoadSteps &steps)
+  void Checkpoint<dim>::serialize(Archive &archive, LoadSteps &steps)
   {
     archive  &steps;
     archive  &convergence;
@@ -84,7 +89,8 @@ namespace Contact
 
 
   // All that has to be the same for a run to be the continuation of another.
-  std::string Checkpoint::key() const
+  template<int dim>
+  std::string Checkpoint<dim>::key() const
   {
     std::ostringstream key;
     key << "contact restart 2, ranks "
@@ -94,4 +100,7 @@ namespace Contact
     prm.print_parameters(key, ParameterHandler::ShortPRM);
     return key.str();
   }
+
+  template class Checkpoint<2>;
+  template class Checkpoint<3>;
 } // namespace Contact

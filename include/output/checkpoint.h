@@ -21,17 +21,18 @@ namespace Contact
    * increment leaves to the next one. Levels below the last one are computed
    * again, which costs less than to keep their meshes.
    */
+  template<int dim>
   class Checkpoint
   {
   public:
-    Checkpoint(const Parameters::All                 &parameters,
-               const ParameterHandler                &prm,
-               const ContactModel                    &model,
-               const std::unique_ptr<InvariantCheck> &invariants,
-               IncrementState                        &state,
-               Pairing                               &pairing,
-               ConvergenceTest                       &convergence,
-               Report                                &report);
+    Checkpoint(const Parameters::All                      &parameters,
+               const ParameterHandler                     &prm,
+               const ContactModel<dim>                    &model,
+               const std::unique_ptr<InvariantCheck<dim>> &invariants,
+               IncrementState<dim>                        &state,
+               Pairing<dim>                               &pairing,
+               ConvergenceTest<dim>                       &convergence,
+               Report<dim>                                &report);
 
     /// Unless the steps are finished; also the summary so far, should the run
     /// not come to its end.
@@ -47,14 +48,14 @@ namespace Contact
 
     std::string key() const;
 
-    const Parameters::All                 &parameters;
-    const ParameterHandler                &prm;
-    const ContactModel                    &model;
-    const std::unique_ptr<InvariantCheck> &invariants;
-    IncrementState                        &state;
-    Pairing                               &pairing;
-    ConvergenceTest                       &convergence;
-    Report                                &report;
+    const Parameters::All                      &parameters;
+    const ParameterHandler                     &prm;
+    const ContactModel<dim>                    &model;
+    const std::unique_ptr<InvariantCheck<dim>> &invariants;
+    IncrementState<dim>                        &state;
+    Pairing<dim>                               &pairing;
+    ConvergenceTest<dim>                       &convergence;
+    Report<dim>                                &report;
   };
 } // namespace Contact
 

@@ -93,7 +93,8 @@ namespace Contact
 
     /// On an obstacle the nodal and mortar discretizations are one, see
     /// ContactPair.
-    std::string rule_of(const ContactPair         &contact_pair,
+    template<int dim>
+    std::string rule_of(const ContactPair<dim>    &contact_pair,
                         const Parameters::Contact &parameters)
     {
       const std::string points =
@@ -110,7 +111,8 @@ namespace Contact
 
 
 
-    void add_pair(const ContactPair          &contact_pair,
+    template<int dim>
+    void add_pair(const ContactPair<dim>     &contact_pair,
                   const Parameters::Contact  &parameters,
                   const Parameters::Solution &solution,
                   std::vector<Effect>        &effects)
@@ -118,7 +120,7 @@ namespace Contact
       effects.push_back(
         {"contact",
          rule_of(contact_pair, parameters),
-         std::to_string((contact_pair.law.is_frictionless() ? 1 : 2) *
+         std::to_string((contact_pair.law.is_frictionless() ? 1 : dim) *
                         contact_pair.multipliers.n_multipliers) +
            " multipliers" + (contact_pair.tied ? "" : ", active set"),
          parameters.section() +
@@ -133,9 +135,18 @@ namespace Contact
 
 
 
+    template<int dim>
+    unsigned int nodes_of_element(const bool serendipity)
+    {
+      return dim == 2 ? (serendipity ? 8 : 9) : (serendipity ? 20 : 27);
+    }
+
+
+
+    template<int dim>
     std::vector<Effect>
-    effects_of_bodies(const Parameters::All   &parameters,
-                      const Discretization<2> &discretization)
+    effects_of_bodies(const Parameters::All     &parameters,
+                      const Discretization<dim> &discretization)
     {
       const auto &kinematics = parameters.solids.kinematics;
       return {
@@ -150,18 +161,21 @@ namespace Contact
         {"element",
          parameters.element.degree == 1
            ? "linear"
-           : (discretization.serendipity ? "quadratic, 8 nodes"
-                                         : "quadratic, 9 nodes"),
+           : "quadratic, " +
+               std::to_string(
+                 nodes_of_element<dim>(discretization.serendipity)) +
+               " nodes",
          std::to_string(discretization.dof_handler.n_dofs()) + " displacements",
          "Element/Degree"}};
     }
 
 
 
-    void add_contact(const Parameters::All  &parameters,
-                     const std::size_t       n_displacements,
-                     const ContactInterface *interface,
-                     std::vector<Effect>    &effects)
+    template<int dim>
+    void add_contact(const Parameters::All       &parameters,
+                     const std::size_t            n_displacements,
+                     const ContactInterface<dim> *interface,
+                     std::vector<Effect>         &effects)
     {
       const auto pairs = parameters.pairs();
       for (unsigned int z = 0; z < pairs.size(); ++z)
@@ -196,10 +210,11 @@ namespace Contact
 
 
 
-  std::vector<Effect> find_effects(const Parameters::All   &parameters,
-                                   const Discretization<2> &discretization,
-                                   const ContactInterface  *interface,
-                                   const std::string       &system)
+  template<int dim>
+  std::vector<Effect> find_effects(const Parameters::All       &parameters,
+                                   const Discretization<dim>   &discretization,
+                                   const ContactInterface<dim> *interface,
+                                   const std::string           &system)
   {
     const auto          n_displacements = discretization.dof_handler.n_dofs();
     const auto         &refinement      = parameters.refinement;
@@ -279,4 +294,15 @@ namespace Contact
             }
         }
   }
+
+  template std::vector<Effect>
+  find_effects(const Parameters::All     &parameters,
+               const Discretization<2>   &discretization,
+               const ContactInterface<2> *interface,
+               const std::string         &system);
+  template std::vector<Effect>
+  find_effects(const Parameters::All     &parameters,
+               const Discretization<3>   &discretization,
+               const ContactInterface<3> *interface,
+               const std::string         &system);
 } // namespace Contact

@@ -31,10 +31,11 @@ namespace Contact
    * that entails, and the entry that asks for it. @p interface is null without
    * contact, @p system says which linear system is solved how.
    */
-  std::vector<Effect> find_effects(const Parameters::All   &parameters,
-                                   const Discretization<2> &discretization,
-                                   const ContactInterface  *interface,
-                                   const std::string       &system);
+  template<int dim>
+  std::vector<Effect> find_effects(const Parameters::All       &parameters,
+                                   const Discretization<dim>   &discretization,
+                                   const ContactInterface<dim> *interface,
+                                   const std::string           &system);
 
   void print_effects(std::ostream &out, const std::vector<Effect> &effects);
 

@@ -13,14 +13,16 @@
 
 namespace Contact
 {
-  std::vector<NodeRow> collect_nodes(const Discretization<2> &discretization,
-                                     const Vector<double>    &u,
-                                     const Vector<double>    &contact_forces)
+  template<int dim>
+  std::vector<NodeRow<dim>>
+  collect_nodes(const Discretization<dim> &discretization,
+                const Vector<double>      &u,
+                const Vector<double>      &contact_forces)
   {
     const IndexSet &owned = discretization.dof_handler.locally_owned_dofs();
     std::set<types::global_dof_index>    seen;
     std::vector<types::global_dof_index> dofs;
-    std::vector<NodeRow>                 rows;
+    std::vector<NodeRow<dim>>            rows;
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       {
         if (cell->is_artificial())
@@ -35,20 +37,24 @@ namespace Contact
             const auto         dof = dofs[x];
             if (!owned.is_element(dof) || !seen.insert(dof).second)
               continue;
-            const auto     y = dofs[fe.component_to_system_index(1, a)];
-            const Point<2> X =
+            const Point<dim> X =
               mapping.transform_unit_to_real_cell(cell,
                                                   fe.unit_support_point(x));
-            NodeRow row{discretization.mesh.pieces.of_cell(cell),
-                        {{X[0], X[1], u[dof], u[y], 0, 0}}};
-            if (contact_forces.size() > 0)
-              for (unsigned int c = 0; c < 2; ++c)
-                row.values[4 + c] = contact_forces[c == 0 ? dof : y];
+            NodeRow<dim> row;
+            row.piece = discretization.mesh.pieces.of_cell(cell);
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                const auto in_c     = dofs[fe.component_to_system_index(c, a)];
+                row.values[c]       = X[c];
+                row.values[dim + c] = u[in_c];
+                if (contact_forces.size() > 0)
+                  row.values[2 * dim + c] = contact_forces[in_c];
+              }
             rows.push_back(row);
           }
       }
 
-    std::vector<NodeRow> all;
+    std::vector<NodeRow<dim>> all;
     for (const auto &of_rank :
          Utilities::MPI::gather(discretization.communicator, rows))
       all.insert(all.end(), of_rank.begin(), of_rank.end());
@@ -57,14 +63,19 @@ namespace Contact
 
 
 
-  void write_nodes(std::ostream               &out,
-                   const Mesh<2>              &mesh,
-                   const std::vector<NodeRow> &rows)
+  template<int dim>
+  void write_nodes(std::ostream                    &out,
+                   const Mesh<dim>                 &mesh,
+                   const std::vector<NodeRow<dim>> &rows)
   {
     out.precision(std::numeric_limits<double>::max_digits10);
-    out << "body,piece,X_mm,Y_mm,displacement_x_mm,displacement_y_mm,"
-           "contact_force_x_N_per_mm,contact_force_y_N_per_mm\n";
-    for (const NodeRow &row : rows)
+    out << (dim == 2
+              ? "body,piece,X_mm,Y_mm,displacement_x_mm,displacement_y_mm,"
+                "contact_force_x_N_per_mm,contact_force_y_N_per_mm\n"
+              : "body,piece,X_mm,Y_mm,Z_mm,displacement_x_mm,"
+                "displacement_y_mm,displacement_z_mm,contact_force_x_N,"
+                "contact_force_y_N,contact_force_z_N\n");
+    for (const NodeRow<dim> &row : rows)
       {
         out << mesh.body_name(mesh.pieces[row.piece].body) << ',' << row.piece;
         for (const double value : row.values)
@@ -72,4 +83,19 @@ namespace Contact
         out << '\n';
       }
   }
+
+  template std::vector<NodeRow<2>>
+  collect_nodes(const Discretization<2> &discretization,
+                const Vector<double>    &u,
+                const Vector<double>    &contact_forces);
+  template std::vector<NodeRow<3>>
+                collect_nodes(const Discretization<3> &discretization,
+                              const Vector<double>    &u,
+                              const Vector<double>    &contact_forces);
+  template void write_nodes(std::ostream                  &out,
+                            const Mesh<2>                 &mesh,
+                            const std::vector<NodeRow<2>> &rows);
+  template void write_nodes(std::ostream                  &out,
+                            const Mesh<3>                 &mesh,
+                            const std::vector<NodeRow<3>> &rows);
 } // namespace Contact

@@ -21,10 +21,11 @@ namespace Contact
 
   /// A node: its piece (MeshPieces), then X [mm], u [mm] and the force of
   /// contact on it [N per mm of thickness; rings: N].
+  template<int dim>
   struct NodeRow
   {
-    unsigned int          piece = 0;
-    std::array<double, 6> values{};
+    unsigned int                piece = 0;
+    std::array<double, 3 * dim> values{};
 
     template<class Archive>
     void serialize(Archive &archive, const unsigned int)
@@ -36,15 +37,18 @@ namespace Contact
   /// All nodes of all ranks, on the first one; nothing on the others. A node
   /// that several pieces have in common is there once. @p contact_forces is
   /// empty without contact. Collective.
-  std::vector<NodeRow> collect_nodes(const Discretization<2> &discretization,
-                                     const Vector<double>    &u,
-                                     const Vector<double>    &contact_forces);
+  template<int dim>
+  std::vector<NodeRow<dim>>
+  collect_nodes(const Discretization<dim> &discretization,
+                const Vector<double>      &u,
+                const Vector<double>      &contact_forces);
 
   /// Write the nodes as lines of numbers that a reader gets back to the last
   /// bit, below a line with names and units.
-  void write_nodes(std::ostream               &out,
-                   const Mesh<2>              &mesh,
-                   const std::vector<NodeRow> &rows);
+  template<int dim>
+  void write_nodes(std::ostream                    &out,
+                   const Mesh<dim>                 &mesh,
+                   const std::vector<NodeRow<dim>> &rows);
 } // namespace Contact
 
 #endif

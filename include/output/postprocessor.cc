@@ -9,10 +9,11 @@
 
 namespace Contact
 {
-  Postprocessor::Postprocessor(const Parameters::All &parameters,
-                               const ContactModel    &model,
-                               const IncrementState  &state,
-                               Report                &report)
+  template<int dim>
+  Postprocessor<dim>::Postprocessor(const Parameters::All     &parameters,
+                                    const ContactModel<dim>   &model,
+                                    const IncrementState<dim> &state,
+                                    Report<dim>               &report)
     : parameters(parameters)
     , model(model)
     , state(state)
@@ -22,11 +23,17 @@ namespace Contact
 
 
 
-  void Postprocessor::check_probes() const
+  template<int dim>
+  void Postprocessor<dim>::check_probes() const
   {
     for (const auto &[name, probe] : parameters.probes.definitions())
       for (const std::string &point : probe.places)
         {
+          if (dim == 2 && is_in_space(probe.quantity))
+            throw InputError("there is no " + probe.quantity.name() +
+                               " in the plane",
+                             "Probes/Probes, '" + name + "'",
+                             "remove the probe, or mesh volumes");
           if (is_force(probe.quantity))
             {
               check_force(name, probe.quantity, point, model);
@@ -49,10 +56,12 @@ namespace Contact
 
 
 
-  const std::vector<SymmetricTensor<2, 3>> &Postprocessor::recovered_stresses()
+  template<int dim>
+  const std::vector<SymmetricTensor<2, 3>> &
+  Postprocessor<dim>::recovered_stresses()
   {
     if (!recovery)
-      recovery = std::make_unique<StressRecovery<2>>(*model.discretization);
+      recovery = std::make_unique<StressRecovery<dim>>(*model.discretization);
     if (stresses.empty())
       {
         ++model.discretization->counters.stress_recoveries;
@@ -63,7 +72,9 @@ namespace Contact
 
 
 
-  ContactResults Postprocessor::results(const ContactPair &contact_pair) const
+  template<int dim>
+  ContactResults
+  Postprocessor<dim>::results(const ContactPair<dim> &contact_pair) const
   {
     return contact_results(*model.interface,
                            contact_pair,
@@ -74,7 +85,8 @@ namespace Contact
 
 
 
-  void Postprocessor::record_increment()
+  template<int dim>
+  void Postprocessor<dim>::record_increment()
   {
     IncrementRecord &record = report.increment();
     if (model.interface)
@@ -84,7 +96,8 @@ namespace Contact
         record.stick            = count.stick;
         record.slip             = count.active - count.stick;
         for (const auto &contact_pair : model.interface->pairs)
-          record.contact[contact_pair->name] = results(*contact_pair).by_name();
+          record.contact[contact_pair->name] =
+            results(*contact_pair).by_name(dim);
       }
     for (const auto &[name, definition] : parameters.probes.definitions())
       if (!is_stress(definition.quantity))
@@ -93,62 +106,16 @@ namespace Contact
 
 
 
-  void Postprocessor::write_increment(const unsigned int k,
-                                      const bool         is_complete)
-  {
-    const auto &output  = parameters.output;
-    const bool  is_last = is_complete && k == parameters.solution.n_increments;
-    if (is_last && model.interface)
-      compare_with_theory();
-    const bool with_profile = is_last && output.profile;
-    const bool with_nodes   = is_last && output.nodes;
-    if (!output.vtu && !with_profile && !with_nodes)
-      return;
-    TimerOutput::Scope scope(report.timer, "output");
-
-    Vector<double> forces;
-    if (model.interface)
-      forces = contact_forces(*model.interface,
-                              state.solution,
-                              state.start,
-                              parameters.solution.has_moving_bound());
-    if (with_nodes)
-      report.files().write_nodes(state.solution, forces);
-    if (!output.vtu && !with_profile)
-      return;
-
-    std::vector<PairProfile> profiles;
-    if (model.interface)
-      profiles = pair_profiles(*model.interface,
-                               *model.discretization,
-                               recovered_stresses(),
-                               state.solution,
-                               state.start,
-                               exact,
-                               /*with_masters=*/with_profile);
-    if (output.vtu)
-      report.files().write_bodies(k,
-                                  state.load_factor,
-                                  recovered_stresses(),
-                                  state.solution,
-                                  forces);
-    if (output.vtu && model.interface)
-      report.files().write_contact(k, state.load_factor, profiles);
-    if (with_profile && model.interface)
-      report.files().write_profile(profiles);
-  }
-
-
-
   // The contact in a few numbers, and the same numbers of theory if there is a
   // closed form.
-  void Postprocessor::compare_with_theory()
+  template<>
+  void Postprocessor<2>::compare_with_theory()
   {
     RunSummary &summary = report.summary;
     summary.contact     = report.increment().contact;
 
-    TimerOutput::Scope scope(report.timer, "verification");
-    const ContactPair &contact_pair = *model.interface->pairs[0];
+    TimerOutput::Scope    scope(report.timer, "verification");
+    const ContactPair<2> &contact_pair = *model.interface->pairs[0];
     try
       {
         exact = make_exact_solution(parameters,
@@ -177,9 +144,66 @@ namespace Contact
 
 
 
-  void Postprocessor::record_level(const unsigned int level,
-                                   const bool         is_last,
-                                   const ProbeErrors &errors)
+  template<>
+  void Postprocessor<3>::compare_with_theory()
+  {
+    report.summary.contact = report.increment().contact;
+  }
+
+
+
+  template<int dim>
+  void Postprocessor<dim>::write_increment(const unsigned int k,
+                                           const bool         is_complete)
+  {
+    const auto &output  = parameters.output;
+    const bool  is_last = is_complete && k == parameters.solution.n_increments;
+    if (is_last && model.interface)
+      compare_with_theory();
+    const bool with_profile = is_last && output.profile;
+    const bool with_nodes   = is_last && output.nodes;
+    if (!output.vtu && !with_profile && !with_nodes)
+      return;
+    TimerOutput::Scope scope(report.timer, "output");
+
+    Vector<double> forces;
+    if (model.interface)
+      forces = contact_forces(*model.interface,
+                              state.solution,
+                              state.start,
+                              parameters.solution.has_moving_bound());
+    if (with_nodes)
+      report.files().write_nodes(state.solution, forces);
+    if (!output.vtu && !with_profile)
+      return;
+
+    std::vector<PairProfile<dim>> profiles;
+    if (model.interface)
+      profiles = pair_profiles(*model.interface,
+                               *model.discretization,
+                               recovered_stresses(),
+                               state.solution,
+                               state.start,
+                               exact,
+                               /*with_masters=*/with_profile);
+    if (output.vtu)
+      report.files().write_bodies(k,
+                                  state.load_factor,
+                                  recovered_stresses(),
+                                  state.solution,
+                                  forces);
+    if (output.vtu && model.interface)
+      report.files().write_contact(k, state.load_factor, profiles);
+    if (with_profile && model.interface)
+      report.files().write_profile(profiles);
+  }
+
+
+
+  template<int dim>
+  void Postprocessor<dim>::record_level(const unsigned int level,
+                                        const bool         is_last,
+                                        const ProbeErrors &errors)
   {
     const RunSummary &summary = report.summary;
     LevelRecord       record;
@@ -216,7 +240,9 @@ namespace Contact
 
 
   // The difference between two points, if there are two.
-  double Postprocessor::probe(const Parameters::Probes::Definition &definition)
+  template<int dim>
+  double
+  Postprocessor<dim>::probe(const Parameters::Probes::Definition &definition)
   {
     const double first = value(definition.quantity, definition.places[0]);
     return definition.places.size() == 1
@@ -226,8 +252,9 @@ namespace Contact
 
 
 
-  double Postprocessor::value(const Parameters::Quantity quantity,
-                              const std::string         &point)
+  template<int dim>
+  double Postprocessor<dim>::value(const Parameters::Quantity quantity,
+                                   const std::string         &point)
   {
     if (is_force(quantity))
       return resultant(quantity, point, model)
@@ -250,7 +277,8 @@ namespace Contact
 
 
 
-  void Postprocessor::report_probes()
+  template<int dim>
+  void Postprocessor<dim>::report_probes()
   {
     report.summary.probes.clear();
     for (const auto &[name, definition] : parameters.probes.definitions())
@@ -258,8 +286,10 @@ namespace Contact
         ProbeResult result;
         result.name            = name;
         result.is_displacement = is_displacement(definition.quantity);
-        result.unit  = unit_of(definition.quantity, parameters.solids.symmetry);
-        result.value = report.summary.levels.back().probes.at(name);
+        result.unit            = unit_of(definition.quantity,
+                              parameters.solids.symmetry,
+                              /*in_space=*/dim == 3);
+        result.value           = report.summary.levels.back().probes.at(name);
         if (parameters.probes.references.count(name) > 0)
           {
             result.reference = parameters.probes.references.at(name);
@@ -272,4 +302,7 @@ namespace Contact
     else
       take_errors_of_level(report.summary);
   }
+
+  template class Postprocessor<2>;
+  template class Postprocessor<3>;
 } // namespace Contact

@@ -21,13 +21,14 @@ namespace Contact
    * ParaView and for curves, and the comparison with theory. Stresses are
    * recovered when one of them asks for it.
    */
+  template<int dim>
   class Postprocessor
   {
   public:
-    Postprocessor(const Parameters::All &parameters,
-                  const ContactModel    &model,
-                  const IncrementState  &state,
-                  Report                &report);
+    Postprocessor(const Parameters::All     &parameters,
+                  const ContactModel<dim>   &model,
+                  const IncrementState<dim> &state,
+                  Report<dim>               &report);
 
     /// Check that the points of all probes exist, and carry what is asked for.
     /// Throws InputError. Collective.
@@ -57,20 +58,20 @@ namespace Contact
                       const ProbeErrors &errors);
 
   private:
-    ContactResults results(const ContactPair &contact_pair) const;
+    ContactResults results(const ContactPair<dim> &contact_pair) const;
     double         probe(const Parameters::Probes::Definition &definition);
     double value(const Parameters::Quantity quantity, const std::string &point);
     void   compare_with_theory();
     void   report_probes();
 
-    const Parameters::All &parameters;
-    const ContactModel    &model;
-    const IncrementState  &state;
-    Report                &report;
+    const Parameters::All     &parameters;
+    const ContactModel<dim>   &model;
+    const IncrementState<dim> &state;
+    Report<dim>               &report;
 
-    std::unique_ptr<StressRecovery<2>> recovery; // as it is asked for
-    std::vector<SymmetricTensor<2, 3>> stresses; // likewise
-    std::optional<ExactSolution>       exact;
+    std::unique_ptr<StressRecovery<dim>> recovery; // as it is asked for
+    std::vector<SymmetricTensor<2, 3>>   stresses; // likewise
+    std::optional<ExactSolution>         exact;
   };
 } // namespace Contact
 

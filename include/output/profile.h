@@ -20,20 +20,25 @@ namespace Contact
 
   /// The state of contact at one node of a surface: a row of the profile, from
   /// which all curves over the contact zone are plotted.
+  template<int dim>
   struct ProfileRow
   {
     // From the first row of the surface along its nodes [mm].
     double arc_length          = 0;
     double deformed_arc_length = 0;
 
-    Point<2>     X; // reference position [mm]
-    Tensor<1, 2> u; // displacement [mm]
+    Point<dim>     X; // reference position [mm]
+    Tensor<1, dim> u; // displacement [mm]
 
     double pressure    = 0; // multiplier, positive in compression [MPa]
     double shear       = 0; // multiplier; on the slave along t [MPa]
     double nodal_force = 0; // normal force [N per mm of thickness]
     double gap         = 0; // [mm], negative: penetration
-    double slip        = 0; // of this increment [mm]
+    double slip        = 0; // of this increment [mm]; in space, like shear,
+                            // the magnitude
+
+    /// In space shear and slip as vectors.
+    Tensor<1, dim> shear_vector, slip_vector;
 
     /// 0 open, 1 slip, 2 stick; -1: nothing can touch here, because the node
     /// carries no contact point or faces nothing.
@@ -51,11 +56,12 @@ namespace Contact
 
 
   /// The rows of both surfaces of a contact pair.
+  template<int dim>
   struct PairProfile
   {
-    std::string             name; // of the contact pair
-    const Surface          *slave;
-    std::vector<ProfileRow> slave_rows, master_rows;
+    std::string                  name; // of the contact pair
+    const Surface<dim>          *slave;
+    std::vector<ProfileRow<dim>> slave_rows, master_rows;
   };
 
 
@@ -72,10 +78,11 @@ namespace Contact
    * @p vertex_stresses are by vertex of the triangulation, @p u_start is the
    * solution at the start of the increment.
    */
-  std::vector<ProfileRow>
-  slave_profile(const ContactInterface                   &interface,
-                const ContactPair                        &contact_pair,
-                const Discretization<2>                  &discretization,
+  template<int dim>
+  std::vector<ProfileRow<dim>>
+  slave_profile(const ContactInterface<dim>              &interface,
+                const ContactPair<dim>                   &contact_pair,
+                const Discretization<dim>                &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const Vector<double>                     &solution,
                 const Vector<double>                     &u_start,
@@ -94,20 +101,22 @@ namespace Contact
    * two surfaces that face each other run in opposite directions, because
    * each has its body to the left, and the profiles shall run alike.
    */
-  std::vector<ProfileRow>
-  master_profile(const ContactInterface                   &interface,
-                 const ContactPair                        &contact_pair,
-                 const Discretization<2>                  &discretization,
+  template<int dim>
+  std::vector<ProfileRow<dim>>
+  master_profile(const ContactInterface<dim>              &interface,
+                 const ContactPair<dim>                   &contact_pair,
+                 const Discretization<dim>                &discretization,
                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                  const Vector<double>                     &solution,
-                 const std::vector<ProfileRow>            &slave,
+                 const std::vector<ProfileRow<dim>>       &slave,
                  const std::optional<ExactSolution>       &exact);
 
   /// The profiles of all contact pairs, of their masters only with @p
   /// with_masters. An exact solution is that of the first contact pair.
-  std::vector<PairProfile>
-  pair_profiles(const ContactInterface                   &interface,
-                const Discretization<2>                  &discretization,
+  template<int dim>
+  std::vector<PairProfile<dim>>
+  pair_profiles(const ContactInterface<dim>              &interface,
+                const Discretization<dim>                &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const Vector<double>                     &solution,
                 const Vector<double>                     &u_start,

@@ -17,10 +17,33 @@
 
 namespace Contact
 {
-  Report::Report(const Parameters::All  &parameters,
-                 const ParameterHandler &prm,
-                 const bool              verbose,
-                 const MPI_Comm          communicator)
+  namespace
+  {
+    /// A vector out of the body at a facet, undeformed.
+    Tensor<1, 2> outward(const Surface<2> &surface, const unsigned int e)
+    {
+      const auto &nodes = surface.facets[e].nodes;
+      return cross_product_2d(surface.nodes[nodes[1]].X -
+                              surface.nodes[nodes[0]].X);
+    }
+
+    Tensor<1, 3> outward(const Surface<3> &surface, const unsigned int e)
+    {
+      const auto &nodes = surface.facets[e].nodes;
+      return cross_product_3d(surface.nodes[nodes[1]].X -
+                                surface.nodes[nodes[0]].X,
+                              surface.nodes[nodes[2]].X -
+                                surface.nodes[nodes[0]].X);
+    }
+  } // namespace
+
+
+
+  template<int dim>
+  Report<dim>::Report(const Parameters::All  &parameters,
+                      const ParameterHandler &prm,
+                      const bool              verbose,
+                      const MPI_Comm          communicator)
     : communicator(communicator)
     , screen(std::cout,
              verbose && parameters.output.screen == Parameters::Screen::full &&
@@ -36,11 +59,12 @@ namespace Contact
 
 
 
-  void Report::open_files(const Discretization<2> &discretization)
+  template<int dim>
+  void Report<dim>::open_files(const Discretization<dim> &discretization)
   {
     this->discretization = &discretization;
-    result_files =
-      std::make_unique<ResultFiles>(parameters.directory(), discretization);
+    result_files = std::make_unique<ResultFiles<dim>>(parameters.directory(),
+                                                      discretization);
     if (!parameters.restart)
       result_files->remove_increments();
     summary.message = "the run has not ended";
@@ -49,7 +73,8 @@ namespace Contact
 
 
 
-  void Report::begin_anew(const Discretization<2> &discretization)
+  template<int dim>
+  void Report<dim>::begin_anew(const Discretization<dim> &discretization)
   {
     summary.increments.clear();
     replace_results(discretization);
@@ -57,26 +82,30 @@ namespace Contact
 
 
 
-  void Report::replace_results(const Discretization<2> &discretization)
+  template<int dim>
+  void Report<dim>::replace_results(const Discretization<dim> &discretization)
   {
-    result_files =
-      std::make_unique<ResultFiles>(parameters.directory(), discretization);
+    result_files = std::make_unique<ResultFiles<dim>>(parameters.directory(),
+                                                      discretization);
     result_files->remove_increments();
   }
 
 
 
-  void Report::record_size(const ContactModel &model)
+  template<int dim>
+  void Report<dim>::record_size(const ContactModel<dim> &model)
   {
+    summary.in_space        = dim == 3;
     summary.n_displacements = model.n_displacements();
     summary.n_multipliers   = model.n_multipliers();
   }
 
 
 
-  void Report::begin_increment(const unsigned int level,
-                               const unsigned int increment,
-                               const double       load_factor)
+  template<int dim>
+  void Report<dim>::begin_increment(const unsigned int level,
+                                    const unsigned int increment,
+                                    const double       load_factor)
   {
     summary.increments.emplace_back();
     IncrementRecord &record = summary.increments.back();
@@ -89,7 +118,8 @@ namespace Contact
 
 
 
-  void Report::end_increment()
+  template<int dim>
+  void Report<dim>::end_increment()
   {
     IncrementRecord &record = increment();
     record.converged        = true;
@@ -100,7 +130,9 @@ namespace Contact
 
 
 
-  void Report::print_scene(const ContactModel &model, const std::string &system)
+  template<int dim>
+  void Report<dim>::print_scene(const ContactModel<dim> &model,
+                                const std::string       &system)
   {
     const std::vector<Effect> effects = find_effects(parameters,
                                                      *model.discretization,
@@ -131,7 +163,9 @@ namespace Contact
 
   // Loads and supports have their values at the ends of increments alone: where
   // a history turns back in between, its peak is never there.
-  void Report::print_note_on_histories(const Discretization<2> &discretization)
+  template<int dim>
+  void Report<dim>::print_note_on_histories(
+    const Discretization<dim> &discretization)
   {
     const unsigned int n         = parameters.solution.n_increments;
     const unsigned int n_samples = 32; // of an increment
@@ -174,27 +208,28 @@ namespace Contact
   // few of the master: too many for its displacements (inf-sup condition). With
   // moduli of 3, 5 and 10 to 1, quadratic elements and edges of 0.6 to 1, the
   // peak was 1.2, 1.6 and 1.8 times that of the exchanged roles.
-  void Report::print_note_on_roles(const ContactModel &model)
+  template<int dim>
+  void Report<dim>::print_note_on_roles(const ContactModel<dim> &model)
   {
     struct Side
     {
       double length = 0, stiffness = 0;
     };
-    const auto mean = [&](const Surface &surface) {
+    const auto mean = [&](const Surface<dim> &surface) {
       Side side;
-      for (unsigned int e = 0; e < surface.edges.size(); ++e)
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
         {
-          side.length += surface.reference_length(e) / surface.edges.size();
+          side.length += surface.reference_length(e) / surface.facets.size();
           side.stiffness +=
-            model.elasticity->youngs_modulus(surface.edges[e].body) /
-            surface.edges.size();
+            model.elasticity->youngs_modulus(surface.facets[e].body) /
+            surface.facets.size();
         }
       return side;
     };
     const auto entries = parameters.pairs();
     for (unsigned int z = 0; z < entries.size(); ++z)
       {
-        const ContactPair &contact_pair = *model.interface->pairs[z];
+        const ContactPair<dim> &contact_pair = *model.interface->pairs[z];
         if (!contact_pair.master || contact_pair.tied)
           continue;
         const Side slave  = mean(contact_pair.slave);
@@ -212,21 +247,18 @@ namespace Contact
 
   // A wrong group, or an obstacle whose normal points the other way, would show
   // as a scene without contact.
-  void Report::print_note_on_facing(const ContactInterface &interface)
+  template<int dim>
+  void Report<dim>::print_note_on_facing(const ContactInterface<dim> &interface)
   {
     const auto entries = parameters.pairs();
     for (unsigned int z = 0; z < entries.size(); ++z)
       {
-        const auto     points = interface.points_of(*interface.pairs[z]);
-        const Surface &slave  = interface.pairs[z]->slave;
-        // The body is to the left of an edge.
-        const auto faces = [&](const ContactPoint &point) {
-          const auto        &nodes = slave.edges[point.slave_edge].nodes;
-          const Tensor<1, 2> along =
-            slave.nodes[nodes[1]].X - slave.nodes[nodes[0]].X;
+        const auto          points = interface.points_of(*interface.pairs[z]);
+        const Surface<dim> &slave  = interface.pairs[z]->slave;
+        const auto          faces  = [&](const ContactPoint<dim> &point) {
           return point.facing &&
                  (point.is_master_corner || entries[z].obstacle.empty() ||
-                  along[1] * point.normal[0] < along[0] * point.normal[1]);
+                  outward(slave, point.slave_facet) * point.normal < 0);
         };
         if (std::none_of(points.begin(), points.end(), faces))
           print_error(": note: no point of the slave '" + entries[z].slave +
@@ -242,35 +274,41 @@ namespace Contact
 
 
   // A mesh has only a polygon of a circle.
-  void Report::print_note_on_arcs(const ContactModel        &model,
-                                  const Parameters::Contact &contact_pair)
+  template<int dim>
+  void Report<dim>::print_note_on_arcs(const ContactModel<dim>   &model,
+                                       const Parameters::Contact &contact_pair)
   {
     if (parameters.element.degree == 1 && parameters.mesh.refinements == 0 &&
         !parameters.has_levels())
       return;
     for (const std::string &name : {contact_pair.slave, contact_pair.master})
       {
-        if (name.empty() || parameters.mesh.arcs.count(name) > 0)
+        if (name.empty() || parameters.mesh.is_round(name))
           continue;
         const double bend =
-          Surface(*model.discretization,
-                  model.mesh->boundary(name, contact_pair.section()),
-                  name)
+          Surface<dim>(*model.discretization,
+                       model.mesh->boundary(name, contact_pair.section()),
+                       name)
             .largest_bend();
         if (bend > 0.1)
           screen
             << "Note: '" << name << "' bends by up to " << bend
             << " degrees at a node and is no arc: at degree 2 and on finer "
-               "meshes it keeps its corners. For a circle: Mesh/Arcs = "
-            << name << ": x, y, radius" << std::endl;
+               "meshes it keeps its corners. "
+            << (dim == 2
+                  ? "For a circle: Mesh/Arcs = " + name + ": x, y, radius"
+                  : "If it is round: Mesh/Spheres, Cylinders, Cones or "
+                    "Tori")
+            << std::endl;
       }
   }
 
 
 
-  void Report::print_level(const ContactModel &model,
-                           const unsigned int  level,
-                           const std::string  &system)
+  template<int dim>
+  void Report<dim>::print_level(const ContactModel<dim> &model,
+                                const unsigned int       level,
+                                const std::string       &system)
   {
     screen << "Level " << level << ": "
            << model.mesh->triangulation.n_global_active_cells() << " cells, "
@@ -280,10 +318,11 @@ namespace Contact
 
 
 
-  void Report::print_step(const ContactModel &model,
-                          const unsigned int  step,
-                          const double        residual,
-                          const unsigned int  n_changes)
+  template<int dim>
+  void Report<dim>::print_step(const ContactModel<dim> &model,
+                               const unsigned int       step,
+                               const double             residual,
+                               const unsigned int       n_changes)
   {
     screen << "    Newton " << std::setw(2) << step << "  residual "
            << std::scientific << std::setprecision(3) << residual
@@ -299,7 +338,8 @@ namespace Contact
 
 
 
-  void Report::record_halvings(const std::vector<double> &residuals)
+  template<int dim>
+  void Report<dim>::record_halvings(const std::vector<double> &residuals)
   {
     increment().halved_steps += residuals.size();
     for (const double residual : residuals)
@@ -308,7 +348,8 @@ namespace Contact
 
 
 
-  void Report::record(const Invariants &found)
+  template<int dim>
+  void Report<dim>::record(const Invariants &found)
   {
     IncrementRecord &record = increment();
     record.invariants       = found.measures();
@@ -326,7 +367,8 @@ namespace Contact
 
 
 
-  void Report::print_error(const std::string &message) const
+  template<int dim>
+  void Report<dim>::print_error(const std::string &message) const
   {
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       std::cerr << parameters.name << message << std::endl;
@@ -334,7 +376,8 @@ namespace Contact
 
 
 
-  void Report::record(const StrainRange &range)
+  template<int dim>
+  void Report<dim>::record(const StrainRange &range)
   {
     summary.strain_range = range;
     screen << "Largest strain " << range.strain << ", largest rotation "
@@ -348,8 +391,9 @@ namespace Contact
 
 
 
-  void Report::record(const std::vector<EffectEstimate>   &effects,
-                      const std::map<std::string, double> &loop_errors)
+  template<int dim>
+  void Report<dim>::record(const std::vector<EffectEstimate>   &effects,
+                           const std::map<std::string, double> &loop_errors)
   {
     const auto requests      = parameters.probes.requests();
     summary.effect_estimates = effects;
@@ -365,7 +409,8 @@ namespace Contact
 
 
 
-  void Report::write_summary() const
+  template<int dim>
+  void Report<dim>::write_summary() const
   {
     result_files->write_first("summary.json", [this](std::ostream &out) {
       Contact::write_summary(summary, out);
@@ -374,7 +419,8 @@ namespace Contact
 
 
 
-  void Report::finish()
+  template<int dim>
+  void Report<dim>::finish()
   {
     result_files->write_first("parameters.prm", [this](std::ostream &out) {
       prm.print_parameters(out, ParameterHandler::ShortPRM);
@@ -399,4 +445,7 @@ namespace Contact
         screen << "Results: " << result_files->directory.string() << std::endl;
       }
   }
+
+  template class Report<2>;
+  template class Report<3>;
 } // namespace Contact

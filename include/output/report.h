@@ -26,6 +26,7 @@ namespace Contact
    * The report of a run: lines on the screen, the time of its phases, and its
    * summary, which is written after each increment.
    */
+  template<int dim>
   class Report
   {
   public:
@@ -47,21 +48,21 @@ namespace Contact
 
     /// From here on the results of an earlier run are replaced; until this one
     /// ends, its summary says that it has not converged.
-    void open_files(const Discretization<2> &discretization);
+    void open_files(const Discretization<dim> &discretization);
 
     /// Another attempt at all increments: nothing is left of the one before.
-    void begin_anew(const Discretization<2> &discretization);
+    void begin_anew(const Discretization<dim> &discretization);
 
     /// Results of a finer mesh replace those of the one before.
-    void replace_results(const Discretization<2> &discretization);
+    void replace_results(const Discretization<dim> &discretization);
 
-    ResultFiles &files()
+    ResultFiles<dim> &files()
     {
       return *result_files;
     }
 
     /// The size of the model, new on each mesh.
-    void record_size(const ContactModel &model);
+    void record_size(const ContactModel<dim> &model);
 
     /// An increment, or the attempt at one, begins; it has converged.
     void begin_increment(const unsigned int level,
@@ -70,17 +71,17 @@ namespace Contact
     void end_increment();
 
     /// The effects that the scene switches on.
-    void print_scene(const ContactModel &model, const std::string &system);
+    void print_scene(const ContactModel<dim> &model, const std::string &system);
 
-    void print_level(const ContactModel &model,
-                     const unsigned int  level,
-                     const std::string  &system);
+    void print_level(const ContactModel<dim> &model,
+                     const unsigned int       level,
+                     const std::string       &system);
 
     /// One line for a step of Newton's method.
-    void print_step(const ContactModel &model,
-                    const unsigned int  step,
-                    const double        residual,
-                    const unsigned int  n_changes);
+    void print_step(const ContactModel<dim> &model,
+                    const unsigned int       step,
+                    const double             residual,
+                    const unsigned int       n_changes);
 
     /// A Newton step was halved, and the residuals of the parts.
     void record_halvings(const std::vector<double> &residuals);
@@ -106,16 +107,16 @@ namespace Contact
     void finish();
 
   private:
-    void print_note_on_histories(const Discretization<2> &discretization);
-    void print_note_on_facing(const ContactInterface &interface);
-    void print_note_on_roles(const ContactModel &model);
-    void print_note_on_arcs(const ContactModel        &model,
+    void print_note_on_histories(const Discretization<dim> &discretization);
+    void print_note_on_facing(const ContactInterface<dim> &interface);
+    void print_note_on_roles(const ContactModel<dim> &model);
+    void print_note_on_arcs(const ContactModel<dim>   &model,
                             const Parameters::Contact &contact_pair);
 
-    const Parameters::All       &parameters;
-    const ParameterHandler      &prm;
-    std::unique_ptr<ResultFiles> result_files;
-    const Discretization<2> *discretization = nullptr; // once files are open
+    const Parameters::All            &parameters;
+    const ParameterHandler           &prm;
+    std::unique_ptr<ResultFiles<dim>> result_files;
+    const Discretization<dim> *discretization = nullptr; // once files are open
   };
 } // namespace Contact
 

@@ -53,49 +53,127 @@ namespace Contact
 
 
 
-    /// The fields of the contact file, in the order of a row of its patches.
-    const std::vector<std::string> contact_fields = {"displacement",
-                                                     "displacement",
-                                                     "pressure",
-                                                     "shear",
-                                                     "gap",
-                                                     "slip",
-                                                     "status"};
-
-
-
-    /// An edge of the slave surface with the fields above, then its position.
-    DataOutBase::Patch<1, 2> make_patch(const Surface                 &slave,
-                                        const std::vector<ProfileRow> &rows,
-                                        const unsigned int             e)
+    /// The fields of the contact file.
+    const std::vector<std::string> &contact_fields(const Surface<2> &)
     {
-      const auto &nodes = slave.edges[e].nodes;
+      static const std::vector<std::string> names{"displacement",
+                                                  "displacement",
+                                                  "pressure",
+                                                  "shear",
+                                                  "gap",
+                                                  "slip",
+                                                  "status"};
+      return names;
+    }
 
-      // A patch wants its points along the edge.
-      std::vector<unsigned int> along{nodes[0], nodes[1]};
-      if (slave.degree == 2)
-        along = {nodes[0], nodes[2], nodes[1]};
+    const std::vector<std::string> &contact_fields(const Surface<3> &)
+    {
+      static const std::vector<std::string> names{"displacement",
+                                                  "displacement",
+                                                  "displacement",
+                                                  "shear",
+                                                  "shear",
+                                                  "shear",
+                                                  "slip",
+                                                  "slip",
+                                                  "slip",
+                                                  "pressure",
+                                                  "gap",
+                                                  "status"};
+      return names;
+    }
 
-      DataOutBase::Patch<1, 2> patch;
-      patch.vertices[0]          = rows[nodes[0]].X;
-      patch.vertices[1]          = rows[nodes[1]].X;
-      patch.reference_cell       = ReferenceCells::Line;
+    /// Their values in a row, and the position.
+    std::vector<double> contact_values(const ProfileRow<2> &row)
+    {
+      return {row.u[0],
+              row.u[1],
+              row.pressure,
+              row.shear,
+              row.gap,
+              row.slip,
+              double(row.status),
+              row.X[0],
+              row.X[1]};
+    }
+
+    std::vector<double> contact_values(const ProfileRow<3> &row)
+    {
+      std::vector<double> values;
+      for (const Tensor<1, 3> &vector :
+           {Tensor<1, 3>(row.u), row.shear_vector, row.slip_vector})
+        for (unsigned int c = 0; c < 3; ++c)
+          values.push_back(vector[c]);
+      values.insert(values.end(),
+                    {row.pressure,
+                     row.gap,
+                     double(row.status),
+                     row.X[0],
+                     row.X[1],
+                     row.X[2]});
+      return values;
+    }
+
+    /// The vectors among them.
+    using VectorFields = std::vector<
+      std::tuple<unsigned int,
+                 unsigned int,
+                 std::string,
+                 DataComponentInterpretation::DataComponentInterpretation>>;
+
+    VectorFields vector_fields(const Surface<2> &)
+    {
+      return {{0, 1, "displacement", component_is_part_of_vector}};
+    }
+
+    VectorFields vector_fields(const Surface<3> &)
+    {
+      return {{0, 2, "displacement", component_is_part_of_vector},
+              {3, 5, "shear", component_is_part_of_vector},
+              {6, 8, "slip", component_is_part_of_vector}};
+    }
+
+
+
+    /// A patch wants its points along its coordinates, the first one fastest.
+    std::vector<unsigned int> points_of_patch(const Surface<2> &,
+                                              const unsigned int degree)
+    {
+      return degree == 1 ? std::vector<unsigned int>{0, 1}
+                         : std::vector<unsigned int>{0, 2, 1};
+    }
+
+    std::vector<unsigned int> points_of_patch(const Surface<3> &,
+                                              const unsigned int degree)
+    {
+      return degree == 1 ? std::vector<unsigned int>{0, 1, 2, 3}
+                         : std::vector<unsigned int>{0, 6, 1, 4, 8, 5, 2, 7, 3};
+    }
+
+
+
+    /// A facet of the slave surface with the fields above, then its position.
+    template<int dim>
+    DataOutBase::Patch<dim - 1, dim>
+    make_patch(const Surface<dim>                 &slave,
+               const std::vector<ProfileRow<dim>> &rows,
+               const unsigned int                  e)
+    {
+      const auto &nodes = slave.facets[e].nodes;
+      const auto  order = points_of_patch(slave, slave.degree);
+
+      DataOutBase::Patch<dim - 1, dim> patch;
+      for (unsigned int v = 0; v < GeometryInfo<dim - 1>::vertices_per_cell;
+           ++v)
+        patch.vertices[v] = rows[nodes[v]].X;
+      patch.reference_cell       = ReferenceCells::get_hypercube<dim - 1>();
       patch.n_subdivisions       = slave.degree;
       patch.points_are_available = true;
-      patch.data.reinit(contact_fields.size() + 2, along.size());
-      for (unsigned int i = 0; i < along.size(); ++i)
+      patch.data.reinit(contact_fields(slave).size() + dim, order.size());
+      for (unsigned int i = 0; i < order.size(); ++i)
         {
-          const ProfileRow &row = rows[along[i]];
-          unsigned int      c   = 0;
-          for (const double value : {row.u[0],
-                                     row.u[1],
-                                     row.pressure,
-                                     row.shear,
-                                     row.gap,
-                                     row.slip,
-                                     double(row.status),
-                                     row.X[0],
-                                     row.X[1]})
+          unsigned int c = 0;
+          for (const double value : contact_values(rows[nodes[order[i]]]))
             patch.data(c++, i) = value;
         }
       return patch;
@@ -103,24 +181,64 @@ namespace Contact
 
 
 
-    void write_rows(std::ostream                  &out,
-                    const std::string             &surface,
-                    const std::vector<ProfileRow> &rows)
+    /// The columns of a profile, and their values in a row.
+    std::string profile_columns(const ProfileRow<2> &)
     {
-      for (const ProfileRow &row : rows)
+      return "arc_length_mm,deformed_arc_length_mm,X_mm,Y_mm,"
+             "displacement_x_mm,displacement_y_mm,pressure_MPa,shear_MPa,"
+             "nodal_force_N_per_mm,gap_mm,slip_mm";
+    }
+
+    std::vector<double> profile_values(const ProfileRow<2> &row)
+    {
+      return {row.arc_length,
+              row.deformed_arc_length,
+              row.X[0],
+              row.X[1],
+              row.u[0],
+              row.u[1],
+              row.pressure,
+              row.shear,
+              row.nodal_force,
+              row.gap,
+              row.slip};
+    }
+
+    std::string profile_columns(const ProfileRow<3> &)
+    {
+      return "X_mm,Y_mm,Z_mm,displacement_x_mm,displacement_y_mm,"
+             "displacement_z_mm,pressure_MPa,shear_x_MPa,shear_y_MPa,"
+             "shear_z_MPa,nodal_force_N,gap_mm,slip_x_mm,slip_y_mm,slip_z_mm";
+    }
+
+    std::vector<double> profile_values(const ProfileRow<3> &row)
+    {
+      std::vector<double> values;
+      const auto          add = [&](const Tensor<1, 3> &vector) {
+        for (unsigned int c = 0; c < 3; ++c)
+          values.push_back(vector[c]);
+      };
+      add(row.X);
+      add(row.u);
+      values.push_back(row.pressure);
+      add(row.shear_vector);
+      values.push_back(row.nodal_force);
+      values.push_back(row.gap);
+      add(row.slip_vector);
+      return values;
+    }
+
+
+
+    template<int dim>
+    void write_rows(std::ostream                       &out,
+                    const std::string                  &surface,
+                    const std::vector<ProfileRow<dim>> &rows)
+    {
+      for (const ProfileRow<dim> &row : rows)
         {
           out << surface;
-          for (const double value : {row.arc_length,
-                                     row.deformed_arc_length,
-                                     row.X[0],
-                                     row.X[1],
-                                     row.u[0],
-                                     row.u[1],
-                                     row.pressure,
-                                     row.shear,
-                                     row.nodal_force,
-                                     row.gap,
-                                     row.slip})
+          for (const double value : profile_values(row))
             out << ',' << value + 0.; // no "-0"
           out << ',' << row.status << ',' << row.extrapolated_pressure;
           for (const double value : {row.exact_pressure, row.exact_shear})
@@ -135,8 +253,9 @@ namespace Contact
 
 
 
-  ResultFiles::ResultFiles(const std::filesystem::path &directory,
-                           const Discretization<2>     &discretization)
+  template<int dim>
+  ResultFiles<dim>::ResultFiles(const std::filesystem::path &directory,
+                                const Discretization<dim>   &discretization)
     : directory(directory)
     , discretization(discretization)
   {
@@ -151,7 +270,8 @@ namespace Contact
 
 
 
-  void ResultFiles::remove_increments() const
+  template<int dim>
+  void ResultFiles<dim>::remove_increments() const
   {
     const std::regex name("(bodies|contact)_[0-9.]+p?vtu|restart\\.bin");
     std::vector<std::filesystem::path> found;
@@ -165,14 +285,17 @@ namespace Contact
 
 
 
-  unsigned int ResultFiles::rank() const
+  template<int dim>
+  unsigned int ResultFiles<dim>::rank() const
   {
     return Utilities::MPI::this_mpi_process(discretization.communicator);
   }
 
 
 
-  Vector<double> ResultFiles::owned_part(const Vector<double> &values) const
+  template<int dim>
+  Vector<double>
+  ResultFiles<dim>::owned_part(const Vector<double> &values) const
   {
     Vector<double> part(discretization.dof_handler.n_dofs());
     for (const auto i : discretization.dof_handler.locally_owned_dofs())
@@ -182,7 +305,8 @@ namespace Contact
 
 
 
-  void ResultFiles::write_first(
+  template<int dim>
+  void ResultFiles<dim>::write_first(
     const std::string                         &file,
     const std::function<void(std::ostream &)> &write) const
   {
@@ -192,8 +316,9 @@ namespace Contact
 
 
 
-  void ResultFiles::write_series(const std::string &name,
-                                 const Series      &series) const
+  template<int dim>
+  void ResultFiles<dim>::write_series(const std::string &name,
+                                      const Series      &series) const
   {
     if (!series.empty())
       write_first(name + ".pvd", [&](std::ostream &out) {
@@ -203,7 +328,8 @@ namespace Contact
 
 
 
-  void ResultFiles::write_series() const
+  template<int dim>
+  void ResultFiles<dim>::write_series() const
   {
     write_series("bodies", bodies);
     write_series("contact", contact);
@@ -211,7 +337,8 @@ namespace Contact
 
 
 
-  void ResultFiles::write_bodies(
+  template<int dim>
+  void ResultFiles<dim>::write_bodies(
     const unsigned int                        k,
     const double                              load_factor,
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
@@ -226,7 +353,7 @@ namespace Contact
       body[cell->active_cell_index()] = cell->material_id();
     const VertexFields vertex_fields(discretization, vertex_stresses);
 
-    DataOut<2> data_out;
+    DataOut<dim> data_out;
     data_out.attach_dof_handler(discretization.dof_handler);
     data_out.set_flags(vtk_flags(k,
                                  load_factor,
@@ -248,15 +375,15 @@ namespace Contact
                                   component_is_part_of_vector});
       }
     vertex_fields.attach(data_out);
-    data_out.add_data_vector(body, "body", DataOut<2>::type_cell_data);
+    data_out.add_data_vector(body, "body", DataOut<dim>::type_cell_data);
     Vector<double> converged(triangulation.n_active_cells());
     converged = 1;
     data_out.add_data_vector(converged,
                              "converged",
-                             DataOut<2>::type_cell_data);
+                             DataOut<dim>::type_cell_data);
     data_out.build_patches(discretization.mapping,
                            discretization.degree,
-                           DataOut<2>::curved_inner_cells);
+                           DataOut<dim>::curved_inner_cells);
 
     bodies.emplace_back(load_factor,
                         write_pieces("bodies_" + Utilities::int_to_string(k, 4),
@@ -266,8 +393,10 @@ namespace Contact
 
 
 
-  std::string ResultFiles::write_pieces(const std::string         &name,
-                                        const DataOutInterface<2> &data) const
+  template<int dim>
+  std::string
+  ResultFiles<dim>::write_pieces(const std::string           &name,
+                                 const DataOutInterface<dim> &data) const
   {
     const unsigned int n_ranks =
       Utilities::MPI::n_mpi_processes(discretization.communicator);
@@ -293,13 +422,15 @@ namespace Contact
 
 
 
-  void ResultFiles::write_contact(const unsigned int              k,
-                                  const double                    load_factor,
-                                  const std::vector<PairProfile> &pairs)
+  template<int dim>
+  void
+  ResultFiles<dim>::write_contact(const unsigned int k,
+                                  const double       load_factor,
+                                  const std::vector<PairProfile<dim>> &pairs)
   {
-    std::vector<DataOutBase::Patch<1, 2>> patches;
-    for (const PairProfile &contact_pair : pairs)
-      for (unsigned int e = 0; e < contact_pair.slave->edges.size(); ++e)
+    std::vector<DataOutBase::Patch<dim - 1, dim>> patches;
+    for (const PairProfile<dim> &contact_pair : pairs)
+      for (unsigned int e = 0; e < contact_pair.slave->facets.size(); ++e)
         {
           patches.push_back(
             make_patch(*contact_pair.slave, contact_pair.slave_rows, e));
@@ -311,8 +442,8 @@ namespace Contact
     write_first(file, [&](std::ostream &out) {
       DataOutBase::write_vtu(
         patches,
-        contact_fields,
-        {{0, 1, "displacement", component_is_part_of_vector}},
+        contact_fields(*pairs.front().slave),
+        vector_fields(*pairs.front().slave),
         // As curved lines deal.II 9.4 numbers their points wrongly: an edge of
         // degree 2 is written as two lines through its middle node.
         vtk_flags(k, load_factor, /*degree=*/1),
@@ -324,8 +455,9 @@ namespace Contact
 
 
 
-  void ResultFiles::write_nodes(const Vector<double> &solution,
-                                const Vector<double> &contact_forces) const
+  template<int dim>
+  void ResultFiles<dim>::write_nodes(const Vector<double> &solution,
+                                     const Vector<double> &contact_forces) const
   {
     const auto rows = collect_nodes(discretization, solution, contact_forces);
     write_first("nodes.csv", [&](std::ostream &out) {
@@ -335,16 +467,16 @@ namespace Contact
 
 
 
-  void ResultFiles::write_profile(const std::vector<PairProfile> &pairs) const
+  template<int dim>
+  void ResultFiles<dim>::write_profile(
+    const std::vector<PairProfile<dim>> &pairs) const
   {
     write_first("profile.csv", [&](std::ostream &out) {
       out.precision(12);
-      out << "surface,arc_length_mm,deformed_arc_length_mm,X_mm,Y_mm,"
-             "displacement_x_mm,displacement_y_mm,pressure_MPa,shear_MPa,"
-             "nodal_force_N_per_mm,gap_mm,slip_mm,"
-             "status_0_open_1_slip_2_stick,extrapolated_pressure_MPa,"
+      out << "surface," << profile_columns(ProfileRow<dim>())
+          << ",status_0_open_1_slip_2_stick,extrapolated_pressure_MPa,"
              "exact_pressure_MPa,exact_shear_MPa\n";
-      for (const PairProfile &contact_pair : pairs)
+      for (const PairProfile<dim> &contact_pair : pairs)
         {
           const std::string name =
             contact_pair.name.empty() ? "" : " " + contact_pair.name;
@@ -353,4 +485,7 @@ namespace Contact
         }
     });
   }
+
+  template class ResultFiles<2>;
+  template class ResultFiles<3>;
 } // namespace Contact

@@ -27,13 +27,14 @@ namespace Contact
    * series hold reference positions and the field "displacement", so that
    * "warp by vector" moves both alike; their time is the load factor.
    */
+  template<int dim>
   class ResultFiles
   {
   public:
     /// Create the directory, and remove the series and the profile of an
     /// earlier run. Throws InputError if nothing can be written there.
     ResultFiles(const std::filesystem::path &directory,
-                const Discretization<2>     &discretization);
+                const Discretization<dim>   &discretization);
 
     /// Remove the increments of an earlier run that is not gone on with, and
     /// what it left to go on from.
@@ -57,14 +58,14 @@ namespace Contact
      * edges of the slave surfaces with displacement, pressure, shear, gap, slip
      * and status of their rows.
      */
-    void write_contact(const unsigned int              k,
-                       const double                    load_factor,
-                       const std::vector<PairProfile> &pairs);
+    void write_contact(const unsigned int                   k,
+                       const double                         load_factor,
+                       const std::vector<PairProfile<dim>> &pairs);
 
     /// Write profile.csv: a line with names and units, then the rows of both
     /// surfaces, "slave" and "master" with the name of the contact pair, if it
     /// has one. Its fields are empty if there is no exact solution.
-    void write_profile(const std::vector<PairProfile> &pairs) const;
+    void write_profile(const std::vector<PairProfile<dim>> &pairs) const;
 
     /// Write nodes.csv: see write_nodes() and collect_nodes(). Collective.
     void write_nodes(const Vector<double> &solution,
@@ -94,8 +95,8 @@ namespace Contact
 
     /// Write what all ranks have as NAME.vtu, of several ranks as one piece
     /// each with a record NAME.pvtu. Returns the file to open.
-    std::string write_pieces(const std::string         &name,
-                             const DataOutInterface<2> &data) const;
+    std::string write_pieces(const std::string           &name,
+                             const DataOutInterface<dim> &data) const;
 
     unsigned int rank() const;
 
@@ -103,8 +104,8 @@ namespace Contact
     /// rank owns: of others it may not know all.
     Vector<double> owned_part(const Vector<double> &values) const;
 
-    const Discretization<2> &discretization;
-    Series                   bodies, contact;
+    const Discretization<dim> &discretization;
+    Series                     bodies, contact;
   };
 } // namespace Contact
 

@@ -148,7 +148,8 @@ namespace Contact
     std::vector<IncrementRecord> increments;
     std::vector<LevelRecord>     levels;
 
-    std::size_t n_displacements = 0; // unknowns
+    bool        in_space        = false; // the mesh has volumes
+    std::size_t n_displacements = 0;     // unknowns
     std::size_t n_multipliers   = 0;
 
     /// The contact zone at full load, see ContactResults; what the exact

@@ -12,16 +12,45 @@
 
 namespace Contact
 {
-  VertexFields::VertexFields(
-    const Discretization<2>                  &discretization,
+  namespace
+  {
+    struct StressField
+    {
+      std::string  name;
+      unsigned int i, j;
+    };
+
+    /// The components that are not zero for sure.
+    template<int dim>
+    std::vector<StressField> stress_fields()
+    {
+      std::vector<StressField> fields{{"stress_xx", 0, 0},
+                                      {"stress_yy", 1, 1},
+                                      {"stress_zz", 2, 2},
+                                      {"stress_xy", 0, 1}};
+      if (dim == 3)
+        {
+          fields.push_back({"stress_xz", 0, 2});
+          fields.push_back({"stress_yz", 1, 2});
+        }
+      return fields;
+    }
+  } // namespace
+
+
+
+  template<int dim>
+  VertexFields<dim>::VertexFields(
+    const Discretization<dim>                &discretization,
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses)
-    : fe(FE_Q<2>(1), FE_SimplexP<2>(1))
+    : fe(FE_Q<dim>(1), FE_SimplexP<dim>(1))
     , dof_handler(discretization.mesh.triangulation)
   {
     distribute_dofs(discretization.mesh, fe, dof_handler);
-    for (const char *name :
-         {"stress_xx", "stress_yy", "stress_zz", "stress_xy", "von_mises"})
-      fields.emplace_back(name, Vector<double>(dof_handler.n_dofs()));
+    const auto components = stress_fields<dim>();
+    for (const auto &component : components)
+      fields.emplace_back(component.name, Vector<double>(dof_handler.n_dofs()));
+    fields.emplace_back("von_mises", Vector<double>(dof_handler.n_dofs()));
 
     // A vertex of another rank may have cells that this one does not know.
     const IndexSet &owned = dof_handler.locally_owned_dofs();
@@ -33,22 +62,22 @@ namespace Contact
               cell->vertex_dof_index(v, 0, cell->active_fe_index());
             if (!owned.is_element(dof))
               continue;
-            const auto  &stress = vertex_stresses[cell->vertex_index(v)];
-            unsigned int c      = 0;
-            for (const double value : {stress[0][0],
-                                       stress[1][1],
-                                       stress[2][2],
-                                       stress[0][1],
-                                       von_mises(stress)})
-              fields[c++].second[dof] = value;
+            const auto &stress = vertex_stresses[cell->vertex_index(v)];
+            for (unsigned int c = 0; c < components.size(); ++c)
+              fields[c].second[dof] = stress[components[c].i][components[c].j];
+            fields.back().second[dof] = von_mises(stress);
           }
   }
 
 
 
-  void VertexFields::attach(DataOut<2> &data_out) const
+  template<int dim>
+  void VertexFields<dim>::attach(DataOut<dim> &data_out) const
   {
     for (const auto &[name, values] : fields)
       data_out.add_data_vector(dof_handler, values, name);
   }
+
+  template class VertexFields<2>;
+  template class VertexFields<3>;
 } // namespace Contact

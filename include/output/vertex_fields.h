@@ -22,20 +22,22 @@ namespace Contact
    * The recovered stress as finite element fields that are given by their
    * values at the vertices: linear, whatever the degree of the displacement.
    */
+  template<int dim>
   class VertexFields
   {
   public:
     /// Of the stress [MPa] by vertex of the triangulation.
-    VertexFields(const Discretization<2>                  &discretization,
+    VertexFields(const Discretization<dim>                &discretization,
                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses);
 
-    /// Attach stress_xx, _yy, _zz, _xy and von_mises [MPa] to @p data_out,
+    /// Attach stress_xx, _yy, _zz, _xy, in space _xz and _yz, and von_mises
+    /// [MPa] to @p data_out,
     /// which must not outlive this object.
-    void attach(DataOut<2> &data_out) const;
+    void attach(DataOut<dim> &data_out) const;
 
   private:
-    const hp::FECollection<2> fe;
-    DoFHandler<2>             dof_handler;
+    const hp::FECollection<dim> fe;
+    DoFHandler<dim>             dof_handler;
 
     /// Name and values by unknown of the fields.
     std::vector<std::pair<std::string, Vector<double>>> fields;

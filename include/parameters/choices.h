@@ -90,13 +90,19 @@ namespace Contact
     enum class ObstacleShape
     {
       half_plane,
-      circle
+      circle,
+      half_space,
+      sphere,
+      cylinder
     };
 
     inline NamedValues<ObstacleShape> named_values(const ObstacleShape)
     {
       return {{"half plane", ObstacleShape::half_plane},
-              {"circle", ObstacleShape::circle}};
+              {"circle", ObstacleShape::circle},
+              {"half space", ObstacleShape::half_space},
+              {"sphere", ObstacleShape::sphere},
+              {"cylinder", ObstacleShape::cylinder}};
     }
 
 
@@ -217,17 +223,22 @@ namespace Contact
     {
       displacement_x,
       displacement_y,
+      displacement_z,
       stress_xx,
       stress_yy,
       stress_zz,
       stress_xy,
+      stress_xz,
+      stress_yz,
       von_mises,
       pressure,
       shear,
       reaction_x,
       reaction_y,
+      reaction_z,
       contact_force_x,
       contact_force_y,
+      contact_force_z,
       strain_energy
     };
 
@@ -235,43 +246,83 @@ namespace Contact
     {
       return {{"displacement x", Quantity::displacement_x},
               {"displacement y", Quantity::displacement_y},
+              {"displacement z", Quantity::displacement_z},
               {"stress xx", Quantity::stress_xx},
               {"stress yy", Quantity::stress_yy},
               {"stress zz", Quantity::stress_zz},
               {"stress xy", Quantity::stress_xy},
+              {"stress xz", Quantity::stress_xz},
+              {"stress yz", Quantity::stress_yz},
               {"von Mises", Quantity::von_mises},
               {"pressure", Quantity::pressure},
               {"shear", Quantity::shear},
               {"reaction x", Quantity::reaction_x},
               {"reaction y", Quantity::reaction_y},
+              {"reaction z", Quantity::reaction_z},
               {"contact force x", Quantity::contact_force_x},
               {"contact force y", Quantity::contact_force_y},
+              {"contact force z", Quantity::contact_force_z},
               {"strain energy", Quantity::strain_energy}};
     }
 
+    /// The direction of a displacement or a force: 0 for x, and 0 for what has
+    /// none.
+    inline unsigned int component_of(const Quantity quantity)
+    {
+      switch (quantity)
+        {
+          case Quantity::displacement_y:
+          case Quantity::reaction_y:
+          case Quantity::contact_force_y:
+            return 1;
+          case Quantity::displacement_z:
+          case Quantity::reaction_z:
+          case Quantity::contact_force_z:
+            return 2;
+          default:
+            return 0;
+        }
+    }
+
+    /// Whether a quantity is there in space alone.
+    inline bool is_in_space(const Quantity quantity)
+    {
+      return component_of(quantity) == 2 || quantity == Quantity::stress_xz ||
+             quantity == Quantity::stress_yz;
+    }
+
     /// The unit of a quantity.
-    inline std::string unit_of(const Quantity quantity, const Symmetry symmetry)
+    inline std::string unit_of(const Quantity quantity,
+                               const Symmetry symmetry,
+                               const bool     in_space = false)
     {
       switch (quantity)
         {
           case Quantity::displacement_x:
           case Quantity::displacement_y:
+          case Quantity::displacement_z:
             return "mm";
           case Quantity::stress_xx:
           case Quantity::stress_yy:
           case Quantity::stress_zz:
           case Quantity::stress_xy:
+          case Quantity::stress_xz:
+          case Quantity::stress_yz:
           case Quantity::von_mises:
           case Quantity::pressure:
           case Quantity::shear:
             return "MPa";
           case Quantity::reaction_x:
           case Quantity::reaction_y:
+          case Quantity::reaction_z:
           case Quantity::contact_force_x:
           case Quantity::contact_force_y:
-            return symmetry == Symmetry::plane_strain ? "N/mm" : "N";
+          case Quantity::contact_force_z:
+            return symmetry == Symmetry::plane_strain && !in_space ? "N/mm"
+                                                                   : "N";
           case Quantity::strain_energy:
-            return symmetry == Symmetry::plane_strain ? "N mm/mm" : "N mm";
+            return symmetry == Symmetry::plane_strain && !in_space ? "N mm/mm"
+                                                                   : "N mm";
         }
       AssertThrow(false, ExcInternalError());
       return "";

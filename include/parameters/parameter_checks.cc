@@ -170,15 +170,29 @@ namespace Contact
                          {entry},
                          "give each its own section 'Contact NAME'");
       const auto &[shape, numbers] = *obstacle.begin();
-      bool is_complete             = false;
+      bool       is_complete       = false;
+      const auto is_direction      = [&](const unsigned int first) {
+        return std::any_of(numbers.begin() + first,
+                           numbers.begin() + first + numbers.size() / 2,
+                           [](const double x) { return x != 0; });
+      };
       switch (shape)
         {
           case ObstacleShape::half_plane:
-            is_complete =
-              numbers.size() == 4 && (numbers[2] != 0 || numbers[3] != 0);
+            is_complete = numbers.size() == 4 && is_direction(2);
             break;
           case ObstacleShape::circle:
             is_complete = numbers.size() == 3 && numbers[2] != 0;
+            break;
+          case ObstacleShape::half_space:
+            is_complete = numbers.size() == 6 && is_direction(3);
+            break;
+          case ObstacleShape::sphere:
+            is_complete = numbers.size() == 4 && numbers[3] != 0;
+            break;
+          case ObstacleShape::cylinder:
+            is_complete =
+              numbers.size() == 7 && is_direction(3) && numbers[6] != 0;
             break;
         }
       if (!is_complete)
@@ -187,7 +201,10 @@ namespace Contact
                          {entry},
                          "write 'half plane: x, y, normal x, normal y' or "
                          "'circle: x, y, radius', in a hole a negative "
-                         "radius");
+                         "radius; in space 'half space: x, y, z, normal x, "
+                         "normal y, normal z', 'sphere: x, y, z, radius' or "
+                         "'cylinder: x, y, z, axis x, axis y, axis z, "
+                         "radius'");
     }
 
 

@@ -95,6 +95,8 @@ namespace Contact
 
     bool All::is_condensed(const std::size_t n_displacements) const
     {
+      if (in_space)
+        return true;
       if (solution.system != SystemKind::automatic)
         return solution.system == SystemKind::condensed;
       if (solution.linear_solver != SolverKind::automatic)
@@ -165,7 +167,8 @@ namespace Contact
             other.solution.friction != solution.friction)
           others.push_back(other);
       };
-      const bool can_have_multipliers = n_ranks == 1 && !has_levels();
+      const bool can_have_multipliers =
+        n_ranks == 1 && !has_levels() && !in_space;
       if (can_have_multipliers)
         add(newton, SystemKind::saddle_point);
       if ((!can_have_multipliers || pairs.size() > 1) && !shared_pair())
@@ -174,7 +177,7 @@ namespace Contact
       // Uniform levels end with the mesh that these refinements make.
       const double most_of_direct_solver = 400000; // displacements
       if (n_ranks == 1 && refinement.n_levels > 0 && !asks_for_accuracy() &&
-          refinement.strategy != Strategy::adaptive &&
+          !in_space && refinement.strategy != Strategy::adaptive &&
           std::ldexp(n_displacements, 2 * refinement.n_levels) <
             most_of_direct_solver)
         {

@@ -96,6 +96,13 @@ namespace Contact
       std::vector<All>
       with_other_loops(const std::size_t n_displacements) const;
 
+      /// The mesh has volumes, which its file tells.
+      bool in_space = false;
+
+      /// The same case in space. Throws InputError where an entry is one for
+      /// the plane.
+      All for_space() const;
+
       void add_parameters(ParameterHandler &prm);
 
       /// The entries that are not at their defaults and have no effect, by

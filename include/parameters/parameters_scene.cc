@@ -274,7 +274,10 @@ namespace Contact
                         "A rigid master without a mesh, instead of Master "
                         "[mm]: 'half plane: x, y, normal x, normal y', a point "
                         "and the outward normal, or 'circle: x, y, radius', "
-                        "negative for a hole.");
+                        "negative for a hole; in space 'half space: x, y, z, "
+                        "normal x, normal y, normal z', 'sphere: x, y, z, "
+                        "radius', 'cylinder: x, y, z, axis x, axis y, axis z, "
+                        "radius'.");
       prm.add_parameter("Discretization",
                         discretization,
                         "Where the contact points are [-]; nodal: in the nodes "

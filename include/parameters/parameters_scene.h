@@ -67,6 +67,14 @@ namespace Contact
       std::map<std::string, std::vector<double>> spheres, cylinders, cones,
         tori;
 
+      /// Whether a boundary is named as round.
+      bool is_round(const std::string &name) const
+      {
+        return arcs.count(name) + spheres.count(name) + cylinders.count(name) +
+                 cones.count(name) + tori.count(name) >
+               0;
+      }
+
       /// Body -> {dx, dy} or {dx, dy, dz} [mm], in the coordinates of the file.
       std::map<std::string, std::vector<double>> move;
 

@@ -13,11 +13,10 @@
 
 namespace Contact
 {
-  ActiveSetSearch::ActiveSetSearch(
-    const Discretization<2>            &discretization,
-    ContactInterface                   &interface,
-    const DirectSolver                 &solver,
-    const ContactKernel::Linearization &linearization)
+  ActiveSetSearch::ActiveSetSearch(const Discretization<2>    &discretization,
+                                   ContactInterface<2>        &interface,
+                                   const DirectSolver         &solver,
+                                   const ContactLinearization &linearization)
     : interface(interface)
     , problem(discretization, interface, solver, linearization)
   {
@@ -107,8 +106,8 @@ namespace Contact
   {
     for (unsigned int q = 0; q < problem.points.size(); ++q)
       {
-        const ContactPoint &point = interface.points()[q];
-        problem.points[q].status  = point.status;
+        const ContactPoint<2> &point = interface.points()[q];
+        problem.points[q].status     = point.status;
         problem.points[q].has_changed =
           point.facing && !interface.contact_pair(point).tied;
       }
@@ -123,8 +122,8 @@ namespace Contact
     std::vector<unsigned int>                  number_of;
     for (unsigned int i = 0; i < problem.responses.size(); ++i)
       {
-        const unsigned int  q     = problem.responses[i].point;
-        const ContactPoint &point = interface.points()[q];
+        const unsigned int     q     = problem.responses[i].point;
+        const ContactPoint<2> &point = interface.points()[q];
         if (!problem.responses[i].tangential)
           {
             const FrictionLaw frozen{point.friction_bound, 0};
@@ -147,11 +146,12 @@ namespace Contact
     for (unsigned int i = 0; i < number_of.size(); ++i)
       problem.points[number_of[i]].status =
         interface.updated_status(interface.points()[number_of[i]],
-                                 PointStatus(),
+                                 PointStatus<2>(),
                                  z[tractions[i].p],
-                                 tractions[i].q == numbers::invalid_unsigned_int
-                                   ? 0.
-                                   : z[tractions[i].q],
+                                 Tensor<1, 1>({tractions[i].q ==
+                                                   numbers::invalid_unsigned_int
+                                                 ? 0.
+                                                 : z[tractions[i].q]}),
                                  problem.bound_moves());
     problem.release_in_corners();
     corrected = problem.solve_changes(update);
@@ -165,9 +165,9 @@ namespace Contact
     double change = 0, largest = 0;
     for (unsigned int q = 0; q < problem.points.size(); ++q)
       {
-        const ContactPoint &point = interface.points()[q];
-        const double        p     = problem.points[q].p_after(update);
-        const double        bound = interface.contact_pair(point).law.bound(p);
+        const ContactPoint<2> &point = interface.points()[q];
+        const double           p     = problem.points[q].p_after(update);
+        const double bound = interface.contact_pair(point).law.bound(p);
         change  = std::max(change, std::abs(bound - point.friction_bound));
         largest = std::max(largest, bound);
         interface.set_bound(q, bound);
@@ -186,11 +186,12 @@ namespace Contact
          ++q)
       {
         LinearizedContact::Point &point = problem.points[q];
-        PointStatus status = interface.updated_status(interface.points()[q],
-                                                      point.status,
-                                                      point.p_after(update),
-                                                      point.q_after(update),
-                                                      problem.bound_moves());
+        PointStatus<2>            status =
+          interface.updated_status(interface.points()[q],
+                                   point.status,
+                                   point.p_after(update),
+                                   Tensor<1, 1>({point.q_after(update)}),
+                                   problem.bound_moves());
         if (interface.is_held_in_corner(q, [&](const unsigned int other) {
               return other == q ? status : problem.points[other].status;
             }))

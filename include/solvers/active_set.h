@@ -32,10 +32,10 @@ namespace Contact
   class ActiveSetSearch
   {
   public:
-    ActiveSetSearch(const Discretization<2>            &discretization,
-                    ContactInterface                   &interface,
-                    const DirectSolver                 &solver,
-                    const ContactKernel::Linearization &linearization);
+    ActiveSetSearch(const Discretization<2>    &discretization,
+                    ContactInterface<2>        &interface,
+                    const DirectSolver         &solver,
+                    const ContactLinearization &linearization);
 
     /**
      * Given the Newton @p update under the present statuses at @p solution,
@@ -81,8 +81,8 @@ namespace Contact
     /// changes. Returns whether there was one.
     bool updated_status(const Vector<double> &update, const bool one_by_one);
 
-    ContactInterface &interface;
-    LinearizedContact problem;
+    ContactInterface<2> &interface;
+    LinearizedContact    problem;
   };
 } // namespace Contact
 

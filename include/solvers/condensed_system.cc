@@ -16,12 +16,14 @@
 
 namespace Contact
 {
-  CondensedSystem::CondensedSystem(const Discretization<2>     &discretization,
-                                   const Elasticity<2>         &elasticity,
-                                   const ContactInterface      *interface,
-                                   ContactElimination          &elimination,
-                                   const Parameters::SolverKind solver_kind,
-                                   TimerOutput                 &timer)
+  template<int dim>
+  CondensedSystem<dim>::CondensedSystem(
+    const Discretization<dim>   &discretization,
+    const Elasticity<dim>       &elasticity,
+    const ContactInterface<dim> *interface,
+    ContactElimination<dim>     &elimination,
+    const Parameters::SolverKind solver_kind,
+    TimerOutput                 &timer)
     : discretization(discretization)
     , elasticity(elasticity)
     , elimination(elimination)
@@ -38,7 +40,8 @@ namespace Contact
 
   // A hanging node next to the surface moves with a slave node: such cells see
   // the active set, too.
-  void CondensedSystem::collect_interface()
+  template<int dim>
+  void CondensedSystem<dim>::collect_interface()
   {
     interface_cells.clear();
     bulk_cells.clear();
@@ -66,7 +69,8 @@ namespace Contact
 
 
 
-  void CondensedSystem::update_pattern()
+  template<int dim>
+  void CondensedSystem<dim>::update_pattern()
   {
     if (!on_any_rank(!has_pattern || !couplings.serve()))
       return;
@@ -78,8 +82,9 @@ namespace Contact
 
 
   // The lines of now, and a pattern that has room for them.
-  void CondensedSystem::eliminate(const Vector<double> &solution,
-                                  const Vector<double> &u_start)
+  template<int dim>
+  void CondensedSystem<dim>::eliminate(const Vector<double> &solution,
+                                       const Vector<double> &u_start)
   {
     {
       TimerOutput::Scope scope(timer, "assembly");
@@ -101,7 +106,8 @@ namespace Contact
 
   // All ranks together choose whether something is made anew: their values may
   // differ by round-off.
-  bool CondensedSystem::on_any_rank(const bool condition) const
+  template<int dim>
+  bool CondensedSystem<dim>::on_any_rank(const bool condition) const
   {
     return Utilities::MPI::max(static_cast<unsigned int>(condition),
                                discretization.communicator) > 0;
@@ -110,7 +116,8 @@ namespace Contact
 
 
   // The unknowns eliminated beside the slave nodes, which only the lines show.
-  bool CondensedSystem::add_eliminable()
+  template<int dim>
+  bool CondensedSystem<dim>::add_eliminable()
   {
     bool is_more = false;
     for (const auto dof : elimination.eliminated_dofs())
@@ -120,7 +127,8 @@ namespace Contact
 
 
 
-  void CondensedSystem::make_pattern()
+  template<int dim>
+  void CondensedSystem<dim>::make_pattern()
   {
     const MPI_Comm communicator               = discretization.communicator;
     const auto    &dof_handler                = discretization.dof_handler;
@@ -164,7 +172,9 @@ namespace Contact
 
   // An unknown of a cell at the interface may become one of its partners, or of
   // those of the unknowns that it hangs on.
-  std::set<types::global_dof_index> CondensedSystem::add_interface_couplings(
+  template<int dim>
+  std::set<types::global_dof_index>
+  CondensedSystem<dim>::add_interface_couplings(
     DynamicSparsityPattern &pattern) const
   {
     const auto                       &base = discretization.constraints;
@@ -195,7 +205,8 @@ namespace Contact
 
 
   // An empty matrix: whoever has had the old one lets go of it first.
-  void CondensedSystem::reset_matrix(const DynamicSparsityPattern &pattern)
+  template<int dim>
+  void CondensedSystem<dim>::reset_matrix(const DynamicSparsityPattern &pattern)
   {
     for (Solver &solver : solvers)
       {
@@ -212,11 +223,12 @@ namespace Contact
 
 
 
-  unsigned int CondensedSystem::solve(const Vector<double> &solution,
-                                      const Vector<double> &u_start,
-                                      const Vector<double> &residual,
-                                      const double          tolerance,
-                                      Vector<double>       &update)
+  template<int dim>
+  unsigned int CondensedSystem<dim>::solve(const Vector<double> &solution,
+                                           const Vector<double> &u_start,
+                                           const Vector<double> &residual,
+                                           const double          tolerance,
+                                           Vector<double>       &update)
   {
     Vector<double> rhs(owned.size());
     std::copy_n(residual.begin(), rhs.size(), rhs.begin());
@@ -270,7 +282,8 @@ namespace Contact
 
 
   // Each kind of matrix has a solver of its own, made when the first one comes.
-  void CondensedSystem::give_matrix_to_solver()
+  template<int dim>
+  void CondensedSystem<dim>::give_matrix_to_solver()
   {
     current              = nullptr;
     const bool symmetric = elimination.is_symmetric();
@@ -292,8 +305,9 @@ namespace Contact
 
 
 
-  bool CondensedSystem::assemble(const Vector<double> &solution,
-                                 Vector<double>       &rhs)
+  template<int dim>
+  bool CondensedSystem<dim>::assemble(const Vector<double> &solution,
+                                      Vector<double>       &rhs)
   {
     const bool tangents_serve =
       !on_any_rank(!tangents_are_known || !elasticity.is_linear() ||
@@ -308,25 +322,20 @@ namespace Contact
       restore_interface_rows();
 
     // With what the eliminated unknowns are to move by themselves: -K h.
-    Vector<double> moved_forces(rhs.size()), h, force;
-    const auto    &constraints = elimination.constraints();
-    const auto    &tested      = elimination.test_constraints();
+    Vector<double> moved_forces(rhs.size()), none;
     for (unsigned int k = 0; k < interface_cells.size(); ++k)
-      {
-        const Dofs &dofs = elasticity.dofs_of_cell(interface_cells[k]);
-        const FullMatrix<double> &tangent = interface_tangents[k];
-        if (is_new && elimination.is_symmetric())
-          constraints.distribute_local_to_global(tangent, dofs, matrix);
-        else if (is_new)
-          add_unsymmetric(tangent, dofs);
-
-        h.reinit(dofs.size());
-        force.reinit(dofs.size());
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          h[i] = -constraints.get_inhomogeneity(dofs[i]);
-        tangent.vmult(force, h);
-        tested.distribute_local_to_global(force, dofs, moved_forces);
-      }
+      add_interface(interface_tangents[k],
+                    elasticity.dofs_of_cell(interface_cells[k]),
+                    none,
+                    is_new,
+                    moved_forces);
+    for (const auto &term : elimination.turning_terms())
+      if (owned.is_element(term.dofs[0]))
+        add_interface(term.stiffness,
+                      term.dofs,
+                      term.load,
+                      is_new,
+                      moved_forces);
     if (is_new)
       matrix.compress(VectorOperation::add);
 
@@ -339,10 +348,38 @@ namespace Contact
 
 
 
+  // A tangent, unless @p with_matrix is false, and the forces.
+  template<int dim>
+  void CondensedSystem<dim>::add_interface(const FullMatrix<double> &tangent,
+                                           const Dofs               &dofs,
+                                           const Vector<double>     &load,
+                                           const bool      with_matrix,
+                                           Vector<double> &forces)
+  {
+    const auto &constraints = elimination.constraints();
+    if (with_matrix && elimination.is_symmetric())
+      constraints.distribute_local_to_global(tangent, dofs, matrix);
+    else if (with_matrix)
+      add_unsymmetric(tangent, dofs);
+
+    Vector<double> h(dofs.size()), force(dofs.size());
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      h[i] = -constraints.get_inhomogeneity(dofs[i]);
+    tangent.vmult(force, h);
+    if (load.size() > 0)
+      force += load;
+    elimination.test_constraints().distribute_local_to_global(force,
+                                                              dofs,
+                                                              forces);
+  }
+
+
+
   // Rows by the virtual displacements, columns by the displacements; what is
   // constrained gets a diagonal as large as with the symmetric matrix.
-  void CondensedSystem::add_unsymmetric(const FullMatrix<double> &tangent,
-                                        const Dofs               &dofs)
+  template<int dim>
+  void CondensedSystem<dim>::add_unsymmetric(const FullMatrix<double> &tangent,
+                                             const Dofs               &dofs)
   {
     const auto &tested = elimination.test_constraints();
     tested.distribute_local_to_global(tangent,
@@ -359,7 +396,8 @@ namespace Contact
 
   // All cells: of those that see the active set the tangents, of the others
   // their sum.
-  void CondensedSystem::assemble_tangents(const Vector<double> &solution)
+  template<int dim>
+  void CondensedSystem<dim>::assemble_tangents(const Vector<double> &solution)
   {
     ++discretization.counters.tangents;
     const auto &base = discretization.constraints;
@@ -408,7 +446,8 @@ namespace Contact
 
 
 
-  void CondensedSystem::restore_interface_rows()
+  template<int dim>
+  void CondensedSystem<dim>::restore_interface_rows()
   {
     auto kept = kept_rows.begin();
     for_interface_rows([&](const int, double *values) {
@@ -419,7 +458,8 @@ namespace Contact
 
 
 
-  void CondensedSystem::for_interface_rows(
+  template<int dim>
+  void CondensedSystem<dim>::for_interface_rows(
     const std::function<void(const int n, double *values)> &visit)
   {
     for (const auto dof : interface_dofs)
@@ -435,4 +475,7 @@ namespace Contact
           visit(n, values);
         }
   }
+
+  template class CondensedSystem<2>;
+  template class CondensedSystem<3>;
 } // namespace Contact

@@ -27,14 +27,15 @@ namespace Contact
    * mesh, and a change of the active set costs the sum over the cells at the
    * interface (and what the solver makes of it).
    */
+  template<int dim>
   class CondensedSystem
   {
   public:
     /// @p interface may be null. Phases are measured by @p timer.
-    CondensedSystem(const Discretization<2>     &discretization,
-                    const Elasticity<2>         &elasticity,
-                    const ContactInterface      *interface,
-                    ContactElimination          &elimination,
+    CondensedSystem(const Discretization<dim>   &discretization,
+                    const Elasticity<dim>       &elasticity,
+                    const ContactInterface<dim> *interface,
+                    ContactElimination<dim>     &elimination,
                     const Parameters::SolverKind solver_kind,
                     TimerOutput                 &timer);
 
@@ -78,17 +79,22 @@ namespace Contact
     /// Returns whether the matrix is another one than before.
     bool assemble(const Vector<double> &solution, Vector<double> &rhs);
     void assemble_tangents(const Vector<double> &solution);
+    void add_interface(const FullMatrix<double> &tangent,
+                       const Dofs               &dofs,
+                       const Vector<double>     &load,
+                       const bool                with_matrix,
+                       Vector<double>           &forces);
     void add_unsymmetric(const FullMatrix<double> &tangent, const Dofs &dofs);
     void give_matrix_to_solver();
     void restore_interface_rows();
     void for_interface_rows(
       const std::function<void(const int n, double *values)> &visit);
 
-    const Discretization<2> &discretization;
-    const Elasticity<2>     &elasticity;
-    ContactElimination      &elimination;
-    TimerOutput             &timer;
-    const IndexSet           owned;
+    const Discretization<dim> &discretization;
+    const Elasticity<dim>     &elasticity;
+    ContactElimination<dim>   &elimination;
+    TimerOutput               &timer;
+    const IndexSet             owned;
 
     /// The unknowns that have been eliminated or may be.
     std::set<types::global_dof_index> eliminable;
@@ -98,8 +104,8 @@ namespace Contact
 
     /// The couplings that the pattern provides for, and all unknowns at the
     /// interface.
-    InterfaceCouplings couplings;
-    Dofs               interface_dofs;
+    InterfaceCouplings<dim> couplings;
+    Dofs                    interface_dofs;
 
     DefiniteSolver::Matrix           matrix;
     std::vector<double>              assembled_lines; // their signature

@@ -26,22 +26,24 @@ namespace Contact
 
 
 
-    std::string place(const ContactPoint &point)
+    template<int dim>
+    std::string place(const ContactPoint<dim> &point)
     {
       std::ostringstream text;
       text << (point.is_master_corner ? "the corner of the master"
                                       : "the node of the slave")
-           << " at (" << point.X[0][0] << ", " << point.X[0][1] << ")";
+           << " at (" << point.X[0] << ")";
       return text.str();
     }
 
 
 
     /// The round-off of a gap [mm].
-    double round_off(const ContactPoint &point)
+    template<int dim>
+    double round_off(const ContactPoint<dim> &point)
     {
       double largest = 0;
-      for (const Point<2> &X : point.X)
+      for (const Point<dim> &X : point.X)
         largest = std::max(largest, X.norm());
       return 1e3 * std::numeric_limits<double>::epsilon() * largest;
     }
@@ -49,10 +51,11 @@ namespace Contact
 
 
 
-  ContactElimination::ContactElimination(
-    const Discretization<2> &discretization,
-    const ContactInterface  *interface,
-    const bool               moving_bound)
+  template<int dim>
+  ContactElimination<dim>::ContactElimination(
+    const Discretization<dim>   &discretization,
+    const ContactInterface<dim> *interface,
+    const bool                   moving_bound)
     : discretization(discretization)
     , interface(interface)
     , moving_bound(moving_bound)
@@ -60,13 +63,15 @@ namespace Contact
     , test_rows(slave_dofs)
   {
     if (interface != nullptr)
-      for (const ContactPoint &point : interface->points())
+      for (const ContactPoint<dim> &point : interface->points())
         slave_dofs.insert(point.dofs[0].begin(), point.dofs[0].end());
   }
 
 
 
-  void ContactElimination::add_base_lines(const Dofs &surroundings,
+  template<int dim>
+  void
+  ContactElimination<dim>::add_base_lines(const Dofs &surroundings,
                                           AffineConstraints<double> &to) const
   {
     const auto &base = discretization.constraints;
@@ -82,9 +87,10 @@ namespace Contact
 
 
 
-  void
-  ContactElimination::add_contact_lines(const RowElimination      &rows,
-                                        AffineConstraints<double> &to) const
+  template<int dim>
+  void ContactElimination<dim>::add_contact_lines(
+    const RowElimination      &rows,
+    AffineConstraints<double> &to) const
   {
     for (const auto &[dof, line] : rows.lines())
       {
@@ -98,9 +104,10 @@ namespace Contact
 
 
 
-  void ContactElimination::make(const Vector<double> &solution,
-                                const Vector<double> &u_start,
-                                const Dofs           &surroundings)
+  template<int dim>
+  void ContactElimination<dim>::make(const Vector<double> &solution,
+                                     const Vector<double> &u_start,
+                                     const Dofs           &surroundings)
   {
     lines.clear();
     test_lines.clear();
@@ -113,20 +120,24 @@ namespace Contact
     // A point that slips under a moving bound makes the matrix unsymmetric.
     symmetric = true;
     if (interface != nullptr && moving_bound)
-      for (const ContactPoint &point : interface->points())
-        if (point.status.slip_direction != 0 &&
+      for (const ContactPoint<dim> &point : interface->points())
+        if (point.status.has_direction() &&
             interface->contact_pair(point).law.coulomb_coefficient > 0)
           symmetric = false;
 
     add_base_lines(surroundings, lines);
     if (interface != nullptr)
-      for (const ContactPoint &point : interface->points())
+      for (const ContactPoint<dim> &point : interface->points())
         if (point.status.kind != Status::open)
           eliminate_point(point, interface->state(point, solution, u_start));
 
     add_contact_lines(rows, lines);
     for (const auto &line : rows.lines())
       eliminated.push_back(line.first);
+    turning.clear();
+    if (interface != nullptr)
+      turning =
+        SlipTurning<dim>::terms(*interface, solution, u_start, moving_bound);
     if (!symmetric)
       {
         add_base_lines(surroundings, test_lines);
@@ -140,18 +151,21 @@ namespace Contact
 
 
   // Normal and tangent of a sticking point span both coordinates.
-  void ContactElimination::eliminate_point(const ContactPoint &point,
-                                           const ContactState &now)
+  template<int dim>
+  void ContactElimination<dim>::eliminate_point(const ContactPoint<dim> &point,
+                                                const ContactState<dim> &now)
   {
     if (point.status.kind == Status::stick)
       {
         ++discretization.counters.tangential_rows;
-        for (unsigned int i = 0; i < 2; ++i)
+        const Tensor<1, dim> away =
+          now.gap * point.normal + point.along_tangents(now.slip);
+        for (unsigned int i = 0; i < dim; ++i)
           {
-            const Row row = equation(point,
-                                     Point<2>::unit_vector(i),
-                                     -(now.gap * point.normal[i] +
-                                       now.slip * point.tangent[i]));
+            if (point.slip_is_void[i])
+              continue;
+            const Row row =
+              equation(point, Point<dim>::unit_vector(i), -away[i]);
             eliminate(point, row, row);
           }
         return;
@@ -168,16 +182,17 @@ namespace Contact
 
   // An unknown that is tied to another is replaced by that. One that is held
   // stays in the equation: it has a line of its own.
-  ContactElimination::Row
-  ContactElimination::equation(const ContactPoint &point,
-                               const Tensor<1, 2> &direction,
-                               const double        constant) const
+  template<int dim>
+  typename ContactElimination<dim>::Row
+  ContactElimination<dim>::equation(const ContactPoint<dim> &point,
+                                    const Tensor<1, dim>    &direction,
+                                    const double             constant) const
   {
     const auto &base = discretization.constraints;
     Row         row;
     row.constant = constant;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
-      for (unsigned int i = 0; i < 2; ++i)
+      for (unsigned int i = 0; i < dim; ++i)
         {
           const Dof    dof = point.dofs[a][i];
           const double c   = point.C[a] * direction[i];
@@ -198,20 +213,23 @@ namespace Contact
 
 
 
-  Tensor<1, 2> ContactElimination::force_direction(const ContactPoint &point,
-                                                   const double p_trial) const
+  template<int dim>
+  Tensor<1, dim>
+  ContactElimination<dim>::force_direction(const ContactPoint<dim> &point,
+                                           const double p_trial) const
   {
     return point.normal +
-           point.status.slip_direction *
-             interface->contact_pair(point).law.bound_derivative(p_trial) *
-             point.tangent;
+           point.along_tangents(
+             point.status.direction() *
+             interface->contact_pair(point).law.bound_derivative(p_trial));
   }
 
 
 
-  void ContactElimination::eliminate(const ContactPoint &point,
-                                     Row                 row,
-                                     Row                 test_row)
+  template<int dim>
+  void ContactElimination<dim>::eliminate(const ContactPoint<dim> &point,
+                                          Row                      row,
+                                          Row                      test_row)
   {
     const double size    = row.largest();
     bool         is_held = true;
@@ -241,10 +259,12 @@ namespace Contact
 
   // A pivot has to serve both equations: what counts is its smaller part in the
   // largest coefficient of either.
-  ContactElimination::Dof ContactElimination::pivot(const ContactPoint &point,
-                                                    const Row          &row,
-                                                    const Row   &test_row,
-                                                    const double smallest) const
+  template<int dim>
+  typename ContactElimination<dim>::Dof
+  ContactElimination<dim>::pivot(const ContactPoint<dim> &point,
+                                 const Row               &row,
+                                 const Row               &test_row,
+                                 const double             smallest) const
   {
     const auto is_free = [this](const Dof dof) {
       return !discretization.constraints.is_constrained(dof);
@@ -265,8 +285,10 @@ namespace Contact
                           : 0.;
     };
 
-    const auto [x, y] = point.dofs[0];
-    const Dof own     = share(y) >= share(x) ? y : x;
+    Dof own = point.dofs[0][0];
+    for (const Dof dof : point.dofs[0])
+      if (share(dof) >= share(own))
+        own = dof;
     if (share(own) >= smallest_of_own)
       return own;
     Dof best = own;
@@ -281,9 +303,10 @@ namespace Contact
   // An equation that follows from others is redundant, or contradicts them.
   // Where supports hold all, no pressure helps against penetration; else the
   // statuses may be others in the next step.
-  void ContactElimination::drop(const ContactPoint &point,
-                                const Row          &row,
-                                const bool          is_held)
+  template<int dim>
+  void ContactElimination<dim>::drop(const ContactPoint<dim> &point,
+                                     const Row               &row,
+                                     const bool               is_held)
   {
     double left = -row.constant;
     for (const auto &[dof, coefficient] : row.entries)
@@ -310,7 +333,8 @@ namespace Contact
 
 
 
-  std::string ContactElimination::contradiction() const
+  template<int dim>
+  std::string ContactElimination<dim>::contradiction() const
   {
     if (contradicting == nullptr)
       return "";
@@ -326,7 +350,8 @@ namespace Contact
 
 
 
-  void ContactElimination::condense(Vector<double> &rhs) const
+  template<int dim>
+  void ContactElimination<dim>::condense(Vector<double> &rhs) const
   {
     for (const auto line : eliminated)
       {
@@ -339,7 +364,8 @@ namespace Contact
 
 
 
-  void ContactElimination::for_each_entry(
+  template<int dim>
+  void ContactElimination<dim>::for_each_entry(
     const std::function<void(const Dof line, const Dof dof)> &visit) const
   {
     for (const auto line : eliminated)
@@ -355,7 +381,8 @@ namespace Contact
 
 
   // The lines as numbers, to see whether they are others than before.
-  std::vector<double> ContactElimination::signature() const
+  template<int dim>
+  std::vector<double> ContactElimination<dim>::signature() const
   {
     std::vector<double> signature;
     const auto          add = [&](const AffineConstraints<double> &of) {
@@ -373,12 +400,17 @@ namespace Contact
     add(lines);
     if (!symmetric)
       add(test_lines);
+    for (const auto &term : turning)
+      signature.insert(signature.end(),
+                       term.stiffness.begin(),
+                       term.stiffness.end());
     return signature;
   }
 
 
 
-  void ContactElimination::distribute(Vector<double> &update) const
+  template<int dim>
+  void ContactElimination<dim>::distribute(Vector<double> &update) const
   {
     for (const auto &line : lines.get_lines())
       {
@@ -392,12 +424,16 @@ namespace Contact
 
 
 
-  void ContactElimination::recover_pressures(const Vector<double> &residual,
+  template<int dim>
+  void
+  ContactElimination<dim>::recover_pressures(const Vector<double> &residual,
                                              Vector<double> &solution) const
   {
-    const auto tractions =
-      MultiplierRecovery(discretization, *interface, eliminated, moving_bound)
-        .tractions(residual);
+    const auto tractions = MultiplierRecovery<dim>(discretization,
+                                                   *interface,
+                                                   eliminated,
+                                                   moving_bound)
+                             .tractions(residual);
     for (unsigned int k = 0; k < tractions.size(); ++k)
       solution[interface->normal_index(interface->points()[k].multipliers[0])] =
         tractions[k].p;
@@ -405,29 +441,42 @@ namespace Contact
 
 
 
-  void ContactElimination::recover_shears(const Vector<double> &residual,
-                                          Vector<double>       &solution) const
+  template<int dim>
+  void ContactElimination<dim>::recover_shears(const Vector<double> &residual,
+                                               Vector<double> &solution) const
   {
     if (interface->n_multipliers() == interface->n_normal_multipliers())
       return;
-    const auto tractions =
-      MultiplierRecovery(discretization, *interface, eliminated, moving_bound)
-        .tractions(residual);
+    const auto tractions = MultiplierRecovery<dim>(discretization,
+                                                   *interface,
+                                                   eliminated,
+                                                   moving_bound)
+                             .tractions(residual);
     for (unsigned int k = 0; k < tractions.size(); ++k)
       {
-        const ContactPoint &point = interface->points()[k];
-        const FrictionLaw  &law   = interface->contact_pair(point).law;
+        const ContactPoint<dim> &point = interface->points()[k];
+        const FrictionLaw       &law   = interface->contact_pair(point).law;
         if (law.is_frictionless())
           continue;
         const double bound =
           moving_bound ? law.bound(tractions[k].p) : point.friction_bound;
-        double &q = solution[interface->tangential_index(point.multipliers[0])];
+        Tensor<1, dim - 1> q;
         if (point.status.kind == Status::stick)
           q = tractions[k].q;
-        else if (point.status.slip_direction != 0)
-          q = point.status.slip_direction * bound;
-        else
-          q = 0;
+        else if (point.status.has_direction())
+          {
+            // The magnitude is known; across the direction, which is none in
+            // the plane, the forces tell by how much it turns.
+            const Tensor<1, dim - 1> d = point.status.direction();
+            q                          = d * bound;
+            if (dim == 3)
+              q += tractions[k].q - (tractions[k].q * d) * d;
+          }
+        for (unsigned int t = 0; t < dim - 1; ++t)
+          solution[interface->tangential_index(point.multipliers[0], t)] = q[t];
       }
   }
+
+  template class ContactElimination<2>;
+  template class ContactElimination<3>;
 } // namespace Contact

@@ -10,6 +10,7 @@
 
 #include "contact/contact_interface.h"
 #include "solvers/row_elimination.h"
+#include "solvers/slip_turning.h"
 
 namespace Contact
 {
@@ -41,6 +42,7 @@ namespace Contact
    * condensed matrix is unsymmetric, as that of the saddle point is, and the
    * Newton step the same.
    */
+  template<int dim>
   class ContactElimination
   {
   public:
@@ -50,9 +52,9 @@ namespace Contact
     /// @p interface may be null: then there is nothing to eliminate. With
     /// @p moving_bound the bound of the shear traction moves with the pressure
     /// within a Newton step.
-    ContactElimination(const Discretization<2> &discretization,
-                       const ContactInterface  *interface,
-                       const bool               moving_bound = false);
+    ContactElimination(const Discretization<dim>   &discretization,
+                       const ContactInterface<dim> *interface,
+                       const bool                   moving_bound = false);
 
     /// The unknowns of the slave nodes of all points: those that are eliminated
     /// as a rule.
@@ -82,6 +84,13 @@ namespace Contact
     bool is_symmetric() const
     {
       return symmetric;
+    }
+
+    /// What the turning of the shears adds to the system, to be assembled
+    /// like cells.
+    const std::vector<typename SlipTurning<dim>::Term> &turning_terms() const
+    {
+      return turning;
     }
 
     /// The unknowns that the points eliminate, in ascending order.
@@ -125,36 +134,40 @@ namespace Contact
                         AffineConstraints<double> &to) const;
     void add_contact_lines(const RowElimination      &rows,
                            AffineConstraints<double> &to) const;
-    void eliminate_point(const ContactPoint &point, const ContactState &now);
-    void eliminate(const ContactPoint &point, Row row, Row test_row);
-    void drop(const ContactPoint &point, const Row &row, const bool is_held);
+    void eliminate_point(const ContactPoint<dim> &point,
+                         const ContactState<dim> &now);
+    void eliminate(const ContactPoint<dim> &point, Row row, Row test_row);
+    void
+    drop(const ContactPoint<dim> &point, const Row &row, const bool is_held);
 
     /// The equation along @p direction: its part on the displacements.
-    Row equation(const ContactPoint &point,
-                 const Tensor<1, 2> &direction,
-                 const double        constant) const;
+    Row equation(const ContactPoint<dim> &point,
+                 const Tensor<1, dim>    &direction,
+                 const double             constant) const;
 
     /// m = n + s bound'(p) t.
-    Tensor<1, 2> force_direction(const ContactPoint &point,
-                                 const double        p_trial) const;
+    Tensor<1, dim> force_direction(const ContactPoint<dim> &point,
+                                   const double             p_trial) const;
 
-    Dof pivot(const ContactPoint &point,
-              const Row          &row,
-              const Row          &test_row,
-              const double        smallest) const;
+    Dof pivot(const ContactPoint<dim> &point,
+              const Row               &row,
+              const Row               &test_row,
+              const double             smallest) const;
 
-    const Discretization<2> &discretization;
-    const ContactInterface  *interface;
-    const bool               moving_bound;
+    const Discretization<dim>   &discretization;
+    const ContactInterface<dim> *interface;
+    const bool                   moving_bound;
 
     AffineConstraints<double> lines, test_lines;
     Dofs                      eliminated;
     RowElimination            rows, test_rows;
     bool                      symmetric = true;
 
+    std::vector<typename SlipTurning<dim>::Term> turning;
+
     /// The point of the worst of the contradicting equations, and by how much.
-    const ContactPoint *contradicting    = nullptr;
-    double              largest_conflict = 0; // [mm]
+    const ContactPoint<dim> *contradicting    = nullptr;
+    double                   largest_conflict = 0; // [mm]
   };
 } // namespace Contact
 

@@ -7,7 +7,8 @@
 
 namespace Contact
 {
-  void ConvergenceTest::begin_level(const double tolerance)
+  template<int dim>
+  void ConvergenceTest<dim>::begin_level(const double tolerance)
   {
     newton_tolerance = tolerance;
     scale.emplace(*model.discretization,
@@ -17,9 +18,10 @@ namespace Contact
 
 
 
-  double ConvergenceTest::evaluate(const Vector<double> &rhs,
-                                   const IncrementState &state,
-                                   const bool            moving_bound)
+  template<int dim>
+  double ConvergenceTest<dim>::evaluate(const Vector<double>      &rhs,
+                                        const IncrementState<dim> &state,
+                                        const bool                 moving_bound)
   {
     double square =
       model.interface ? std::pow(model.interface->constraint_norm(rhs), 2) : 0.;
@@ -34,4 +36,7 @@ namespace Contact
                       moving_bound);
     return norm;
   }
+
+  template class ConvergenceTest<2>;
+  template class ConvergenceTest<3>;
 } // namespace Contact

@@ -20,10 +20,11 @@ namespace Contact
    * and constraints together, is at most the tolerance times the force F that
    * ForceScale finds.
    */
+  template<int dim>
   class ConvergenceTest
   {
   public:
-    explicit ConvergenceTest(const ContactModel &model)
+    explicit ConvergenceTest(const ContactModel<dim> &model)
       : model(model)
     {
     }
@@ -35,9 +36,9 @@ namespace Contact
     /// Compare the residual @p rhs of a state; @p moving_bound is how it was
     /// assembled. Returns its norm [N per mm of thickness], the same on all
     /// ranks: it decides for all of them what comes next.
-    double evaluate(const Vector<double> &rhs,
-                    const IncrementState &state,
-                    const bool            moving_bound);
+    double evaluate(const Vector<double>      &rhs,
+                    const IncrementState<dim> &state,
+                    const bool                 moving_bound);
 
     /// The norm and the force F of the last evaluation, and the norm by F.
     double residual() const
@@ -78,11 +79,11 @@ namespace Contact
     }
 
   private:
-    const ContactModel       &model;
-    std::optional<ForceScale> scale;
-    double                    newton_tolerance = 0;
-    double                    norm             = 0; // [N per mm of thickness]
-    double                    force            = 0; // likewise
+    const ContactModel<dim>       &model;
+    std::optional<ForceScale<dim>> scale;
+    double                         newton_tolerance = 0;
+    double                         norm  = 0; // [N per mm of thickness]
+    double                         force = 0; // likewise
   };
 } // namespace Contact
 

@@ -12,9 +12,10 @@
 
 namespace Contact
 {
-  ForceScale::ForceScale(const Discretization<2> &discretization,
-                         const Elasticity<2>     &elasticity,
-                         const ContactInterface  *interface)
+  template<int dim>
+  ForceScale<dim>::ForceScale(const Discretization<dim>   &discretization,
+                              const Elasticity<dim>       &elasticity,
+                              const ContactInterface<dim> *interface)
     : discretization(discretization)
     , elasticity(elasticity)
     , interface(interface)
@@ -26,18 +27,18 @@ namespace Contact
       }
 
     // Size and coordinates of the coarse mesh, which every rank has.
-    Point<2> low, high;
-    double   smallest = std::numeric_limits<double>::max(), circumference = 0;
-    bool     is_first = true;
+    Point<dim> low, high;
+    double     smallest = std::numeric_limits<double>::max(), circumference = 0;
+    bool       is_first = true;
     for (const auto &cell :
          discretization.mesh.triangulation.cell_iterators_on_level(0))
       for (const unsigned int v : cell->vertex_indices())
-        for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int i = 0; i < dim; ++i)
           {
-            const Point<2> X = cell->vertex(v);
-            low[i]           = is_first ? X[i] : std::min(low[i], X[i]);
-            high[i]          = is_first ? X[i] : std::max(high[i], X[i]);
-            coordinate       = std::max(coordinate, std::abs(X[i]));
+            const Point<dim> X = cell->vertex(v);
+            low[i]             = is_first ? X[i] : std::min(low[i], X[i]);
+            high[i]            = is_first ? X[i] : std::max(high[i], X[i]);
+            coordinate         = std::max(coordinate, std::abs(X[i]));
             circumference =
               std::max(circumference, discretization.circumference(X));
             is_first = is_first && i == 0;
@@ -52,7 +53,7 @@ namespace Contact
     if (interface != nullptr)
       {
         const Vector<double> undeformed(discretization.dof_handler.n_dofs());
-        for (const ContactPoint &point : interface->points())
+        for (const ContactPoint<dim> &point : interface->points())
           if (point.facing && !interface->contact_pair(point).tied)
             overlap =
               std::max(overlap,
@@ -62,11 +63,12 @@ namespace Contact
 
 
 
-  double ForceScale::in(const Vector<double> &solution,
-                        const Vector<double> &u_start,
-                        const double          load_factor,
-                        const double          newton_tolerance,
-                        const bool            moving_bound) const
+  template<int dim>
+  double ForceScale<dim>::in(const Vector<double> &solution,
+                             const Vector<double> &u_start,
+                             const double          load_factor,
+                             const double          newton_tolerance,
+                             const bool            moving_bound) const
   {
     const double way    = discretization.largest_prescribed();
     const double most   = modulus * (way + overlap) * slender;
@@ -89,29 +91,32 @@ namespace Contact
 
 
 
-  double ForceScale::contact_forces(const Vector<double> &solution,
-                                    const Vector<double> &u_start,
-                                    const bool            moving_bound) const
+  template<int dim>
+  double ForceScale<dim>::contact_forces(const Vector<double> &solution,
+                                         const Vector<double> &u_start,
+                                         const bool moving_bound) const
   {
     double sum = 0;
-    for (const ContactPoint &point : interface->points())
+    for (const ContactPoint<dim> &point : interface->points())
       if (point.status.kind != Status::open)
         {
-          const ContactState now = interface->state(point, solution, u_start);
-          const Traction     t   = interface->traction(point,
-                                                 point.status,
-                                                 now.p_trial,
-                                                 now.q_trial,
-                                                 moving_bound);
-          sum += point.weight * std::hypot(t.p, t.q);
+          const ContactState<dim> now =
+            interface->state(point, solution, u_start);
+          const Traction<dim> t = interface->traction(point,
+                                                      point.status,
+                                                      now.p_trial,
+                                                      now.q_trial,
+                                                      moving_bound);
+          sum += point.weight * std::hypot(t.p, t.q.norm());
         }
     return sum;
   }
 
 
 
-  double ForceScale::reactions(const Vector<double> &solution,
-                               const double          load_factor) const
+  template<int dim>
+  double ForceScale<dim>::reactions(const Vector<double> &solution,
+                                    const double          load_factor) const
   {
     const Vector<double> forces = elasticity.forces(solution, load_factor);
     double               sum    = 0;
@@ -120,4 +125,7 @@ namespace Contact
         sum += std::abs(forces[dof]);
     return Utilities::MPI::sum(sum, discretization.communicator);
   }
+
+  template class ForceScale<2>;
+  template class ForceScale<3>;
 } // namespace Contact

@@ -35,14 +35,15 @@ namespace Contact
    * of the state. Of rings, all but the dead loads is times the largest
    * circumference.
    */
+  template<int dim>
   class ForceScale
   {
   public:
     /// @p interface may be null; its points have to be paired in the
     /// undeformed state. Collective.
-    ForceScale(const Discretization<2> &discretization,
-               const Elasticity<2>     &elasticity,
-               const ContactInterface  *interface);
+    ForceScale(const Discretization<dim>   &discretization,
+               const Elasticity<dim>       &elasticity,
+               const ContactInterface<dim> *interface);
 
     /// F in the state @p solution under @p load_factor. Collective.
     double in(const Vector<double> &solution,
@@ -70,9 +71,9 @@ namespace Contact
     double reactions(const Vector<double> &solution,
                      const double          load_factor) const;
 
-    const Discretization<2> &discretization;
-    const Elasticity<2>     &elasticity;
-    const ContactInterface  *interface;
+    const Discretization<dim>   &discretization;
+    const Elasticity<dim>       &elasticity;
+    const ContactInterface<dim> *interface;
 
     double modulus    = 0; // M, of rings times the largest circumference
     double coordinate = 0; // X [mm]

@@ -9,9 +9,10 @@
 
 namespace Contact
 {
-  InterfaceCouplings::InterfaceCouplings(
-    const Discretization<2> &discretization,
-    const ContactInterface  *interface)
+  template<int dim>
+  InterfaceCouplings<dim>::InterfaceCouplings(
+    const Discretization<dim>   &discretization,
+    const ContactInterface<dim> *interface)
     : discretization(discretization)
     , interface(interface)
   {
@@ -27,14 +28,15 @@ namespace Contact
 
 
 
-  void InterfaceCouplings::collect_neighbors(const Surface &surface)
+  template<int dim>
+  void InterfaceCouplings<dim>::collect_neighbors(const Surface<dim> &surface)
   {
-    for (const Surface::Edge &edge : surface.edges)
-      for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
-        for (unsigned int b = 0; b < surface.n_nodes_per_edge(); ++b)
-          for (unsigned int c = 0; c < 2; ++c)
+    for (const SurfaceFacet<dim> &edge : surface.facets)
+      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+        for (unsigned int b = 0; b < surface.n_nodes_per_facet(); ++b)
+          for (unsigned int c = 0; c < dim; ++c)
             {
-              const NodeDoFs<2> &around = surface.nodes[edge.nodes[b]].dofs;
+              const NodeDoFs<dim> &around = surface.nodes[edge.nodes[b]].dofs;
               neighbors[surface.nodes[edge.nodes[a]].dofs[c]]
                 .insert(around.begin(), around.end());
             }
@@ -42,8 +44,9 @@ namespace Contact
 
 
 
-  InterfaceCouplings::Dofs
-  InterfaceCouplings::reachable(const ContactPoint &point) const
+  template<int dim>
+  typename InterfaceCouplings<dim>::Dofs
+  InterfaceCouplings<dim>::reachable(const ContactPoint<dim> &point) const
   {
     std::set<types::global_dof_index> dofs;
     for (unsigned int a = 1; a < point.n_nodes; ++a)
@@ -59,13 +62,14 @@ namespace Contact
 
 
 
-  void InterfaceCouplings::make()
+  template<int dim>
+  void InterfaceCouplings<dim>::make()
   {
     provided.clear();
     partners.clear();
     if (interface == nullptr)
       return;
-    for (const ContactPoint &point : interface->points())
+    for (const ContactPoint<dim> &point : interface->points())
       {
         provided.push_back(reachable(point));
         for (const auto dof : point.dofs[0])
@@ -79,13 +83,14 @@ namespace Contact
 
 
 
-  bool InterfaceCouplings::serve() const
+  template<int dim>
+  bool InterfaceCouplings<dim>::serve() const
   {
     if (interface == nullptr)
       return true;
     for (unsigned int q = 0; q < interface->points().size(); ++q)
       {
-        const ContactPoint &point = interface->points()[q];
+        const ContactPoint<dim> &point = interface->points()[q];
         for (unsigned int a = 1; a < point.n_nodes; ++a)
           if (!std::binary_search(provided[q].begin(),
                                   provided[q].end(),
@@ -97,7 +102,9 @@ namespace Contact
 
 
 
-  bool InterfaceCouplings::add_missing(const ContactElimination &elimination)
+  template<int dim>
+  bool InterfaceCouplings<dim>::add_missing(
+    const ContactElimination<dim> &elimination)
   {
     bool misses = false;
     elimination.for_each_entry([&](const types::global_dof_index line,
@@ -110,7 +117,8 @@ namespace Contact
 
 
 
-  void InterfaceCouplings::add_partners(
+  template<int dim>
+  void InterfaceCouplings<dim>::add_partners(
     const types::global_dof_index      dof,
     std::set<types::global_dof_index> &coupled) const
   {
@@ -120,7 +128,8 @@ namespace Contact
 
 
 
-  std::set<types::global_dof_index> InterfaceCouplings::all() const
+  template<int dim>
+  std::set<types::global_dof_index> InterfaceCouplings<dim>::all() const
   {
     std::set<types::global_dof_index> all;
     for (const auto &[dof, of_dof] : partners)
@@ -130,4 +139,7 @@ namespace Contact
       }
     return all;
   }
+
+  template class InterfaceCouplings<2>;
+  template class InterfaceCouplings<3>;
 } // namespace Contact

@@ -26,14 +26,15 @@ namespace Contact
    * All ranks have the same points and the same lines, and so the same partners
    * without a message.
    */
+  template<int dim>
   class InterfaceCouplings
   {
   public:
     using Dofs = std::vector<types::global_dof_index>;
 
     /// @p interface may be null: nothing is coupled.
-    InterfaceCouplings(const Discretization<2> &discretization,
-                       const ContactInterface  *interface);
+    InterfaceCouplings(const Discretization<dim>   &discretization,
+                       const ContactInterface<dim> *interface);
 
     /// Take the partners from the points of now.
     void make();
@@ -43,7 +44,7 @@ namespace Contact
 
     /// Add what the lines of @p elimination need. Returns whether anything was
     /// missing.
-    bool add_missing(const ContactElimination &elimination);
+    bool add_missing(const ContactElimination<dim> &elimination);
 
     /// Add to @p coupled the partners of an unknown, if it has any.
     void add_partners(const types::global_dof_index      dof,
@@ -53,11 +54,11 @@ namespace Contact
     std::set<types::global_dof_index> all() const;
 
   private:
-    void collect_neighbors(const Surface &surface);
-    Dofs reachable(const ContactPoint &point) const;
+    void collect_neighbors(const Surface<dim> &surface);
+    Dofs reachable(const ContactPoint<dim> &point) const;
 
-    const Discretization<2> &discretization;
-    const ContactInterface  *interface;
+    const Discretization<dim>   &discretization;
+    const ContactInterface<dim> *interface;
 
     /// Of each point, the unknowns that it may see.
     std::vector<Dofs> provided;

@@ -14,14 +14,14 @@ namespace Contact
 {
   namespace
   {
-    class SaddlePointForm : public LinearSystem
+    class SaddlePointForm : public LinearSystem<2>
     {
     public:
-      SaddlePointForm(const ContactModel                 &model,
-                      const Parameters::All              &parameters,
-                      const ContactKernel::Linearization &linearization,
-                      ConditionalOStream                 &screen,
-                      TimerOutput                        &timer)
+      SaddlePointForm(const ContactModel<2>      &model,
+                      const Parameters::All      &parameters,
+                      const ContactLinearization &linearization,
+                      ConditionalOStream         &screen,
+                      TimerOutput                &timer)
         : model(model)
         , screen(screen)
         , system(*model.discretization,
@@ -55,7 +55,7 @@ namespace Contact
       }
 
       void recover_multipliers(const Vector<double> &,
-                               IncrementState &) override
+                               IncrementState<2> &) override
       {
       }
 
@@ -66,9 +66,9 @@ namespace Contact
 
       // The step under the present status, then the search for the status that
       // the linearised problem has.
-      unsigned int make_step(const Step     &step,
-                             Vector<double> &rhs,
-                             IncrementState &state) override
+      unsigned int make_step(const Step        &step,
+                             Vector<double>    &rhs,
+                             IncrementState<2> &state) override
       {
         const bool settled =
           system.solve(state.solution,
@@ -100,29 +100,32 @@ namespace Contact
       // In loops around Newton's method little changes from turn to turn. With
       // the pairing in the tangent there are none: it is there for its
       // quadratic convergence.
-      static bool keeps_factorization(const ContactModel    &model,
+      static bool keeps_factorization(const ContactModel<2> &model,
                                       const Parameters::All &parameters)
       {
         return parameters.geometry(model.n_displacements()) !=
                Parameters::GeometryLoop::newton;
       }
 
-      const ContactModel &model;
-      ConditionalOStream &screen;
-      SaddlePointSystem   system;
-      bool                searches = true;
+      const ContactModel<2> &model;
+      ConditionalOStream    &screen;
+      SaddlePointSystem      system;
+      bool                   searches = true;
     };
 
 
 
-    class CondensedForm : public LinearSystem
+    template<int dim>
+    class CondensedForm : public LinearSystem<dim>
     {
     public:
-      CondensedForm(const ContactModel    &model,
-                    const Parameters::All &parameters,
-                    const bool             moving_bound,
-                    ConditionalOStream    &screen,
-                    TimerOutput           &timer)
+      using Step = typename LinearSystem<dim>::Step;
+
+      CondensedForm(const ContactModel<dim> &model,
+                    const Parameters::All   &parameters,
+                    const bool               moving_bound,
+                    ConditionalOStream      &screen,
+                    TimerOutput             &timer)
         : model(model)
         , parameters(parameters.solution)
         , screen(screen)
@@ -162,7 +165,7 @@ namespace Contact
 
       // A bound that follows the pressure does so in between.
       void recover_multipliers(const Vector<double> &rhs,
-                               IncrementState       &state) override
+                               IncrementState<dim>  &state) override
       {
         elimination.recover_pressures(rhs, state.solution);
         if (model.has_friction() &&
@@ -178,9 +181,9 @@ namespace Contact
       // Inexact Newton: a step that others follow is not solved further than it
       // is good for, a thousandth of the residual, and well enough for the new
       // statuses. Linear bodies under statuses that stay are solved in one.
-      unsigned int make_step(const Step     &step,
-                             Vector<double> &rhs,
-                             IncrementState &state) override
+      unsigned int make_step(const Step          &step,
+                             Vector<double>      &rhs,
+                             IncrementState<dim> &state) override
       {
         const bool statuses_stay =
           step.number > 0 || !model.interface || model.interface->is_tied();
@@ -215,7 +218,7 @@ namespace Contact
     private:
       using SolverChoice = Parameters::Choice<Parameters::SolverKind>;
 
-      static SolverChoice choose_solver(const ContactModel         &model,
+      static SolverChoice choose_solver(const ContactModel<dim>    &model,
                                         const Parameters::Solution &parameters)
       {
         if (parameters.linear_solver != Parameters::SolverKind::automatic)
@@ -225,35 +228,53 @@ namespace Contact
                                         model.discretization->communicator));
       }
 
-      const ContactModel        &model;
+      const ContactModel<dim>   &model;
       const Parameters::Solution parameters;
       ConditionalOStream        &screen;
       const SolverChoice         solver;
-      ContactElimination         elimination;
-      CondensedSystem            system;
+      ContactElimination<dim>    elimination;
+      CondensedSystem<dim>       system;
       Vector<double>             update; // of the displacements
     };
   } // namespace
 
 
 
-  std::unique_ptr<LinearSystem>
-  LinearSystem::create(const ContactModel                 &model,
-                       const Parameters::All              &parameters,
-                       const ContactKernel::Linearization &linearization,
-                       ConditionalOStream                 &screen,
-                       TimerOutput                        &timer)
+  template<>
+  std::unique_ptr<LinearSystem<2>>
+  LinearSystem<2>::create(const ContactModel<2>      &model,
+                          const Parameters::All      &parameters,
+                          const ContactLinearization &linearization,
+                          ConditionalOStream         &screen,
+                          TimerOutput                &timer)
   {
     if (parameters.is_condensed(model.n_displacements()))
-      return std::make_unique<CondensedForm>(model,
-                                             parameters,
-                                             linearization.moving_bound,
-                                             screen,
-                                             timer);
+      return std::make_unique<CondensedForm<2>>(model,
+                                                parameters,
+                                                linearization.moving_bound,
+                                                screen,
+                                                timer);
     return std::make_unique<SaddlePointForm>(model,
                                              parameters,
                                              linearization,
                                              screen,
                                              timer);
+  }
+
+
+
+  template<>
+  std::unique_ptr<LinearSystem<3>>
+  LinearSystem<3>::create(const ContactModel<3>      &model,
+                          const Parameters::All      &parameters,
+                          const ContactLinearization &linearization,
+                          ConditionalOStream         &screen,
+                          TimerOutput                &timer)
+  {
+    return std::make_unique<CondensedForm<3>>(model,
+                                              parameters,
+                                              linearization.moving_bound,
+                                              screen,
+                                              timer);
   }
 } // namespace Contact

@@ -22,16 +22,17 @@ namespace Contact
    * multipliers as unknowns (SaddlePointSystem) or with the active points
    * eliminated (CondensedSystem).
    */
+  template<int dim>
   class LinearSystem
   {
   public:
     /// That of the parameters. @p linearization may change from step to step.
-    static std::unique_ptr<LinearSystem>
-    create(const ContactModel                 &model,
-           const Parameters::All              &parameters,
-           const ContactKernel::Linearization &linearization,
-           ConditionalOStream                 &screen,
-           TimerOutput                        &timer);
+    static std::unique_ptr<LinearSystem<dim>>
+    create(const ContactModel<dim>    &model,
+           const Parameters::All      &parameters,
+           const ContactLinearization &linearization,
+           ConditionalOStream         &screen,
+           TimerOutput                &timer);
 
     virtual ~LinearSystem() = default;
 
@@ -51,7 +52,7 @@ namespace Contact
     /// Set the multipliers of the state from @p rhs, minus the residual of the
     /// bodies alone. Does nothing if they are unknowns.
     virtual void recover_multipliers(const Vector<double> &rhs,
-                                     IncrementState       &state) = 0;
+                                     IncrementState<dim>  &state) = 0;
 
     /// Newton's method begins.
     virtual void begin_newton() = 0;
@@ -60,7 +61,7 @@ namespace Contact
     struct Step
     {
       unsigned int number;        // from zero
-      double       residual;      // [-], see ConvergenceTest
+      double       residual;      // [-], see ConvergenceTest<dim>
       double       last_residual; // before the last step
       double       tolerance;     // of Newton's method [-]
       double       force;         // that they are relative to [N per mm]
@@ -69,8 +70,9 @@ namespace Contact
     /// Make it, under the present status of the points and from minus the
     /// residual @p rhs, which is overwritten. Returns the number of linear
     /// iterations.
-    virtual unsigned int
-    make_step(const Step &step, Vector<double> &rhs, IncrementState &state) = 0;
+    virtual unsigned int make_step(const Step          &step,
+                                   Vector<double>      &rhs,
+                                   IncrementState<dim> &state) = 0;
 
     /// Of what may be why Newton's method does not converge: a sentence, or
     /// nothing.

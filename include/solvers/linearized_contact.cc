@@ -29,10 +29,10 @@ namespace Contact
 
 
   LinearizedContact::LinearizedContact(
-    const Discretization<2>            &discretization,
-    const ContactInterface             &interface,
-    const DirectSolver                 &solver,
-    const ContactKernel::Linearization &linearization)
+    const Discretization<2>    &discretization,
+    const ContactInterface<2>  &interface,
+    const DirectSolver         &solver,
+    const ContactLinearization &linearization)
     : linearization(linearization)
     , discretization(discretization)
     , interface(interface)
@@ -51,7 +51,7 @@ namespace Contact
 
   double LinearizedContact::Point::q_after(const Vector<double> &update) const
   {
-    return q + dot(rows.unknowns, rows.q_trial, update);
+    return q + dot(rows.unknowns, rows.q_trial[0], update);
   }
 
 
@@ -63,15 +63,15 @@ namespace Contact
     points.resize(interface.points().size());
     for (unsigned int q = 0; q < points.size(); ++q)
       {
-        const ContactPoint &point = interface.points()[q];
-        const ContactState  now   = interface.state(point, solution, u_start);
-        ContactKernel(interface).rows(point,
-                                      solution,
-                                      u_start,
-                                      linearization,
-                                      points[q].rows);
+        const ContactPoint<2> &point = interface.points()[q];
+        const ContactState<2>  now = interface.state(point, solution, u_start);
+        ContactKernel<2>(interface).rows(point,
+                                         solution,
+                                         u_start,
+                                         linearization,
+                                         points[q].rows);
         points[q].p           = now.p_trial;
-        points[q].q           = now.q_trial;
+        points[q].q           = now.q_trial[0];
         points[q].status      = point.status;
         points[q].old_p       = traction(q, false);
         points[q].old_q       = traction(q, true);
@@ -132,11 +132,10 @@ namespace Contact
 
           const auto    &rows = points[q].rows;
           Vector<double> W(n_unknowns);
-          discretization.constraints.distribute_local_to_global(tangential
-                                                                  ? rows.load_q
-                                                                  : rows.load_p,
-                                                                rows.unknowns,
-                                                                W);
+          discretization.constraints.distribute_local_to_global(
+            tangential ? rows.load_q[0] : rows.load_p,
+            rows.unknowns,
+            W);
           solver.solve(W);
           discretization.constraints.distribute(W);
           W -= inhomogeneity;
@@ -150,7 +149,7 @@ namespace Contact
   LinearizedContact::trial_row(const unsigned int q,
                                const bool         tangential) const
   {
-    return tangential ? points[q].rows.q_trial : points[q].rows.p_trial;
+    return tangential ? points[q].rows.q_trial[0] : points[q].rows.p_trial;
   }
 
 
@@ -159,14 +158,16 @@ namespace Contact
   LinearizedContact::traction(const unsigned int q, const bool tangential) const
   {
     // A point that opens or closes is linearised from the side of contact.
-    const double   p = std::max(points[q].p, 0.);
-    const Traction t = interface.traction(interface.points()[q],
-                                          points[q].status,
-                                          p,
-                                          points[q].q,
-                                          bound_moves());
+    const double      p = std::max(points[q].p, 0.);
+    const Traction<2> t = interface.traction(interface.points()[q],
+                                             points[q].status,
+                                             p,
+                                             Tensor<1, 1>({points[q].q}),
+                                             bound_moves());
     if (tangential)
-      return {t.q - t.dq_dp * p - t.dq_dq * points[q].q, t.dq_dp, t.dq_dq};
+      return {t.q[0] - t.dq_dp[0] * p - t.dq_dq * points[q].q,
+              t.dq_dp[0],
+              t.dq_dq};
     return {t.p - t.dp_dp * p, t.dp_dp, 0.};
   }
 

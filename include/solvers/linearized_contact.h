@@ -44,11 +44,11 @@ namespace Contact
       double p_after(const Vector<double> &update) const;
       double q_after(const Vector<double> &update) const;
 
-      ContactKernel::Rows rows;
-      double              p, q; // trial values before the update
-      PointStatus         status;
-      AffineTraction      old_p, old_q; // under the old status
-      bool                has_changed = false;
+      ContactKernel<2>::Rows rows;
+      double                 p, q; // trial values before the update
+      PointStatus<2>         status;
+      AffineTraction         old_p, old_q; // under the old status
+      bool                   has_changed = false;
     };
 
     /// The response of all unknowns to a unit of pressure or shear of a point.
@@ -59,10 +59,10 @@ namespace Contact
       Vector<double> W;
     };
 
-    LinearizedContact(const Discretization<2>            &discretization,
-                      const ContactInterface             &interface,
-                      const DirectSolver                 &solver,
-                      const ContactKernel::Linearization &linearization);
+    LinearizedContact(const Discretization<2>    &discretization,
+                      const ContactInterface<2>  &interface,
+                      const DirectSolver         &solver,
+                      const ContactLinearization &linearization);
 
     /// Linearise all points at @p solution under their statuses.
     void collect(const Vector<double> &solution, const Vector<double> &u_start);
@@ -93,10 +93,10 @@ namespace Contact
     /// The statuses of all points, to be compared.
     std::vector<signed char> signature() const;
 
-    const ContactKernel::Linearization linearization;
-    std::vector<Point>                 points;
-    std::vector<Response>              responses;
-    bool                               bounds_are_frozen = false;
+    const ContactLinearization linearization;
+    std::vector<Point>         points;
+    std::vector<Response>      responses;
+    bool                       bounds_are_frozen = false;
 
   private:
     const Vector<double> &trial_row(const unsigned int q,
@@ -114,9 +114,9 @@ namespace Contact
                         Vector<double>       &z,
                         FullMatrix<double>   &G) const;
 
-    const Discretization<2> &discretization;
-    const ContactInterface  &interface;
-    const DirectSolver      &solver;
+    const Discretization<2>   &discretization;
+    const ContactInterface<2> &interface;
+    const DirectSolver        &solver;
   };
 } // namespace Contact
 

@@ -11,11 +11,12 @@
 
 namespace Contact
 {
-  MultiplierRecovery::MultiplierRecovery(
-    const Discretization<2> &discretization,
-    const ContactInterface  &interface,
-    const std::vector<Dof>  &eliminated,
-    const bool               moving_bound)
+  template<int dim>
+  MultiplierRecovery<dim>::MultiplierRecovery(
+    const Discretization<dim>   &discretization,
+    const ContactInterface<dim> &interface,
+    const std::vector<Dof>      &eliminated,
+    const bool                   moving_bound)
     : discretization(discretization)
     , points(interface.points())
     , interface(interface)
@@ -29,9 +30,11 @@ namespace Contact
 
 
 
-  void MultiplierRecovery::collect_equations(const std::vector<Dof> &eliminated)
+  template<int dim>
+  void
+  MultiplierRecovery<dim>::collect_equations(const std::vector<Dof> &eliminated)
   {
-    for (const ContactPoint &point : points)
+    for (const ContactPoint<dim> &point : points)
       if (point.status.kind != Status::open)
         for (const auto dof : point.dofs[0])
           if (!discretization.constraints.is_constrained(dof))
@@ -43,7 +46,8 @@ namespace Contact
 
 
   // The force on an unknown that is tied is in the equation of its partner.
-  void MultiplierRecovery::collect_shares()
+  template<int dim>
+  void MultiplierRecovery<dim>::collect_shares()
   {
     const auto add =
       [this](const Dof dof, const Share &share, const double part) {
@@ -55,7 +59,7 @@ namespace Contact
     for (unsigned int k = 0; k < points.size(); ++k)
       if (points[k].status.kind != Status::open)
         for (unsigned int a = 0; a < points[k].n_nodes; ++a)
-          for (unsigned int i = 0; i < 2; ++i)
+          for (unsigned int i = 0; i < dim; ++i)
             {
               const Dof   dof = points[k].dofs[a][i];
               const Share share{k, i, points[k].weight * points[k].C[a]};
@@ -73,7 +77,8 @@ namespace Contact
 
   // A point is alone if it shares the equations of its node with no other, has
   // no part in others, and no more multipliers than equations.
-  void MultiplierRecovery::find_coupled_points()
+  template<int dim>
+  void MultiplierRecovery<dim>::find_coupled_points()
   {
     std::vector<unsigned int> n_equations(points.size(), 0);
     for (const auto &[dof, shares] : equations)
@@ -86,45 +91,56 @@ namespace Contact
         }
     for (unsigned int k = 0; k < points.size(); ++k)
       if (points[k].status.kind != Status::open &&
-          n_equations[k] < (has_shear_unknown(k) ? 2 : 1))
+          n_equations[k] < (has_shear_unknown(k) ? dim : 1))
         coupled[k] = true;
   }
 
 
 
-  bool MultiplierRecovery::has_shear_unknown(const unsigned int point) const
+  template<int dim>
+  bool
+  MultiplierRecovery<dim>::has_shear_unknown(const unsigned int point) const
   {
-    return points[point].status.kind == Status::stick;
+    // In space the direction of the shear is not known beforehand.
+    const auto kind = points[point].status.kind;
+    return kind == Status::stick || (dim == 3 && kind == Status::slip &&
+                                     interface.has_friction(points[point]));
   }
 
 
 
-  MultiplierRecovery::Factors
-  MultiplierRecovery::factors(const Share &share) const
+  template<int dim>
+  typename MultiplierRecovery<dim>::Factors
+  MultiplierRecovery<dim>::factors(const Share &share) const
   {
-    const ContactPoint &point   = points[share.point];
-    const FrictionLaw  &law     = interface.contact_pair(point).law;
-    const double        normal  = point.normal[share.coordinate];
-    const double        tangent = point.tangent[share.coordinate];
-    const int           slips   = point.status.slip_direction;
+    const ContactPoint<dim> &point  = points[share.point];
+    const FrictionLaw       &law    = interface.contact_pair(point).law;
+    const double             normal = point.normal[share.coordinate];
     if (has_shear_unknown(share.point))
-      return {share.factor * normal, share.factor * tangent, 0};
-    if (slips == 0)
-      return {share.factor * normal, 0, 0};
+      {
+        Tensor<1, dim - 1> tangents;
+        for (unsigned int t = 0; t < dim - 1; ++t)
+          tangents[t] = share.factor * point.tangents[t][share.coordinate];
+        return {share.factor * normal, tangents, 0};
+      }
+    if (!point.status.has_direction())
+      return {share.factor * normal, {}, 0};
+    const double along =
+      point.along_tangents(point.status.direction())[share.coordinate];
     if (moving_bound)
-      return {share.factor *
-                (normal + slips * law.coulomb_coefficient * tangent),
-              0,
-              share.factor * slips * law.tresca_limit * tangent};
+      return {share.factor * (normal + law.coulomb_coefficient * along),
+              {},
+              share.factor * law.tresca_limit * along};
     return {share.factor * normal,
-            0,
-            share.factor * slips * point.friction_bound * tangent};
+            {},
+            share.factor * point.friction_bound * along};
   }
 
 
 
-  std::vector<MultiplierRecovery::Pair>
-  MultiplierRecovery::tractions(const Vector<double> &residual) const
+  template<int dim>
+  std::vector<typename MultiplierRecovery<dim>::Pair>
+  MultiplierRecovery<dim>::tractions(const Vector<double> &residual) const
   {
     std::vector<Pair> tractions(points.size());
     bool              any_coupled = false;
@@ -142,23 +158,25 @@ namespace Contact
 
   // With both equations of a node the pressure is the force along the normal,
   // whatever the shear; with one of them, its part in that.
-  MultiplierRecovery::Pair
-  MultiplierRecovery::traction_of_single(const unsigned int    k,
-                                         const Vector<double> &residual) const
+  template<int dim>
+  typename MultiplierRecovery<dim>::Pair
+  MultiplierRecovery<dim>::traction_of_single(
+    const unsigned int    k,
+    const Vector<double> &residual) const
   {
-    const ContactPoint &point = points[k];
-    const double        own   = point.weight * point.C[0];
-    Tensor<1, 2>        traction, direction;
-    unsigned int        n_equations = 0;
-    for (unsigned int i = 0; i < 2; ++i)
+    const ContactPoint<dim> &point = points[k];
+    const double             own   = point.weight * point.C[0];
+    Tensor<1, dim>           traction, direction;
+    unsigned int             n_equations = 0;
+    for (unsigned int i = 0; i < dim; ++i)
       if (!discretization.constraints.is_constrained(point.dofs[0][i]))
         {
           ++n_equations;
           traction[i]  = -residual[point.dofs[0][i]] / own;
           direction[i] = point.normal[i];
         }
-    if (n_equations == 1)
-      for (unsigned int i = 0; i < 2; ++i)
+    if (n_equations < dim)
+      for (unsigned int i = 0; i < dim; ++i)
         if (!discretization.constraints.is_constrained(point.dofs[0][i]))
           {
             const Factors f = factors({k, i, 1});
@@ -166,25 +184,27 @@ namespace Contact
             direction[i] = f.p;
           }
     return {traction * direction / direction.norm_square(),
-            traction * point.tangent};
+            point.tangential_part(traction)};
   }
 
 
 
-  std::vector<unsigned int> MultiplierRecovery::first_columns() const
+  template<int dim>
+  std::vector<unsigned int> MultiplierRecovery<dim>::first_columns() const
   {
     std::vector<unsigned int> first_column(points.size() + 1, 0);
     for (unsigned int k = 0; k < points.size(); ++k)
       first_column[k + 1] =
-        first_column[k] + (coupled[k] ? (has_shear_unknown(k) ? 2 : 1) : 0);
+        first_column[k] + (coupled[k] ? (has_shear_unknown(k) ? dim : 1) : 0);
     return first_column;
   }
 
 
 
   // The unknowns are the multipliers times the root of their weight.
-  std::vector<MultiplierRecovery::Equation>
-  MultiplierRecovery::coupled_equations(
+  template<int dim>
+  std::vector<typename MultiplierRecovery<dim>::Equation>
+  MultiplierRecovery<dim>::coupled_equations(
     const std::vector<unsigned int> &first_column,
     const Vector<double>            &residual) const
   {
@@ -200,7 +220,8 @@ namespace Contact
               const auto    j    = first_column[share.point];
               equation.row[j] += f.p / root;
               if (has_shear_unknown(share.point))
-                equation.row[j + 1] += f.q / root;
+                for (unsigned int t = 0; t < dim - 1; ++t)
+                  equation.row[j + 1 + t] += f.q[t] / root;
               equation.rhs -= f.known;
             }
           system.push_back(std::move(equation));
@@ -210,7 +231,9 @@ namespace Contact
 
 
 
-  void MultiplierRecovery::solve_coupled(const Vector<double> &residual,
+  template<int dim>
+  void
+  MultiplierRecovery<dim>::solve_coupled(const Vector<double> &residual,
                                          std::vector<Pair>    &tractions) const
   {
     const auto           first_column = first_columns();
@@ -223,7 +246,9 @@ namespace Contact
           const double root = std::sqrt(points[k].weight);
           const auto   j    = first_column[k];
           tractions[k].p    = x[j] / root;
-          tractions[k].q    = has_shear_unknown(k) ? x[j + 1] / root : 0.;
+          if (has_shear_unknown(k))
+            for (unsigned int t = 0; t < dim - 1; ++t)
+              tractions[k].q[t] = x[j + 1 + t] / root;
         }
   }
 
@@ -231,9 +256,10 @@ namespace Contact
 
   // By the normal equations. A little on the diagonal chooses among unknowns
   // that are not unique; where they are, it is taken back by iterating.
+  template<int dim>
   Vector<double>
-  MultiplierRecovery::least_squares(const std::vector<Equation> &system,
-                                    const unsigned int           n)
+  MultiplierRecovery<dim>::least_squares(const std::vector<Equation> &system,
+                                         const unsigned int           n)
   {
     DynamicSparsityPattern couplings(n, n);
     for (const Equation &equation : system)
@@ -273,4 +299,7 @@ namespace Contact
       }
     return x;
   }
+
+  template class MultiplierRecovery<2>;
+  template class MultiplierRecovery<3>;
 } // namespace Contact

@@ -27,19 +27,21 @@ namespace Contact
    * active points say the same twice, the multipliers with the smallest
    * integral of their square share the force.
    */
+  template<int dim>
   class MultiplierRecovery
   {
   public:
     /// @p eliminated: what the points eliminate.
-    MultiplierRecovery(const Discretization<2> &discretization,
-                       const ContactInterface  &interface,
+    MultiplierRecovery(const Discretization<dim>   &discretization,
+                       const ContactInterface<dim> &interface,
                        const std::vector<types::global_dof_index> &eliminated,
                        const bool moving_bound);
 
     /// Pressure and shear of a point [MPa].
     struct Pair
     {
-      double p = 0, q = 0;
+      double             p = 0;
+      Tensor<1, dim - 1> q; // by tangent
     };
 
     /// Of all points, from @p residual, minus the residual of the bodies alone;
@@ -61,7 +63,9 @@ namespace Contact
     /// The factors of the multipliers of a point in a share, and what is known.
     struct Factors
     {
-      double p, q, known;
+      double             p;
+      Tensor<1, dim - 1> q; // by tangent
+      double             known;
     };
 
     void    collect_equations(const std::vector<Dof> &eliminated);
@@ -89,10 +93,10 @@ namespace Contact
     static Vector<double> least_squares(const std::vector<Equation> &system,
                                         const unsigned int           n);
 
-    const Discretization<2>         &discretization;
-    const std::vector<ContactPoint> &points;
-    const ContactInterface          &interface;
-    const bool                       moving_bound;
+    const Discretization<dim>            &discretization;
+    const std::vector<ContactPoint<dim>> &points;
+    const ContactInterface<dim>          &interface;
+    const bool                            moving_bound;
 
     std::map<Dof, std::vector<Share>> equations;
     std::vector<bool>                 coupled; // by point

@@ -15,11 +15,13 @@
 
 namespace Contact
 {
-  NewtonState::NewtonState(const ContactModel                  &model,
-                           const std::unique_ptr<LinearSystem> &system,
-                           IncrementState                      &state,
-                           Pairing                             &pairing,
-                           TimerOutput                         &timer)
+  template<int dim>
+  NewtonState<dim>::NewtonState(
+    const ContactModel<dim>                  &model,
+    const std::unique_ptr<LinearSystem<dim>> &system,
+    IncrementState<dim>                      &state,
+    Pairing<dim>                             &pairing,
+    TimerOutput                              &timer)
     : convergence(model)
     , model(model)
     , system(system)
@@ -31,7 +33,8 @@ namespace Contact
 
 
 
-  void NewtonState::begin_level(const double tolerance)
+  template<int dim>
+  void NewtonState<dim>::begin_level(const double tolerance)
   {
     rhs.reinit(model.n_unknowns());
     convergence.begin_level(tolerance);
@@ -39,7 +42,8 @@ namespace Contact
 
 
 
-  void NewtonState::begin()
+  template<int dim>
+  void NewtonState<dim>::begin()
   {
     guard         = NewtonGlobalization();
     n_steps       = 0;
@@ -52,7 +56,8 @@ namespace Contact
 
 
 
-  void NewtonState::remember_status()
+  template<int dim>
+  void NewtonState<dim>::remember_status()
   {
     if (model.interface)
       last_statuses = model.interface->statuses();
@@ -60,7 +65,8 @@ namespace Contact
 
 
 
-  void NewtonState::evaluate()
+  template<int dim>
+  void NewtonState<dim>::evaluate()
   {
     evaluate_with(one_at_a_time);
   }
@@ -68,14 +74,15 @@ namespace Contact
 
 
   // Every rank adds the forces that its cells exert.
-  void NewtonState::evaluate_with(const bool single_changes)
+  template<int dim>
+  void NewtonState<dim>::evaluate_with(const bool single_changes)
   {
     const MPI_Comm communicator = model.discretization->communicator;
     pairing.follow(state.solution, /*after_a_step=*/n_steps > 0);
     {
       TimerOutput::Scope scope(timer, "residual");
       rhs = 0;
-      const VolumeRatio<2> smallest =
+      const VolumeRatio<dim> smallest =
         model.elasticity->assemble(state.solution,
                                    state.load_factor,
                                    rhs,
@@ -87,7 +94,7 @@ namespace Contact
 
     TimerOutput::Scope scope(timer, "residual");
     if (model.interface)
-      ContactKernel(*model.interface)
+      ContactKernel<dim>(*model.interface)
         .assemble(state.solution,
                   state.start,
                   pairing.linearization(),
@@ -101,11 +108,12 @@ namespace Contact
   // After a step the statuses are updated. Before the first one the changes are
   // counted only: a change of load, pairing or bounds is not in the tractions
   // yet, and the search of the active set comes first. Returns their number.
-  unsigned int NewtonState::update_status(const bool single_changes)
+  template<int dim>
+  unsigned int NewtonState<dim>::update_status(const bool single_changes)
   {
-    ContactInterface &interface    = *model.interface;
-    const bool        moving_bound = pairing.linearization().moving_bound;
-    const bool        after_a_step = n_steps > 0;
+    ContactInterface<dim> &interface    = *model.interface;
+    const bool             moving_bound = pairing.linearization().moving_bound;
+    const bool             after_a_step = n_steps > 0;
     if (after_a_step)
       system->recover_multipliers(rhs, state);
     const unsigned int n =
@@ -126,7 +134,8 @@ namespace Contact
 
 
 
-  bool NewtonState::has_converged() const
+  template<int dim>
+  bool NewtonState<dim>::has_converged() const
   {
     const bool has_statuses =
       n_status_changes == 0 ||
@@ -138,17 +147,18 @@ namespace Contact
 
 
   // One whose slip turns round sticks first, though its shear be too large.
-  bool NewtonState::points_follow_the_law() const
+  template<int dim>
+  bool NewtonState<dim>::points_follow_the_law() const
   {
-    const ContactInterface &interface    = *model.interface;
-    const bool              moving_bound = pairing.linearization().moving_bound;
+    const ContactInterface<dim> &interface = *model.interface;
+    const bool moving_bound = pairing.linearization().moving_bound;
     return std::all_of(interface.points().begin(),
                        interface.points().end(),
-                       [&](const ContactPoint &point) {
-                         const ContactState now =
+                       [&](const ContactPoint<dim> &point) {
+                         const ContactState<dim> now =
                            interface.state(point, state.solution, state.start);
                          return interface.updated_status(point,
-                                                         PointStatus(),
+                                                         PointStatus<dim>(),
                                                          now.p_trial,
                                                          now.q_trial,
                                                          moving_bound) ==
@@ -158,7 +168,8 @@ namespace Contact
 
 
 
-  std::vector<double> NewtonState::search_along_line()
+  template<int dim>
+  std::vector<double> NewtonState<dim>::search_along_line()
   {
     if (n_steps == 0)
       return {};
@@ -186,7 +197,8 @@ namespace Contact
 
 
 
-  void NewtonState::accept()
+  template<int dim>
+  void NewtonState<dim>::accept()
   {
     if (n_steps > 0)
       check();
@@ -197,7 +209,8 @@ namespace Contact
 
 
 
-  void NewtonState::check() const
+  template<int dim>
+  void NewtonState<dim>::check() const
   {
     if (!std::isfinite(convergence.residual()))
       throw NotConverged("the residual is not a number");
@@ -212,7 +225,8 @@ namespace Contact
 
 
 
-  bool NewtonState::pair_anew()
+  template<int dim>
+  bool NewtonState<dim>::pair_anew()
   {
     const bool has_own_steps = pairing.renew(state.solution);
     guard.forget();
@@ -223,7 +237,8 @@ namespace Contact
 
 
 
-  bool NewtonState::begins_single_changes()
+  template<int dim>
+  bool NewtonState<dim>::begins_single_changes()
   {
     const bool before = one_at_a_time;
     one_at_a_time     = guard.one_at_a_time(n_status_changes);
@@ -232,7 +247,8 @@ namespace Contact
 
 
 
-  unsigned int NewtonState::make_step()
+  template<int dim>
+  unsigned int NewtonState<dim>::make_step()
   {
     last = state.solution;
     if (model.discretization->update_is_prescribed())
@@ -253,7 +269,8 @@ namespace Contact
 
 
 
-  std::string NewtonState::unsettled() const
+  template<int dim>
+  std::string NewtonState<dim>::unsettled() const
   {
     if (!convergence.has_converged() ||
         model.discretization->update_is_prescribed())
@@ -266,7 +283,8 @@ namespace Contact
 
 
 
-  std::string NewtonState::changes() const
+  template<int dim>
+  std::string NewtonState<dim>::changes() const
   {
     return model.interface ? describe_changes(*model.interface,
                                               last_statuses,
@@ -274,4 +292,7 @@ namespace Contact
                                               state.start)
                            : "";
   }
+
+  template class NewtonState<2>;
+  template class NewtonState<3>;
 } // namespace Contact

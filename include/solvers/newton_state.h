@@ -20,14 +20,15 @@ namespace Contact
    * points there, and where the last step came from. The line search and the
    * search for the active set are those of NewtonGlobalization.
    */
+  template<int dim>
   class NewtonState
   {
   public:
-    NewtonState(const ContactModel                  &model,
-                const std::unique_ptr<LinearSystem> &system,
-                IncrementState                      &state,
-                Pairing                             &pairing,
-                TimerOutput                         &timer);
+    NewtonState(const ContactModel<dim>                  &model,
+                const std::unique_ptr<LinearSystem<dim>> &system,
+                IncrementState<dim>                      &state,
+                Pairing<dim>                             &pairing,
+                TimerOutput                              &timer);
 
     /// On a new mesh, with points that are paired in the undeformed state.
     void begin_level(const double tolerance);
@@ -82,7 +83,7 @@ namespace Contact
     /// words; empty if the forces are not in balance.
     std::string unsettled() const;
 
-    ConvergenceTest convergence;
+    ConvergenceTest<dim> convergence;
 
   private:
     void         evaluate_with(const bool single_changes);
@@ -91,22 +92,22 @@ namespace Contact
     void         check() const;
     void         remember_status();
 
-    const ContactModel                  &model;
-    const std::unique_ptr<LinearSystem> &system;
-    IncrementState                      &state;
-    Pairing                             &pairing;
-    TimerOutput                         &timer;
+    const ContactModel<dim>                  &model;
+    const std::unique_ptr<LinearSystem<dim>> &system;
+    IncrementState<dim>                      &state;
+    Pairing<dim>                             &pairing;
+    TimerOutput                              &timer;
 
-    Vector<double> rhs; // minus the residual
-    VolumeRatio<2> smallest_volume;
-    unsigned int   n_status_changes = 0;
+    Vector<double>   rhs; // minus the residual
+    VolumeRatio<dim> smallest_volume;
+    unsigned int     n_status_changes = 0;
 
-    NewtonGlobalization      guard;
-    unsigned int             n_steps       = 0;
-    bool                     one_at_a_time = false;
-    Vector<double>           last;          // where the last step began
-    std::vector<PointStatus> last_statuses; // under which it was made
-    double                   last_residual = 0;
+    NewtonGlobalization           guard;
+    unsigned int                  n_steps       = 0;
+    bool                          one_at_a_time = false;
+    Vector<double>                last;          // where the last step began
+    std::vector<PointStatus<dim>> last_statuses; // under which it was made
+    double                        last_residual = 0;
   };
 } // namespace Contact
 

@@ -12,9 +12,10 @@ namespace Contact
 {
   using Parameters::GeometryLoop;
 
-  Pairing::Pairing(const ContactModel    &model,
-                   const Parameters::All &parameters,
-                   TimerOutput           &timer)
+  template<int dim>
+  Pairing<dim>::Pairing(const ContactModel<dim> &model,
+                        const Parameters::All   &parameters,
+                        TimerOutput             &timer)
     : model(model)
     , parameters(parameters)
     , timer(timer)
@@ -25,7 +26,8 @@ namespace Contact
 
 
 
-  void Pairing::begin_level(LinearSystem &system)
+  template<int dim>
+  void Pairing<dim>::begin_level(LinearSystem<dim> &system)
   {
     this->system = &system;
     freeze(false);
@@ -33,14 +35,16 @@ namespace Contact
 
 
 
-  bool Pairing::follows() const
+  template<int dim>
+  bool Pairing<dim>::follows() const
   {
     return model.geometry_follows(parameters.solution);
   }
 
 
 
-  bool Pairing::follows_each_step() const
+  template<int dim>
+  bool Pairing<dim>::follows_each_step() const
   {
     return follows() && parameters.solution.pairs_each_step();
   }
@@ -48,7 +52,8 @@ namespace Contact
 
 
   // The tangent knows how projections and normals move as long as they do.
-  void Pairing::freeze(const bool frozen)
+  template<int dim>
+  void Pairing<dim>::freeze(const bool frozen)
   {
     is_frozen = frozen;
     present.moving_geometry =
@@ -58,7 +63,8 @@ namespace Contact
 
 
 
-  void Pairing::pair(const Vector<double> &configuration)
+  template<int dim>
+  void Pairing<dim>::pair(const Vector<double> &configuration)
   {
     timer.enter_subsection("search");
     paired_at = configuration;
@@ -79,7 +85,9 @@ namespace Contact
 
 
 
-  void Pairing::renew(const Vector<double> &solution, Relaxation &relaxation)
+  template<int dim>
+  void Pairing<dim>::renew(const Vector<double> &solution,
+                           Relaxation           &relaxation)
   {
     const double part = relaxation.length(
       Vector<double>(solution.begin(),
@@ -91,7 +99,8 @@ namespace Contact
 
 
 
-  void Pairing::begin_newton()
+  template<int dim>
+  void Pairing<dim>::begin_newton()
   {
     guard      = PairingGuard(parameters.solution.geometry_tolerance);
     relaxation = Relaxation();
@@ -101,7 +110,8 @@ namespace Contact
 
 
 
-  void Pairing::begin_increment(const double part)
+  template<int dim>
+  void Pairing<dim>::begin_increment(const double part)
   {
     this->part = part;
     edges_stay = false;
@@ -109,7 +119,9 @@ namespace Contact
 
 
 
-  void Pairing::follow(const Vector<double> &solution, const bool after_a_step)
+  template<int dim>
+  void Pairing<dim>::follow(const Vector<double> &solution,
+                            const bool            after_a_step)
   {
     if (!follows_each_step() || is_frozen)
       return;
@@ -130,23 +142,26 @@ namespace Contact
 
 
 
-  double Pairing::misplacement(const IncrementState &state) const
+  template<int dim>
+  double Pairing<dim>::misplacement(const IncrementState<dim> &state) const
   {
     return model.interface->largest_change(state.solution, paired_at);
   }
 
 
 
-  double Pairing::way(const IncrementState &state) const
+  template<int dim>
+  double Pairing<dim>::way(const IncrementState<dim> &state) const
   {
     return model.interface->largest_change(state.solution, state.start);
   }
 
 
 
-  void Pairing::advance(const IncrementState &state,
-                        const Vector<double> &last,
-                        const bool            progress)
+  template<int dim>
+  void Pairing<dim>::advance(const IncrementState<dim> &state,
+                             const Vector<double>      &last,
+                             const bool                 progress)
   {
     if (!follows_each_step())
       return;
@@ -161,7 +176,8 @@ namespace Contact
   // The closest points must make no difference to the gaps if the pairing does
   // not come to rest, or keeps edges. A jump does not get smaller with the
   // steps: its measure is the way of a whole increment.
-  bool Pairing::accepts(const IncrementState &state)
+  template<int dim>
+  bool Pairing<dim>::accepts(const IncrementState<dim> &state)
   {
     if (!follows_each_step())
       return true;
@@ -176,7 +192,8 @@ namespace Contact
 
 
 
-  bool Pairing::renew(const Vector<double> &solution)
+  template<int dim>
+  bool Pairing<dim>::renew(const Vector<double> &solution)
   {
     const bool edges_were_free = !edges_stay;
     if (edges_were_free && guard.goes_in_circles())
@@ -192,7 +209,8 @@ namespace Contact
 
 
 
-  std::string Pairing::unsettled(const IncrementState &state) const
+  template<int dim>
+  std::string Pairing<dim>::unsettled(const IncrementState<dim> &state) const
   {
     const std::string what =
       edges_stay
@@ -211,7 +229,8 @@ namespace Contact
 
 
 
-  std::string Pairing::note() const
+  template<int dim>
+  std::string Pairing<dim>::note() const
   {
     if (!is_jumping)
       return {};
@@ -221,4 +240,7 @@ namespace Contact
            " of the way of the surfaces in an increment. A finer master, another contact "
            "discretization, or 'Geometry = fixed point' may come to rest.";
   }
+
+  template class Pairing<2>;
+  template class Pairing<3>;
 } // namespace Contact

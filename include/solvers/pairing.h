@@ -26,18 +26,19 @@ namespace Contact
    * it moves with the bodies, and whether a state may be accepted that is not
    * the one it was made under.
    */
+  template<int dim>
   class Pairing
   {
   public:
-    Pairing(const ContactModel    &model,
-            const Parameters::All &parameters,
-            TimerOutput           &timer);
+    Pairing(const ContactModel<dim> &model,
+            const Parameters::All   &parameters,
+            TimerOutput             &timer);
 
     /// A new mesh, whose linear system is @p system.
-    void begin_level(LinearSystem &system);
+    void begin_level(LinearSystem<dim> &system);
 
     /// The terms that the kernel linearises at present.
-    const ContactKernel::Linearization &linearization() const
+    const ContactLinearization &linearization() const
     {
       return present;
     }
@@ -59,8 +60,8 @@ namespace Contact
 
     /// The way of the surfaces since the last pairing, and since the start of
     /// the increment [mm].
-    double misplacement(const IncrementState &state) const;
-    double way(const IncrementState &state) const;
+    double misplacement(const IncrementState<dim> &state) const;
+    double way(const IncrementState<dim> &state) const;
 
     /// Pair again in a fixed-point iteration that has led to @p solution: where
     /// it jumps to and fro, on the way.
@@ -78,19 +79,19 @@ namespace Contact
 
     /// A Newton step has led from @p last to the state; progress is the
     /// smallest residual so far. See PairingGuard.
-    void advance(const IncrementState &state,
-                 const Vector<double> &last,
-                 const bool            progress);
+    void advance(const IncrementState<dim> &state,
+                 const Vector<double>      &last,
+                 const bool                 progress);
 
     /// Whether the solution under this pairing is one.
-    bool accepts(const IncrementState &state);
+    bool accepts(const IncrementState<dim> &state);
 
     /// If it is not, pair anew. Returns whether points have been free to face
     /// other edges until now: four times at most.
     bool renew(const Vector<double> &solution);
 
     /// The reason why a pairing is not accepted.
-    std::string unsettled(const IncrementState &state) const;
+    std::string unsettled(const IncrementState<dim> &state) const;
 
     /// The remark on closest points that jump between two places for good;
     /// empty if they do not.
@@ -99,14 +100,14 @@ namespace Contact
   private:
     void freeze(const bool frozen);
 
-    const ContactModel    &model;
-    const Parameters::All &parameters;
-    TimerOutput           &timer;
-    LinearSystem          *system = nullptr;
+    const ContactModel<dim> &model;
+    const Parameters::All   &parameters;
+    TimerOutput             &timer;
+    LinearSystem<dim>       *system = nullptr;
 
-    ContactKernel::Linearization present{};
-    Vector<double>               paired_at;
-    AitkenExtrapolation          extrapolation;
+    ContactLinearization present{};
+    Vector<double>       paired_at;
+    AitkenExtrapolation  extrapolation;
 
     // Of the present Newton's method.
     PairingGuard guard;

@@ -20,41 +20,44 @@ namespace Contact
   namespace
   {
     /// A part of a displacement: @p factor times that of a piece at X.
+    template<int dim>
     struct Share
     {
       unsigned int piece;
-      Point<2>     X;
+      Point<dim>   X;
       double       factor;
     };
 
 
 
     /// The resisted directions, in terms of the rigid motions of all pieces:
-    /// displacement in x, in y, and rotation about the centre times the size.
+    /// displacements, and rotations about the centre times the size.
+    template<int dim>
     class ResistedMotions
     {
     public:
-      explicit ResistedMotions(const MeshPieces<2> &pieces)
+      static constexpr unsigned int n_motions = dim * (dim + 1) / 2;
+
+      explicit ResistedMotions(const MeshPieces<dim> &pieces)
         : pieces(pieces)
-        , squares(3 * pieces.size(), 3 * pieces.size())
+        , squares(n_motions * pieces.size(), n_motions * pieces.size())
       {
       }
 
       /// The sum of the shares is resisted along @p direction.
-      void resist(const std::vector<Share> &shares,
-                  const Tensor<1, 2>       &direction)
+      void resist(const std::vector<Share<dim>> &shares,
+                  const Tensor<1, dim>          &direction)
       {
         std::map<unsigned int, double> row;
         for (const auto &[piece, X, factor] : shares)
           {
-            const auto        &box  = pieces[piece].box;
-            const auto        &ends = box.get_boundary_points();
-            const Tensor<1, 2> arm =
+            const auto          &box  = pieces[piece].box;
+            const auto          &ends = box.get_boundary_points();
+            const Tensor<1, dim> arm =
               (X - box.center()) / (0.5 * ends.first.distance(ends.second));
-            row[3 * piece] += factor * direction[0];
-            row[3 * piece + 1] += factor * direction[1];
-            row[3 * piece + 2] +=
-              factor * (direction[1] * arm[0] - direction[0] * arm[1]);
+            for (unsigned int m = 0; m < n_motions; ++m)
+              row[n_motions * piece + m] +=
+                factor * (direction * rigid_motion(m, arm));
           }
         for (const auto &[i, a] : row)
           for (const auto &[j, b] : row)
@@ -65,7 +68,7 @@ namespace Contact
       void resist(const unsigned int motion)
       {
         for (unsigned int piece = 0; piece < pieces.size(); ++piece)
-          squares(3 * piece + motion, 3 * piece + motion) += 1;
+          squares(n_motions * piece + motion, n_motions * piece + motion) += 1;
       }
 
       /// Add what the other ranks have.
@@ -78,8 +81,8 @@ namespace Contact
       FullMatrix<double> projection_onto_free() const;
 
     private:
-      const MeshPieces<2> &pieces;
-      FullMatrix<double>   squares;
+      const MeshPieces<dim> &pieces;
+      FullMatrix<double>     squares;
     };
 
 
@@ -87,7 +90,8 @@ namespace Contact
     // Rows that resist the same motion many times would hide others that one
     // row resists: all diagonal entries are scaled to one, but those that are
     // round-off beside the others of their piece.
-    FullMatrix<double> ResistedMotions::projection_onto_free() const
+    template<int dim>
+    FullMatrix<double> ResistedMotions<dim>::projection_onto_free() const
     {
       const double        round_off = 1e-10;
       const unsigned int  n         = squares.m();
@@ -95,7 +99,9 @@ namespace Contact
       for (unsigned int i = 0; i < n; ++i)
         {
           double largest = 0;
-          for (unsigned int j = i - i % 3; j < i - i % 3 + 3; ++j)
+          for (unsigned int j = i - i % n_motions;
+               j < i - i % n_motions + n_motions;
+               ++j)
             largest = std::max(largest, squares(j, j));
           const double square = std::max(squares(i, i), round_off * largest);
           scale[i]            = square > 0 ? 1 / std::sqrt(square) : 1;
@@ -135,19 +141,20 @@ namespace Contact
 
     /// Supports, vertex by vertex, and what rings resist by themselves: growing
     /// and turning inside out.
-    void resist_by_supports(const Discretization<2> &discretization,
-                            ResistedMotions         &motions)
+    template<int dim>
+    void resist_by_supports(const Discretization<dim> &discretization,
+                            ResistedMotions<dim>      &motions)
     {
-      const Mesh<2> &mesh = discretization.mesh;
+      const Mesh<dim> &mesh = discretization.mesh;
       for (const auto &cell : mesh.triangulation.active_cell_iterators())
         if (cell->is_locally_owned())
           for (const unsigned int v : cell->vertex_indices())
-            for (unsigned int c = 0; c < 2; ++c)
+            for (unsigned int c = 0; c < dim; ++c)
               if (discretization.is_fixed(
                     discretization.vertex_dofs[cell->vertex_index(v)][c]))
                 motions.resist(
                   {{mesh.pieces.of_cell(cell), cell->vertex(v), 1}},
-                  Point<2>::unit_vector(c));
+                  Point<dim>::unit_vector(c));
       motions.sum(discretization.communicator);
       if (discretization.axisymmetric)
         for (const unsigned int motion : {0, 2})
@@ -157,25 +164,26 @@ namespace Contact
 
 
     /// Ties, and the nodes that two pieces have in common.
-    void resist_by_joints(const Discretization<2> &discretization,
-                          ResistedMotions         &motions)
+    template<int dim>
+    void resist_by_joints(const Discretization<dim> &discretization,
+                          ResistedMotions<dim>      &motions)
     {
-      const Mesh<2> &mesh = discretization.mesh;
+      const Mesh<dim> &mesh = discretization.mesh;
       for (const auto &[piece, other, X] : mesh.pieces.joints())
-        for (unsigned int c = 0; c < 2; ++c)
+        for (unsigned int c = 0; c < dim; ++c)
           motions.resist({{piece, X, 1}, {other, X, -1}},
-                         Point<2>::unit_vector(c));
+                         Point<dim>::unit_vector(c));
 
       const auto share = [&](const std::string &point, const double factor) {
         const unsigned int vertex =
           mesh.point(point, "Boundary conditions/Tied y");
-        return Share{mesh.pieces.of_coarse_vertex(vertex),
-                     mesh.triangulation.get_vertices()[vertex],
-                     factor};
+        return Share<dim>{mesh.pieces.of_coarse_vertex(vertex),
+                          mesh.triangulation.get_vertices()[vertex],
+                          factor};
       };
       for (const auto &[name, partner] : discretization.boundary.tied_y)
         motions.resist({share(name, 1), share(partner, -1)},
-                       Point<2>::unit_vector(1));
+                       Point<dim>::unit_vector(1));
     }
 
 
@@ -183,43 +191,46 @@ namespace Contact
     using PieceOfNode = std::map<types::global_dof_index, unsigned int>;
 
     /// The points in contact.
-    void resist_by_contact(const ContactInterface &interface,
-                           const PieceOfNode      &of_node,
-                           const Tangents          tangents,
-                           ResistedMotions        &motions)
+    template<int dim>
+    void resist_by_contact(const ContactInterface<dim> &interface,
+                           const PieceOfNode           &of_node,
+                           const Tangents               tangents,
+                           ResistedMotions<dim>        &motions)
     {
-      const auto sticks = [&](const ContactPoint &point) {
+      const auto sticks = [&](const ContactPoint<dim> &point) {
         return tangents == Tangents::by_status
                  ? point.status.kind == Status::stick
                  : tangents == Tangents::stuck &&
                      !interface.contact_pair(point).law.is_frictionless();
       };
-      for (const ContactPoint &point : interface.points())
+      for (const ContactPoint<dim> &point : interface.points())
         {
           if (point.status.kind == Status::open)
             continue;
-          std::vector<Share> shares;
+          std::vector<Share<dim>> shares;
           for (unsigned int a = 0; a < point.n_nodes; ++a)
             shares.push_back(
               {of_node.at(point.dofs[a][0]), point.X[a], point.C[a]});
           motions.resist(shares, point.normal);
           if (sticks(point))
-            motions.resist(shares, point.tangent);
+            for (const Tensor<1, dim> &tangent : point.tangents)
+              motions.resist(shares, tangent);
         }
     }
 
 
 
     /// All nodes that may come into contact, whatever it be with.
-    void resist_where_contact_may_be(const ContactInterface &interface,
-                                     const PieceOfNode      &of_node,
-                                     ResistedMotions        &motions)
+    template<int dim>
+    void resist_where_contact_may_be(const ContactInterface<dim> &interface,
+                                     const PieceOfNode           &of_node,
+                                     ResistedMotions<dim>        &motions)
     {
-      const auto hold = [&](const Surface &surface) {
-        for (const Surface::Node &node : surface.nodes)
-          for (unsigned int c = 0; c < 2; ++c)
+      const auto hold = [&](const Surface<dim> &surface) {
+        for (const SurfaceNode<dim> &node : surface.nodes)
+          for (unsigned int c = 0; c < dim; ++c)
             motions.resist({{of_node.at(node.dofs[0]), node.X, 1}},
-                           Point<2>::unit_vector(c));
+                           Point<dim>::unit_vector(c));
       };
       for (const auto &contact_pair : interface.pairs)
         {
@@ -231,27 +242,46 @@ namespace Contact
 
 
 
-    unsigned int number_of_motions(const SymmetricTensor<2, 3> &projection)
+    /// How many motions are in the range of a projection.
+    unsigned int number_of_motions(const FullMatrix<double> &projection)
     {
-      unsigned int n     = 0;
-      const auto   modes = eigenvectors(projection);
-      for (const auto &mode : modes)
-        n += mode.first > 0.01 * modes.front().first;
-      return n;
+      const unsigned int       size = projection.m();
+      LAPACKFullMatrix<double> matrix(size);
+      matrix = projection;
+      Vector<double>     values;
+      FullMatrix<double> vectors;
+      matrix.compute_eigenvalues_symmetric(-1, 2 * size, 0, values, vectors);
+      double largest = 0;
+      for (const double value : values)
+        largest = std::max(largest, value);
+      return std::count_if(values.begin(),
+                           values.end(),
+                           [&](const double value) {
+                             return value > 0.01 * largest;
+                           });
     }
 
 
 
     /// The motions in the range of a projection, in words.
-    std::string name_of_motions(const SymmetricTensor<2, 3> &projection)
+    std::string name_of_motions(const FullMatrix<double> &projection)
     {
-      const std::array<std::string, 3> names{
-        {"displacement in x", "displacement in y", "rotation"}};
-      const auto               modes   = eigenvectors(projection);
-      const double             largest = modes.front().first;
+      static const std::vector<std::string> in_plane{"displacement in x",
+                                                     "displacement in y",
+                                                     "rotation"},
+        in_space{"displacement in x",
+                 "displacement in y",
+                 "displacement in z",
+                 "rotation about x",
+                 "rotation about y",
+                 "rotation about z"};
+      const auto &names   = projection.m() == 3 ? in_plane : in_space;
+      double      largest = 0;
+      for (unsigned int i = 0; i < names.size(); ++i)
+        largest = std::max(largest, projection(i, i));
       std::vector<std::string> parts;
-      for (unsigned int i = 0; i < 3; ++i)
-        if (projection[i][i] > 0.01 * largest)
+      for (unsigned int i = 0; i < names.size(); ++i)
+        if (projection(i, i) > 0.01 * largest)
           parts.push_back(names[i]);
       const bool  is_one = number_of_motions(projection) == 1;
       std::string text   = parts[0];
@@ -265,19 +295,21 @@ namespace Contact
 
 
 
-    std::vector<RigidBodyMode> find_free(const MeshPieces<2>   &pieces,
-                                         const ResistedMotions &motions)
+    template<int dim>
+    std::vector<RigidBodyMode> find_free(const MeshPieces<dim>      &pieces,
+                                         const ResistedMotions<dim> &motions)
     {
       const FullMatrix<double>   projection = motions.projection_onto_free();
+      constexpr unsigned int     n          = ResistedMotions<dim>::n_motions;
       std::vector<RigidBodyMode> free;
       for (unsigned int piece = 0; piece < pieces.size(); ++piece)
         {
-          SymmetricTensor<2, 3> part;
-          for (unsigned int i = 0; i < 3; ++i)
-            for (unsigned int j = 0; j <= i; ++j)
-              part[i][j] = projection(3 * piece + i, 3 * piece + j);
+          FullMatrix<double> part(n, n);
+          for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int j = 0; j < n; ++j)
+              part(i, j) = projection(n * piece + i, n * piece + j);
           // The square of its share in the motion of all.
-          if (trace(part) > 1e-6)
+          if (part.trace() > 1e-6)
             free.push_back(
               {piece, name_of_motions(part), number_of_motions(part)});
         }
@@ -288,12 +320,13 @@ namespace Contact
 
 
   // The cells that have the nodes may be those of other ranks.
-  PieceOfNode pieces_of_nodes(const Discretization<2> &discretization,
-                              const ContactInterface  &interface)
+  template<int dim>
+  PieceOfNode pieces_of_nodes(const Discretization<dim>   &discretization,
+                              const ContactInterface<dim> &interface)
   {
     PieceOfNode of_node;
-    const auto  add = [&](const Surface &surface) {
-      for (const Surface::Node &node : surface.nodes)
+    const auto  add = [&](const Surface<dim> &surface) {
+      for (const SurfaceNode<dim> &node : surface.nodes)
         of_node[node.dofs[0]] = 0;
     };
     for (const auto &contact_pair : interface.pairs)
@@ -326,12 +359,13 @@ namespace Contact
 
 
 
+  template<int dim>
   std::vector<RigidBodyMode>
-  rigid_body_modes(const Discretization<2> &discretization,
-                   const ContactInterface  *interface,
-                   const Tangents           tangents)
+  rigid_body_modes(const Discretization<dim>   &discretization,
+                   const ContactInterface<dim> *interface,
+                   const Tangents               tangents)
   {
-    ResistedMotions motions(discretization.mesh.pieces);
+    ResistedMotions<dim> motions(discretization.mesh.pieces);
     resist_by_supports(discretization, motions);
     resist_by_joints(discretization, motions);
     if (interface != nullptr)
@@ -344,10 +378,11 @@ namespace Contact
 
 
 
-  void check_supports(const Discretization<2> &discretization,
-                      const ContactInterface  *interface)
+  template<int dim>
+  void check_supports(const Discretization<dim>   &discretization,
+                      const ContactInterface<dim> *interface)
   {
-    ResistedMotions motions(discretization.mesh.pieces);
+    ResistedMotions<dim> motions(discretization.mesh.pieces);
     resist_by_supports(discretization, motions);
     resist_by_joints(discretization, motions);
     if (interface != nullptr)
@@ -363,4 +398,23 @@ namespace Contact
                        "support it in that motion, tie a point of it, or "
                        "give it a surface that can touch another body");
   }
+
+  template std::vector<RigidBodyMode>
+  rigid_body_modes(const Discretization<2>   &discretization,
+                   const ContactInterface<2> *interface,
+                   const Tangents             tangents);
+  template std::vector<RigidBodyMode>
+  rigid_body_modes(const Discretization<3>   &discretization,
+                   const ContactInterface<3> *interface,
+                   const Tangents             tangents);
+  template std::map<types::global_dof_index, unsigned int>
+  pieces_of_nodes(const Discretization<2>   &discretization,
+                  const ContactInterface<2> &interface);
+  template std::map<types::global_dof_index, unsigned int>
+                pieces_of_nodes(const Discretization<3>   &discretization,
+                                const ContactInterface<3> &interface);
+  template void check_supports(const Discretization<2>   &discretization,
+                               const ContactInterface<2> *interface);
+  template void check_supports(const Discretization<3>   &discretization,
+                               const ContactInterface<3> *interface);
 } // namespace Contact

@@ -22,8 +22,30 @@ namespace Contact
   {
     unsigned int piece; // see MeshPieces
     std::string  name;  // as in "displacement in x with rotation"
-    unsigned int n;     // how many motions that are: three if all are free
+    unsigned int n;     // how many motions that are: if all are free three, in
+                        // space six
   };
+
+
+
+  /// A rigid motion about a centre, at a place @p arm away from it:
+  /// displacements along the axes, then rotations by one [1], in space about
+  /// the axes.
+  inline Tensor<1, 2> rigid_motion(const unsigned int  motion,
+                                   const Tensor<1, 2> &arm)
+  {
+    return motion < 2 ? Tensor<1, 2>(Point<2>::unit_vector(motion))
+                      : Tensor<1, 2>({-arm[1], arm[0]});
+  }
+
+  inline Tensor<1, 3> rigid_motion(const unsigned int  motion,
+                                   const Tensor<1, 3> &arm)
+  {
+    return motion < 3
+             ? Tensor<1, 3>(Point<3>::unit_vector(motion))
+             : cross_product_3d(Tensor<1, 3>(Point<3>::unit_vector(motion - 3)),
+                                arm);
+  }
 
 
 
@@ -44,22 +66,24 @@ namespace Contact
    * with other pieces, and, unless @p interface is null, the points in contact
    * along their normals and, as @p tangents says, along their tangents.
    *
-   * Each piece has three rigid motions. A resisted direction is a row over
-   * those of all pieces: the displacement there, or the difference of the
-   * displacements of the two pieces that touch, are tied or share a node, so
-   * that two pieces that hold but each other are both free. What is free is the
-   * null space of the sum of the rows' squares. Collective.
+   * Each piece has three rigid motions, in space six. A resisted direction is a
+   * row over those of all pieces: the displacement there, or the difference of
+   * the displacements of the two pieces that touch, are tied or share a node,
+   * so that two pieces that hold but each other are both free. What is free is
+   * the null space of the sum of the rows' squares. Collective.
    */
+  template<int dim>
   std::vector<RigidBodyMode>
-  rigid_body_modes(const Discretization<2> &discretization,
-                   const ContactInterface  *interface,
-                   const Tangents           tangents = Tangents::by_status);
+  rigid_body_modes(const Discretization<dim>   &discretization,
+                   const ContactInterface<dim> *interface,
+                   const Tangents               tangents = Tangents::by_status);
 
   /// The pieces of the nodes of all surfaces, by the first unknown of the node.
   /// Collective.
+  template<int dim>
   std::map<types::global_dof_index, unsigned int>
-  pieces_of_nodes(const Discretization<2> &discretization,
-                  const ContactInterface  &interface);
+  pieces_of_nodes(const Discretization<dim>   &discretization,
+                  const ContactInterface<dim> &interface);
 
   /**
    * Check that every piece of a body is held, or can come to be: by supports,
@@ -67,8 +91,9 @@ namespace Contact
    * InputError with the name of the body, the place of the piece if the body
    * has several, and a motion that is free. Collective.
    */
-  void check_supports(const Discretization<2> &discretization,
-                      const ContactInterface  *interface);
+  template<int dim>
+  void check_supports(const Discretization<dim>   &discretization,
+                      const ContactInterface<dim> *interface);
 } // namespace Contact
 
 #endif

@@ -13,8 +13,10 @@
 
 namespace Contact
 {
-  RigidBodyStabilization::RigidBodyStabilization(const ContactModel &model,
-                                                 ConditionalOStream &screen)
+  template<int dim>
+  RigidBodyStabilization<dim>::RigidBodyStabilization(
+    const ContactModel<dim> &model,
+    ConditionalOStream      &screen)
     : model(model)
     , screen(screen)
   {
@@ -22,7 +24,8 @@ namespace Contact
 
 
 
-  void RigidBodyStabilization::begin_level()
+  template<int dim>
+  void RigidBodyStabilization<dim>::begin_level()
   {
     held.clear();
     if (model.interface)
@@ -33,10 +36,11 @@ namespace Contact
 
 
 
-  bool
-  RigidBodyStabilization::stabilize_free_pieces(const ContactInterface *contact)
+  template<int dim>
+  bool RigidBodyStabilization<dim>::stabilize_free_pieces(
+    const ContactInterface<dim> *contact)
   {
-    auto free = rigid_body_modes(*model.discretization, contact);
+    auto free = rigid_body_modes<dim>(*model.discretization, contact);
     for (const TurningPiece &piece : turning)
       free.push_back({piece.piece, "rotation", 1});
     bool news = false;
@@ -58,38 +62,44 @@ namespace Contact
 
 
 
-  void RigidBodyStabilization::begin_increment()
+  template<int dim>
+  void RigidBodyStabilization<dim>::begin_increment()
   {
     n_at_start = held.size();
   }
 
 
 
-  void RigidBodyStabilization::end_increment()
+  template<int dim>
+  void RigidBodyStabilization<dim>::end_increment()
   {
     held.clear();
   }
 
 
 
-  bool RigidBodyStabilization::is_needed() const
+  template<int dim>
+  bool RigidBodyStabilization<dim>::is_needed() const
   {
     return !held.empty();
   }
 
 
 
-  bool RigidBodyStabilization::has_grown() const
+  template<int dim>
+  bool RigidBodyStabilization<dim>::has_grown() const
   {
     return held.size() > n_at_start;
   }
 
 
 
-  Vector<double> RigidBodyStabilization::release(const IncrementState &state)
+  template<int dim>
+  Vector<double>
+  RigidBodyStabilization<dim>::release(const IncrementState<dim> &state)
   {
-    Elasticity<2> &elasticity = *model.elasticity;
-    const bool     is_held    = !elasticity.springs.held().empty();
+    Elasticity<dim> &elasticity = *model.elasticity;
+    const bool       is_held    = !elasticity.springs.held().empty();
     if (!is_held)
       {
         elasticity.springs.release();
@@ -108,7 +118,8 @@ namespace Contact
   // turns in itself is held as stiffly as by a body: the corners of polygons
   // that slide on each other turn it with the stiffness of the bodies times
   // (h/2R)^2, h the length of the edges, R the radius of the surface.
-  void RigidBodyStabilization::choose_stiffness()
+  template<int dim>
+  void RigidBodyStabilization<dim>::choose_stiffness()
   {
     const auto &springs = model.elasticity->springs;
     double      softest = std::numeric_limits<double>::max();
@@ -132,7 +143,8 @@ namespace Contact
 
 
   // Against rotation, what turns in itself is held for good.
-  void RigidBodyStabilization::attach(const Vector<double> &solution)
+  template<int dim>
+  void RigidBodyStabilization<dim>::attach(const Vector<double> &solution)
   {
     Vector<double> rest = solution;
     remove_rotations(*model.discretization, turning, rest);
@@ -141,8 +153,9 @@ namespace Contact
 
 
 
-  RigidBodyStabilization::Work
-  RigidBodyStabilization::work(const Vector<double> &solution) const
+  template<int dim>
+  typename RigidBodyStabilization<dim>::Work
+  RigidBodyStabilization<dim>::work(const Vector<double> &solution) const
   {
     Vector<double> u = solution;
     remove_rotations(*model.discretization, turning, u);
@@ -158,8 +171,9 @@ namespace Contact
 
 
 
-  void RigidBodyStabilization::give_up(const Work        &work,
-                                       const unsigned int n_turns) const
+  template<int dim>
+  void RigidBodyStabilization<dim>::give_up(const Work        &work,
+                                            const unsigned int n_turns) const
   {
     const auto motion =
       std::find_if(held.begin(), held.end(), [&](const RigidBodyMode &motion) {
@@ -172,4 +186,7 @@ namespace Contact
             << " after " << n_turns << " turns";
     throw NotConverged(message.str());
   }
+
+  template class RigidBodyStabilization<2>;
+  template class RigidBodyStabilization<3>;
 } // namespace Contact

@@ -24,11 +24,12 @@ namespace Contact
    * J. Control Optim. 14, 1976), at whose end the springs do nothing. Where the
    * piece goes on moving, nothing holds it.
    */
+  template<int dim>
   class RigidBodyStabilization
   {
   public:
-    RigidBodyStabilization(const ContactModel &model,
-                           ConditionalOStream &screen);
+    RigidBodyStabilization(const ContactModel<dim> &model,
+                           ConditionalOStream      &screen);
 
     /// Nothing is held; @p model has points that are paired. Collective.
     void begin_level();
@@ -36,7 +37,7 @@ namespace Contact
     /// Hold the pieces that could move without resistance, those that points in
     /// contact with @p contact (may be null) hold excepted. Returns whether
     /// that is news. Collective.
-    bool stabilize_free_pieces(const ContactInterface *contact);
+    bool stabilize_free_pieces(const ContactInterface<dim> *contact);
 
     /// The increment that begins or is repeated; the next one needs none of
     /// what is held.
@@ -50,7 +51,7 @@ namespace Contact
 
     /// Take the springs away. Returns the forces that they exerted, by
     /// unknown [N per mm of thickness]; none if nothing was held. Collective.
-    Vector<double> release(const IncrementState &state);
+    Vector<double> release(const IncrementState<dim> &state);
 
     /**
      * Choose the stiffness of the springs, in proportion to that of the softest
@@ -76,8 +77,8 @@ namespace Contact
                               const unsigned int n_turns) const;
 
   private:
-    const ContactModel &model;
-    ConditionalOStream &screen;
+    const ContactModel<dim> &model;
+    ConditionalOStream      &screen;
 
     std::vector<RigidBodyMode> held;
     std::size_t                n_at_start = 0;

@@ -43,10 +43,11 @@ namespace Contact
 
 
     /// The largest strain of a piece.
-    double largest_strain(const Discretization<2> &discretization,
-                          const Elasticity<2>     &elasticity,
-                          const unsigned int       piece,
-                          const Vector<double>    &u)
+    template<int dim>
+    double largest_strain(const Discretization<dim> &discretization,
+                          const Elasticity<dim>     &elasticity,
+                          const unsigned int         piece,
+                          const Vector<double>      &u)
     {
       const auto stresses = elasticity.stresses(u);
       double     largest  = 0;
@@ -66,19 +67,20 @@ namespace Contact
 
     /// Of each piece the corners of all its surfaces; nothing of one that
     /// sticks or is glued somewhere.
-    std::map<unsigned int, std::vector<Point<2>>>
-    frictionless_corners(const Discretization<2> &discretization,
-                         const ContactInterface  &interface)
+    template<int dim>
+    std::map<unsigned int, std::vector<Point<dim>>>
+    frictionless_corners(const Discretization<dim>   &discretization,
+                         const ContactInterface<dim> &interface)
     {
       const auto of_node = pieces_of_nodes(discretization, interface);
-      std::map<unsigned int, std::vector<Point<2>>> corners;
-      std::set<unsigned int>                        rough;
-      const auto collect = [&](const Surface &surface, const bool smooth) {
-        for (const Surface::Edge &edge : surface.edges)
+      std::map<unsigned int, std::vector<Point<dim>>> corners;
+      std::set<unsigned int>                          rough;
+      const auto collect = [&](const Surface<dim> &surface, const bool smooth) {
+        for (const SurfaceFacet<dim> &edge : surface.facets)
           for (unsigned int a = 0; a < 2; ++a)
             {
-              const Surface::Node &node  = surface.nodes[edge.nodes[a]];
-              const unsigned int   piece = of_node.at(node.dofs[0]);
+              const SurfaceNode<dim> &node  = surface.nodes[edge.nodes[a]];
+              const unsigned int      piece = of_node.at(node.dofs[0]);
               corners[piece].push_back(node.X);
               if (!smooth)
                 rough.insert(piece);
@@ -169,8 +171,9 @@ namespace Contact
 
 
 
-    bool has_joint(const Discretization<2> &discretization,
-                   const unsigned int       piece)
+    template<int dim>
+    bool has_joint(const Discretization<dim> &discretization,
+                   const unsigned int         piece)
     {
       const auto &joints = discretization.mesh.pieces.joints();
       return !discretization.boundary.tied_y.empty() ||
@@ -182,16 +185,18 @@ namespace Contact
 
 
 
+  template<int dim>
   std::vector<std::vector<double>>
-  rigid_modes(const Discretization<2> &discretization)
+  rigid_modes(const Discretization<dim> &discretization)
   {
     const IndexSet &owned = discretization.dof_handler.locally_owned_dofs();
-    std::vector<std::vector<double>> modes(3,
+    constexpr unsigned int           n_modes = dim * (dim + 1) / 2;
+    std::vector<std::vector<double>> modes(n_modes,
                                            std::vector<double>(
                                              owned.n_elements()));
 
-    const MeshPieces<2> &pieces = discretization.mesh.pieces;
-    std::map<types::material_id, BoundingBox<2>> boxes;
+    const MeshPieces<dim> &pieces = discretization.mesh.pieces;
+    std::map<types::material_id, BoundingBox<dim>> boxes;
     for (unsigned int piece = 0; piece < pieces.size(); ++piece)
       boxes.emplace(pieces[piece].body, pieces[piece].box)
         .first->second.merge_with(pieces[piece].box);
@@ -201,28 +206,27 @@ namespace Contact
       {
         if (!cell->is_locally_owned())
           continue;
-        const auto    &fe     = cell->get_fe();
-        const Point<2> centre = boxes.at(cell->material_id()).center();
-        const auto &mapping   = discretization.mapping[cell->active_fe_index()];
+        const auto      &fe     = cell->get_fe();
+        const Point<dim> centre = boxes.at(cell->material_id()).center();
+        const auto &mapping = discretization.mapping[cell->active_fe_index()];
         dofs.resize(fe.n_dofs_per_cell());
         cell->get_dof_indices(dofs);
         for (unsigned int a = 0; a < fe.base_element(0).n_dofs_per_cell(); ++a)
           {
-            const auto in_x = dofs[fe.component_to_system_index(0, a)];
-            const auto in_y = dofs[fe.component_to_system_index(1, a)];
-            if (!owned.is_element(in_x))
+            if (!owned.is_element(dofs[fe.component_to_system_index(0, a)]))
               continue;
-            const Tensor<1, 2> arm =
+            const Tensor<1, dim> arm =
               mapping.transform_unit_to_real_cell(
                 cell,
                 fe.base_element(0).unit_support_point(a)) -
               centre;
-            const auto row_x = owned.index_within_set(in_x);
-            const auto row_y = owned.index_within_set(in_y);
-            modes[0][row_x]  = 1;
-            modes[1][row_y]  = 1;
-            modes[2][row_x]  = -arm[1];
-            modes[2][row_y]  = arm[0];
+            for (unsigned int m = 0; m < n_modes; ++m)
+              {
+                const Tensor<1, dim> motion = rigid_motion(m, arm);
+                for (unsigned int c = 0; c < dim; ++c)
+                  modes[m][owned.index_within_set(
+                    dofs[fe.component_to_system_index(c, a)])] = motion[c];
+              }
           }
       }
     return modes;
@@ -230,6 +234,7 @@ namespace Contact
 
 
 
+  template<>
   std::vector<double> rigid_rotations(const Discretization<2> &discretization,
                                       const Vector<double>    &u)
   {
@@ -268,15 +273,16 @@ namespace Contact
 
 
 
+  template<>
   std::vector<TurningPiece>
-  turning_pieces(const Discretization<2> &discretization,
-                 const Elasticity<2>     &elasticity,
-                 const ContactInterface  &interface)
+  turning_pieces(const Discretization<2>   &discretization,
+                 const Elasticity<2>       &elasticity,
+                 const ContactInterface<2> &interface)
   {
     std::vector<TurningPiece> turning;
     const auto corners = frictionless_corners(discretization, interface);
     for (const RigidBodyMode &motion :
-         rigid_body_modes(discretization, nullptr))
+         rigid_body_modes<2>(discretization, nullptr))
       {
         const auto of_piece = corners.find(motion.piece);
         if (motion.n < 3 || of_piece == corners.end() ||
@@ -298,6 +304,7 @@ namespace Contact
 
 
 
+  template<>
   void remove_rotations(const Discretization<2>         &discretization,
                         const std::vector<TurningPiece> &pieces,
                         Vector<double>                  &u)
@@ -312,16 +319,100 @@ namespace Contact
 
 
 
-  void check_rotations(const Discretization<2> &discretization,
-                       const Elasticity<2>     &elasticity,
-                       const Vector<double>    &u)
+  // The omega of the motion a + omega x (X - c): the moment of the
+  // displacements by the moments of inertia about the centre of mass.
+  template<>
+  std::vector<double> rigid_rotations(const Discretization<3> &discretization,
+                                      const Vector<double>    &u)
+  {
+    const MeshPieces<3>   &pieces = discretization.mesh.pieces;
+    constexpr unsigned int n_sums = 1 + 3 + 3 + 3 + 9;
+    std::vector<double>    sums(n_sums * pieces.size());
+    for (const auto &cell :
+         discretization.mesh.triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const unsigned int piece = pieces.of_cell(cell);
+          double            *s     = &sums[n_sums * piece];
+          const double       w     = cell->measure();
+          for (const unsigned int v : cell->vertex_indices())
+            {
+              const auto &dofs =
+                discretization.vertex_dofs[cell->vertex_index(v)];
+              const Tensor<1, 3> r =
+                cell->vertex(v) - pieces[piece].box.center();
+              const Tensor<1, 3> motion({u[dofs[0]], u[dofs[1]], u[dofs[2]]});
+              const Tensor<1, 3> moment = cross_product_3d(r, motion);
+              s[0] += w;
+              for (unsigned int i = 0; i < 3; ++i)
+                {
+                  s[1 + i] += w * r[i];
+                  s[4 + i] += w * motion[i];
+                  s[7 + i] += w * moment[i];
+                  for (unsigned int j = 0; j < 3; ++j)
+                    s[10 + 3 * i + j] += w * r[i] * r[j];
+                }
+            }
+        }
+    Utilities::MPI::sum(sums, discretization.communicator, sums);
+
+    std::vector<double> angles;
+    for (unsigned int piece = 0; piece < pieces.size(); ++piece)
+      {
+        const double *s = &sums[n_sums * piece];
+        Tensor<1, 3>  r, motion, moment;
+        Tensor<2, 3>  spread;
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            r[i]      = s[1 + i] / s[0];
+            motion[i] = s[4 + i] / s[0];
+            moment[i] = s[7 + i] / s[0];
+            for (unsigned int j = 0; j < 3; ++j)
+              spread[i][j] = s[10 + 3 * i + j] / s[0];
+          }
+        moment -= cross_product_3d(r, motion);
+        spread -= outer_product(r, r);
+        Tensor<2, 3> inertia = -spread;
+        for (unsigned int i = 0; i < 3; ++i)
+          inertia[i][i] += trace(spread);
+        angles.push_back((invert(inertia) * moment).norm());
+      }
+    return angles;
+  }
+
+
+
+  // Not found in space: a piece that can turn about an axis or a point.
+  template<>
+  std::vector<TurningPiece> turning_pieces(const Discretization<3> &,
+                                           const Elasticity<3> &,
+                                           const ContactInterface<3> &)
+  {
+    return {};
+  }
+
+
+
+  template<>
+  void remove_rotations(const Discretization<3> &,
+                        const std::vector<TurningPiece> &,
+                        Vector<double> &)
+  {
+  }
+
+
+
+  template<int dim>
+  void check_rotations(const Discretization<dim> &discretization,
+                       const Elasticity<dim>     &elasticity,
+                       const Vector<double>      &u)
   {
     if (!elasticity.is_linear())
       return;
     const double yield  = 1e-3;
     const auto   angles = rigid_rotations(discretization, u);
     for (const RigidBodyMode &motion :
-         rigid_body_modes(discretization, nullptr))
+         rigid_body_modes<dim>(discretization, nullptr))
       {
         const double angle     = std::abs(angles[motion.piece]);
         const double elongates = std::sqrt(1 + angle * angle) - 1;
@@ -337,4 +428,15 @@ namespace Contact
             "rotation");
       }
   }
+
+  template std::vector<std::vector<double>>
+  rigid_modes(const Discretization<2> &discretization);
+  template std::vector<std::vector<double>>
+                rigid_modes(const Discretization<3> &discretization);
+  template void check_rotations(const Discretization<2> &discretization,
+                                const Elasticity<2>     &elasticity,
+                                const Vector<double>    &u);
+  template void check_rotations(const Discretization<3> &discretization,
+                                const Elasticity<3>     &elasticity,
+                                const Vector<double>    &u);
 } // namespace Contact

@@ -16,20 +16,29 @@ namespace Contact
 
   /**
    * The rigid motions of the bodies, each about the middle of its box, by the
-   * unknowns that this rank owns: displacement in x, in y, and rotation. As a
-   * whole they are three for all bodies together: the aggregates of a multigrid
-   * do not reach from body to body except where these touch.
+   * unknowns that this rank owns, see rigid_motion(). As a
+   * whole they are three, in space six, for all bodies together: the aggregates
+   * of a multigrid do not reach from body to body except where these touch.
    */
+  template<int dim>
   std::vector<std::vector<double>>
-  rigid_modes(const Discretization<2> &discretization);
+  rigid_modes(const Discretization<dim> &discretization);
 
   /**
-   * The rigid rotation of each piece (MeshPieces) in the linear theory: the
-   * omega [rad] of the motion a + omega e_z x (X - c), c the centre of mass,
-   * that is closest to the displacement @p u in the mean of the squares over
-   * the piece, by the corners of its cells. Collective.
+   * The rigid rotation of each piece (MeshPieces) in the linear theory, in
+   * space its magnitude: the omega [rad] of the motion a + omega e_z x (X - c),
+   * c the centre of mass, that is closest to the displacement @p u in the mean
+   * of the squares over the piece, by the corners of its cells. Collective.
    */
+  template<int dim>
+  std::vector<double> rigid_rotations(const Discretization<dim> &discretization,
+                                      const Vector<double>      &u);
+
+  template<>
   std::vector<double> rigid_rotations(const Discretization<2> &discretization,
+                                      const Vector<double>    &u);
+  template<>
+  std::vector<double> rigid_rotations(const Discretization<3> &discretization,
                                       const Vector<double>    &u);
 
   /**
@@ -49,13 +58,15 @@ namespace Contact
   };
 
   /// All such pieces. Collective.
+  template<int dim>
   std::vector<TurningPiece>
-  turning_pieces(const Discretization<2> &discretization,
-                 const Elasticity<2>     &elasticity,
-                 const ContactInterface  &interface);
+  turning_pieces(const Discretization<dim>   &discretization,
+                 const Elasticity<dim>       &elasticity,
+                 const ContactInterface<dim> &interface);
 
   /// Take the rigid rotations of these pieces out of @p u. Collective.
-  void remove_rotations(const Discretization<2>         &discretization,
+  template<int dim>
+  void remove_rotations(const Discretization<dim>       &discretization,
                         const std::vector<TurningPiece> &pieces,
                         Vector<double>                  &u);
 
@@ -72,9 +83,10 @@ namespace Contact
    * the result means nothing: throws NotConverged with the name of the piece
    * and the angle. Does nothing with large displacements. Collective.
    */
-  void check_rotations(const Discretization<2> &discretization,
-                       const Elasticity<2>     &elasticity,
-                       const Vector<double>    &u);
+  template<int dim>
+  void check_rotations(const Discretization<dim> &discretization,
+                       const Elasticity<dim>     &elasticity,
+                       const Vector<double>      &u);
 } // namespace Contact
 
 #endif

@@ -12,13 +12,13 @@
 namespace Contact
 {
   SaddlePointSystem::SaddlePointSystem(
-    const Discretization<2>            &discretization,
-    const Elasticity<2>                &elasticity,
-    ContactInterface                   *interface,
-    const ContactKernel::Linearization &linearization,
-    const bool                          geometry_follows,
-    const bool                          keeps_factorization,
-    TimerOutput                        &timer)
+    const Discretization<2>    &discretization,
+    const Elasticity<2>        &elasticity,
+    ContactInterface<2>        *interface,
+    const ContactLinearization &linearization,
+    const bool                  geometry_follows,
+    const bool                  keeps_factorization,
+    TimerOutput                &timer)
     : discretization(discretization)
     , elasticity(elasticity)
     , interface(interface)
@@ -114,8 +114,8 @@ namespace Contact
                                           const bool            is_first,
                                           Vector<double>       &rhs_and_update)
   {
-    ContactKernel::Linearization standing = linearization;
-    standing.moving_geometry              = false;
+    ContactLinearization standing = linearization;
+    standing.moving_geometry      = false;
     if (!stands_anyway() &&
         search_under(standing, solution, u_start, load_factor, rhs_and_update))
       return true;
@@ -134,12 +134,11 @@ namespace Contact
 
   // If the search ends at the present statuses, take the Newton step with the
   // linearised geometry under these statuses.
-  bool
-  SaddlePointSystem::search_under(const ContactKernel::Linearization &standing,
-                                  const Vector<double>               &solution,
-                                  const Vector<double>               &u_start,
-                                  const double    load_factor,
-                                  Vector<double> &rhs_and_update)
+  bool SaddlePointSystem::search_under(const ContactLinearization &standing,
+                                       const Vector<double>       &solution,
+                                       const Vector<double>       &u_start,
+                                       const double                load_factor,
+                                       Vector<double> &rhs_and_update)
   {
     const Vector<double> newton_step = rhs_and_update;
     assemble_and_factorize(solution,
@@ -213,12 +212,12 @@ namespace Contact
   // The right-hand side is assembled anew with the matrix, because prescribed
   // displacements enter it through the matrix.
   void SaddlePointSystem::assemble_and_factorize(
-    const Vector<double>               &solution,
-    const Vector<double>               &u_start,
-    const double                        load_factor,
-    const ContactKernel::Linearization &linearization,
-    const StressStiffness               stress_stiffness,
-    Vector<double>                     &rhs)
+    const Vector<double>       &solution,
+    const Vector<double>       &u_start,
+    const double                load_factor,
+    const ContactLinearization &linearization,
+    const StressStiffness       stress_stiffness,
+    Vector<double>             &rhs)
   {
     {
       TimerOutput::Scope scope(timer, "assembly");
@@ -239,7 +238,7 @@ namespace Contact
                               stress_stiffness);
         }
       if (interface)
-        ContactKernel(*interface)
+        ContactKernel<2>(*interface)
           .assemble(solution, u_start, linearization, rhs, &matrix);
 
       // Unknowns that are not free keep a row of their own, and get their

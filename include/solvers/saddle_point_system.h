@@ -41,13 +41,13 @@ namespace Contact
     /// bodies that have moved. @p keeps_factorization: one may serve for steps
     /// that reduce the residual well. @p linearization may change from step to
     /// step. Phases are measured by @p timer.
-    SaddlePointSystem(const Discretization<2>            &discretization,
-                      const Elasticity<2>                &elasticity,
-                      ContactInterface                   *interface,
-                      const ContactKernel::Linearization &linearization,
-                      const bool                          geometry_follows,
-                      const bool                          keeps_factorization,
-                      TimerOutput                        &timer);
+    SaddlePointSystem(const Discretization<2>    &discretization,
+                      const Elasticity<2>        &elasticity,
+                      ContactInterface<2>        *interface,
+                      const ContactLinearization &linearization,
+                      const bool                  geometry_follows,
+                      const bool                  keeps_factorization,
+                      TimerOutput                &timer);
 
     /// When a point faces another edge than before, the matrix couples other
     /// unknowns than before: a new pattern, and a new analysis in the solver.
@@ -93,13 +93,12 @@ namespace Contact
   private:
     bool factorization_serves(const double residual,
                               const double last_residual) const;
-    void
-         assemble_and_factorize(const Vector<double>               &solution,
-                                const Vector<double>               &u_start,
-                                const double                        load_factor,
-                                const ContactKernel::Linearization &linearization,
-                                const StressStiffness               stress_stiffness,
-                                Vector<double>                     &rhs);
+    void assemble_and_factorize(const Vector<double>       &solution,
+                                const Vector<double>       &u_start,
+                                const double                load_factor,
+                                const ContactLinearization &linearization,
+                                const StressStiffness       stress_stiffness,
+                                Vector<double>             &rhs);
     void solve_factorized(Vector<double> &rhs_and_update);
     bool stands_anyway() const;
     bool search_standing(const Vector<double> &solution,
@@ -107,20 +106,20 @@ namespace Contact
                          const double          load_factor,
                          const bool            is_first,
                          Vector<double>       &rhs_and_update);
-    bool search_under(const ContactKernel::Linearization &standing,
-                      const Vector<double>               &solution,
-                      const Vector<double>               &u_start,
-                      const double                        load_factor,
-                      Vector<double>                     &rhs_and_update);
+    bool search_under(const ContactLinearization &standing,
+                      const Vector<double>       &solution,
+                      const Vector<double>       &u_start,
+                      const double                load_factor,
+                      Vector<double>             &rhs_and_update);
     void add_tangent_of_linear_bodies(const Vector<double> &solution);
 
-    const Discretization<2>            &discretization;
-    const Elasticity<2>                &elasticity;
-    ContactInterface                   *interface;
-    const ContactKernel::Linearization &linearization;
-    const bool                          geometry_follows;
-    const bool                          keeps_factorization;
-    TimerOutput                        &timer;
+    const Discretization<2>    &discretization;
+    const Elasticity<2>        &elasticity;
+    ContactInterface<2>        *interface;
+    const ContactLinearization &linearization;
+    const bool                  geometry_follows;
+    const bool                  keeps_factorization;
+    TimerOutput                &timer;
 
     SparsityPattern      pattern;
     SparseMatrix<double> matrix;

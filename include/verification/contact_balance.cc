@@ -12,8 +12,24 @@
 
 namespace Contact
 {
-  Point<2> ContactCheck::position(const Surface     &surface,
-                                  const unsigned int node) const
+  namespace
+  {
+    Tensor<1, 1> moment_of(const Tensor<1, 2> &arm, const Tensor<1, 2> &force)
+    {
+      return Tensor<1, 1>({arm[0] * force[1] - arm[1] * force[0]});
+    }
+
+    Tensor<1, 3> moment_of(const Tensor<1, 3> &arm, const Tensor<1, 3> &force)
+    {
+      return cross_product_3d(arm, force);
+    }
+  } // namespace
+
+
+
+  template<int dim>
+  Point<dim> ContactCheck<dim>::position(const Surface<dim> &surface,
+                                         const unsigned int  node) const
   {
     return parameters.geometry == Parameters::GeometryLoop::undeformed
              ? surface.nodes[node].X
@@ -22,42 +38,44 @@ namespace Contact
 
 
 
-  ContactCheck::Resultant
-  ContactCheck::resultant(const ContactPair &contact_pair) const
+  template<int dim>
+  typename ContactCheck<dim>::Resultant
+  ContactCheck<dim>::resultant(const ContactPair<dim> &contact_pair) const
   {
     // The middle of the slave and its size.
-    Point<2> low = position(contact_pair.slave, 0), high = low;
+    Point<dim> low = position(contact_pair.slave, 0), high = low;
     for (unsigned int n = 1; n < contact_pair.slave.nodes.size(); ++n)
-      for (unsigned int i = 0; i < 2; ++i)
+      for (unsigned int i = 0; i < dim; ++i)
         {
-          const Point<2> x = position(contact_pair.slave, n);
-          low[i]           = std::min(low[i], x[i]);
-          high[i]          = std::max(high[i], x[i]);
+          const Point<dim> x = position(contact_pair.slave, n);
+          low[i]             = std::min(low[i], x[i]);
+          high[i]            = std::max(high[i], x[i]);
         }
-    const Point<2> middle = low + 0.5 * (high - low);
+    const Point<dim> middle = low + 0.5 * (high - low);
 
     // A node may see other contact pairs as well.
-    std::map<types::global_dof_index, Tensor<1, 2>> forces;
+    std::map<types::global_dof_index, Tensor<1, dim>> forces;
     for (unsigned int k = contact_pair.first_point;
          k < contact_pair.first_point + contact_pair.n_points;
          ++k)
       {
-        const ContactPoint &point = interface.points()[k];
+        const ContactPoint<dim> &point = interface.points()[k];
         for (unsigned int a = 0; a < point.n_nodes; ++a)
-          forces[point.dofs[a][0]] +=
-            point.weight * point.C[a] *
-            (tractions[k].p * point.normal + tractions[k].q * point.tangent);
+          forces[point.dofs[a][0]] += point.weight * point.C[a] *
+                                      (tractions[k].p * point.normal +
+                                       point.along_tangents(tractions[k].q));
       }
 
     Resultant all;
     all.size = low.distance(high);
-    for (const Surface *surface : {&contact_pair.slave, &*contact_pair.master})
+    for (const Surface<dim> *surface :
+         {&contact_pair.slave, &*contact_pair.master})
       for (unsigned int n = 0; n < surface->nodes.size(); ++n)
         {
-          const Tensor<1, 2> f   = forces[surface->nodes[n].dofs[0]];
-          const Tensor<1, 2> arm = position(*surface, n) - middle;
+          const Tensor<1, dim> f   = forces[surface->nodes[n].dofs[0]];
+          const Tensor<1, dim> arm = position(*surface, n) - middle;
           all.force += f;
-          all.moment += arm[0] * f[1] - arm[1] * f[0];
+          all.moment += moment_of(arm, f);
           all.magnitude += f.norm();
         }
     return all;
@@ -65,8 +83,9 @@ namespace Contact
 
 
 
-  double
-  ContactCheck::moment_of_discretization(const ContactPair &contact_pair) const
+  template<int dim>
+  double ContactCheck<dim>::moment_of_discretization(
+    const ContactPair<dim> &contact_pair) const
   {
     const bool undeformed =
       parameters.geometry == Parameters::GeometryLoop::undeformed;
@@ -76,22 +95,22 @@ namespace Contact
          k < contact_pair.first_point + contact_pair.n_points;
          ++k)
       {
-        const ContactPoint &point = interface.points()[k];
-        Tensor<1, 2>        r;
-        double              sum_of_C = 0;
+        const ContactPoint<dim> &point = interface.points()[k];
+        Tensor<1, dim>           r;
+        double                   sum_of_C = 0;
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           {
             sum_of_C += std::abs(point.C[a]);
-            for (unsigned int i = 0; i < 2; ++i)
+            for (unsigned int i = 0; i < dim; ++i)
               r[i] +=
                 point.C[a] * (point.X[a][i] +
                               (undeformed ? 0. : solution[point.dofs[a][i]]));
           }
         const double offset = point.projection_is_clipped || contact_pair.tied
-                                ? std::abs(r * point.tangent)
+                                ? point.tangential_part(r).norm()
                                 : foot_moves * sum_of_C;
         moment +=
-          point.weight * (std::abs(tractions[k].q * (r * point.normal)) +
+          point.weight * (tractions[k].q.norm() * std::abs(r * point.normal) +
                           std::abs(tractions[k].p) * offset);
       }
     return moment;
@@ -99,9 +118,10 @@ namespace Contact
 
 
 
-  void ContactCheck::check_balance(const ContactPair &contact_pair,
-                                   const Slack       &slack,
-                                   ContactInvariants &found) const
+  template<int dim>
+  void ContactCheck<dim>::check_balance(const ContactPair<dim> &contact_pair,
+                                        const Slack            &slack,
+                                        ContactInvariants      &found) const
   {
     const Resultant all = resultant(contact_pair);
     if (all.magnitude == 0)
@@ -121,15 +141,18 @@ namespace Contact
     if (discretization.axisymmetric)
       return;
     const double whole      = all.magnitude * all.size;
-    const double of_moments = std::abs(all.moment) / whole;
+    const double of_moments = all.moment.norm() / whole;
     found.moment_imbalance  = larger(found.moment_imbalance, of_moments);
     found.check(
       "balance of moments",
       of_moments,
       slack.relative + moment_of_discretization(contact_pair) / whole,
       "the forces of contact on both bodies have the moment " +
-        brief(all.moment) + " N",
+        brief(all.moment.norm()) + " N" + (dim == 2 ? "" : " mm"),
       "Slave points and their projections are apart along the surface: "
       "lower 'Solution/Geometry tolerance'.");
   }
+
+  template class ContactCheck<2>;
+  template class ContactCheck<3>;
 } // namespace Contact

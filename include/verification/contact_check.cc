@@ -26,12 +26,13 @@ namespace Contact
 
 
 
-  ContactCheck::ContactCheck(const Discretization<2>    &discretization,
-                             const ContactInterface     &interface,
-                             const Parameters::Solution &parameters,
-                             const Vector<double>       &solution,
-                             const Vector<double>       &u_start,
-                             const double                moved)
+  template<int dim>
+  ContactCheck<dim>::ContactCheck(const Discretization<dim>   &discretization,
+                                  const ContactInterface<dim> &interface,
+                                  const Parameters::Solution  &parameters,
+                                  const Vector<double>        &solution,
+                                  const Vector<double>        &u_start,
+                                  const double                 moved)
     : discretization(discretization)
     , interface(interface)
     , parameters(parameters)
@@ -39,7 +40,7 @@ namespace Contact
     , u_start(u_start)
     , moved(moved)
   {
-    for (const ContactPoint &point : interface.points())
+    for (const ContactPoint<dim> &point : interface.points())
       {
         states.push_back(interface.state(point, solution, u_start));
         tractions.push_back(
@@ -49,7 +50,7 @@ namespace Contact
                              states.back().q_trial,
                              parameters.friction ==
                                Parameters::FrictionLoop::newton));
-        const ContactPair &contact_pair = interface.contact_pair(point);
+        const ContactPair<dim> &contact_pair = interface.contact_pair(point);
         if (!contact_pair.tied && point.status.kind != Status::open)
           largest_bound =
             std::max(largest_bound, contact_pair.law.bound(tractions.back().p));
@@ -58,32 +59,36 @@ namespace Contact
 
 
 
-  void ContactCheck::widen(Slack &slack) const
+  template<int dim>
+  void ContactCheck<dim>::widen(Slack &slack) const
   {
     if (parameters.friction == Parameters::FrictionLoop::fixed_point &&
         interface.has_coulomb_friction())
       slack.shear = parameters.friction_tolerance * largest_bound;
-    for (const ContactPoint &point : interface.points())
+    for (const ContactPoint<dim> &point : interface.points())
       if (point.status.kind == Status::slip)
         slack.shear_force += slack.shear * point.weight;
   }
 
 
 
-  void ContactCheck::add_forces(Vector<double> &pressures,
-                                Vector<double> &shears,
-                                double         &dissipation) const
+  template<int dim>
+  void ContactCheck<dim>::add_forces(Vector<double> &pressures,
+                                     Vector<double> &shears,
+                                     double         &dissipation) const
   {
     for (unsigned int k = 0; k < tractions.size(); ++k)
       {
-        const ContactPoint &point = interface.points()[k];
-        const Traction     &t     = tractions[k];
+        const ContactPoint<dim> &point = interface.points()[k];
+        const Traction<dim>     &t     = tractions[k];
         for (unsigned int a = 0; a < point.n_nodes; ++a)
-          for (unsigned int i = 0; i < 2; ++i)
+          for (unsigned int i = 0; i < dim; ++i)
             {
               const double share = point.weight * point.C[a];
               pressures[point.dofs[a][i]] += share * t.p * point.normal[i];
-              shears[point.dofs[a][i]] += share * t.q * point.tangent[i];
+              for (unsigned int k = 0; k < dim - 1; ++k)
+                shears[point.dofs[a][i]] +=
+                  share * t.q[k] * point.tangents[k][i];
             }
         // Implicit Euler.
         if (!interface.contact_pair(point).tied)
@@ -93,7 +98,9 @@ namespace Contact
 
 
 
-  void ContactCheck::check(const Slack &slack, ContactInvariants &found) const
+  template<int dim>
+  void ContactCheck<dim>::check(const Slack       &slack,
+                                ContactInvariants &found) const
   {
     for (const auto &contact_pair : interface.pairs)
       {
@@ -111,16 +118,17 @@ namespace Contact
 
 
 
-  void ContactCheck::check_depth(const ContactPair &contact_pair,
-                                 ContactInvariants &found) const
+  template<int dim>
+  void ContactCheck<dim>::check_depth(const ContactPair<dim> &contact_pair,
+                                      ContactInvariants      &found) const
   {
-    const Vector<double> none(u_start.size());
-    const ContactDepth   now = largest_depth(contact_pair, solution);
+    const Vector<double>    none(u_start.size());
+    const ContactDepth<dim> now = largest_depth(contact_pair, solution);
     if (now.depth == 0)
       return;
     double     way     = 0;
-    const auto look_at = [&](const Surface &surface) {
-      for (const Surface::Node &node : surface.nodes)
+    const auto look_at = [&](const Surface<dim> &surface) {
+      for (const SurfaceNode<dim> &node : surface.nodes)
         for (const auto dof : node.dofs)
           way = std::max(way, std::abs(solution[dof]));
     };
@@ -131,14 +139,14 @@ namespace Contact
     // No less than the digits of a mesh file resolve.
     const double allowed =
       std::max(0.5 * way,
-               1e-9 * contact_pair.slave.reference_length(now.slave_edge));
+               1e-9 * contact_pair.slave.reference_length(now.slave_facet));
     if (now.depth - overlap <= allowed)
       return;
     const std::string what =
       std::string(contact_pair.obstacle ? "the place" : "the node") +
       " of the " + std::string(now.of_master ? "master" : "slave") +
-      " at X = (" + brief(now.X[0]) + ", " + brief(now.X[1]) + ") mm is " +
-      brief(now.depth) + " mm inside of the " +
+      " at X = (" + brief(now.X) + ") mm is " + brief(now.depth) +
+      " mm inside of the " +
       (contact_pair.obstacle ? "obstacle" : "other body") +
       ", of surfaces that move by " + brief(way) + " mm";
     const std::string advice =
@@ -147,7 +155,7 @@ namespace Contact
                     : "No contact point looks there: refine the mesh.";
     // Surfaces that push each other overlap by what the mesh does not resolve;
     // others have passed each other unseen.
-    if (carries_force(contact_pair, now.slave_edge))
+    if (carries_force(contact_pair, now.slave_facet))
       found.notes.push_back("depth: " + what + ". " + advice);
     else
       found.check("depth",
@@ -159,8 +167,9 @@ namespace Contact
 
 
 
-  void ContactCheck::check_crossing(const ContactPair &contact_pair,
-                                    ContactInvariants &found) const
+  template<int dim>
+  void ContactCheck<dim>::check_crossing(const ContactPair<dim> &contact_pair,
+                                         ContactInvariants      &found) const
   {
     const auto crossing = find_crossing(contact_pair, u_start, solution);
     if (!crossing)
@@ -170,8 +179,7 @@ namespace Contact
                 0,
                 "the node of the " +
                   std::string(crossing->of_master ? "master" : "slave") +
-                  " at X = (" + brief(crossing->X[0]) + ", " +
-                  brief(crossing->X[1]) +
+                  " at X = (" + brief(crossing->X) +
                   ") mm has gone through the other body in this increment, and "
                   "is " +
                   brief(crossing->depth) + " mm behind the side it went in by",
@@ -181,19 +189,20 @@ namespace Contact
 
 
 
-  bool ContactCheck::carries_force(const ContactPair &contact_pair,
-                                   const unsigned int slave_edge) const
+  template<int dim>
+  bool ContactCheck<dim>::carries_force(const ContactPair<dim> &contact_pair,
+                                        const unsigned int slave_facet) const
   {
-    for (const ContactPoint &point : interface.points())
+    for (const ContactPoint<dim> &point : interface.points())
       if (&interface.contact_pair(point) == &contact_pair &&
           point.status.kind != Status::open)
         for (unsigned int a = 0; a < point.n_nodes; ++a)
-          for (unsigned int b = 0; b < contact_pair.slave.n_nodes_per_edge();
+          for (unsigned int b = 0; b < contact_pair.slave.n_nodes_per_facet();
                ++b)
             if (point.is_on_slave(a) &&
                 point.dofs[a] ==
                   contact_pair.slave
-                    .nodes[contact_pair.slave.edges[slave_edge].nodes[b]]
+                    .nodes[contact_pair.slave.facets[slave_facet].nodes[b]]
                     .dofs)
               return true;
     return false;
@@ -201,9 +210,13 @@ namespace Contact
 
 
 
-  std::string ContactCheck::at(const ContactPoint &point) const
+  template<int dim>
+  std::string ContactCheck<dim>::at(const ContactPoint<dim> &point) const
   {
-    const Point<2> place = interface.contact_pair(point).place(point);
-    return " at X = (" + brief(place[0]) + ", " + brief(place[1]) + ") mm";
+    return " at X = (" + brief(interface.contact_pair(point).place(point)) +
+           ") mm";
   }
+
+  template class ContactCheck<2>;
+  template class ContactCheck<3>;
 } // namespace Contact

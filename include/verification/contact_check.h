@@ -46,11 +46,10 @@ namespace Contact
     double slip = 0;
 
     /// The largest -gap [mm] of all points, also by the length of the slave
-    /// edge, and where, undeformed. With the Gauss-point discretization
+    /// edge. With the Gauss-point discretization
     /// surfaces penetrate each other between the nodes: no violation.
-    double   penetration          = 0;
-    double   relative_penetration = 0;
-    Point<2> deepest;
+    double penetration          = 0;
+    double relative_penetration = 0;
 
     /// One sentence for each invariant that is violated: which, by how much,
     /// where, what to do.
@@ -118,18 +117,19 @@ namespace Contact
    * the two surfaces, than it was undeformed. A node that goes through the
    * other body in an increment is a violation, see find_crossing().
    */
+  template<int dim>
   class ContactCheck
   {
   public:
     /// Of the state @p solution at the end of an increment that began with the
     /// displacement @p u_start; since they were paired the surfaces have moved
     /// by @p moved [mm]. All arguments have to outlive the object.
-    ContactCheck(const Discretization<2>    &discretization,
-                 const ContactInterface     &interface,
-                 const Parameters::Solution &parameters,
-                 const Vector<double>       &solution,
-                 const Vector<double>       &u_start,
-                 const double                moved);
+    ContactCheck(const Discretization<dim>   &discretization,
+                 const ContactInterface<dim> &interface,
+                 const Parameters::Solution  &parameters,
+                 const Vector<double>        &solution,
+                 const Vector<double>        &u_start,
+                 const double                 moved);
 
     /// Let the slack know of bounds by a fixed point.
     void widen(Slack &slack) const;
@@ -143,31 +143,35 @@ namespace Contact
     void check(const Slack &slack, ContactInvariants &found) const;
 
   private:
-    void check_balance(const ContactPair &contact_pair,
-                       const Slack       &slack,
-                       ContactInvariants &found) const;
-    void check_depth(const ContactPair &contact_pair,
-                     ContactInvariants &found) const;
-    void check_crossing(const ContactPair &contact_pair,
-                        ContactInvariants &found) const;
+    void check_balance(const ContactPair<dim> &contact_pair,
+                       const Slack            &slack,
+                       ContactInvariants      &found) const;
+    void check_depth(const ContactPair<dim> &contact_pair,
+                     ContactInvariants      &found) const;
+    void check_crossing(const ContactPair<dim> &contact_pair,
+                        ContactInvariants      &found) const;
 
     /// The forces of a contact pair on both bodies together; the moment is
     /// about the middle of the slave, whose size [mm] is that of its box.
+    using Moment = Tensor<1, dim == 2 ? 1 : 3>;
+
     struct Resultant
     {
-      Tensor<1, 2> force;
-      double       moment = 0, magnitude = 0, size = 0;
+      Tensor<1, dim> force;
+      Moment         moment;
+      double         magnitude = 0, size = 0;
     };
 
-    Resultant resultant(const ContactPair &contact_pair) const;
+    Resultant resultant(const ContactPair<dim> &contact_pair) const;
 
     /// The moment that the discretization of contact leaves.
-    double   moment_of_discretization(const ContactPair &contact_pair) const;
-    Point<2> position(const Surface &surface, const unsigned int node) const;
+    double moment_of_discretization(const ContactPair<dim> &contact_pair) const;
+    Point<dim> position(const Surface<dim> &surface,
+                        const unsigned int  node) const;
 
     /// Whether a node of a slave edge is pushed.
-    bool carries_force(const ContactPair &contact_pair,
-                       const unsigned int slave_edge) const;
+    bool carries_force(const ContactPair<dim> &contact_pair,
+                       const unsigned int      slave_facet) const;
     void check_normal(const Slack &slack, ContactInvariants &found) const;
     void check_penalty(ContactInvariants &found) const;
     void check_tangential(const Slack &slack, ContactInvariants &found) const;
@@ -188,22 +192,26 @@ namespace Contact
       std::vector<unsigned int> point;
     };
 
-    WeakConditions weak_conditions(const bool   tangential,
-                                   const Slack &slack) const;
+    /// Of the normal direction: 0, or of the tangents: from 1 on.
+    void           check_slip(const WeakConditions &weak,
+                              const Slack          &slack,
+                              Worst                &slip) const;
+    WeakConditions weak_conditions(const unsigned int direction,
+                                   const Slack       &slack) const;
 
     /// The place of a point, in a sentence.
-    std::string at(const ContactPoint &point) const;
+    std::string at(const ContactPoint<dim> &point) const;
 
-    const Discretization<2>    &discretization;
-    const ContactInterface     &interface;
-    const Parameters::Solution &parameters;
-    const Vector<double>       &solution, &u_start;
-    const double                moved;
+    const Discretization<dim>   &discretization;
+    const ContactInterface<dim> &interface;
+    const Parameters::Solution  &parameters;
+    const Vector<double>        &solution, &u_start;
+    const double                 moved;
 
     // By point.
-    std::vector<ContactState> states;
-    std::vector<Traction>     tractions;
-    double                    largest_bound = 0; // [MPa]
+    std::vector<ContactState<dim>> states;
+    std::vector<Traction<dim>>     tractions;
+    double                         largest_bound = 0; // [MPa]
   };
 } // namespace Contact
 

@@ -22,24 +22,28 @@ namespace Contact
 
 
   // The sums over the points of w psi_k (p - lambda)/c, of either direction.
-  ContactCheck::WeakConditions
-  ContactCheck::weak_conditions(const bool tangential, const Slack &slack) const
+  template<int dim>
+  typename ContactCheck<dim>::WeakConditions
+  ContactCheck<dim>::weak_conditions(const unsigned int direction,
+                                     const Slack       &slack) const
   {
-    const unsigned int n = interface.n_normal_multipliers();
+    const bool         tangential = direction > 0;
+    const unsigned int n          = interface.n_normal_multipliers();
     WeakConditions     weak{std::vector<double>(n),
                         std::vector<double>(n),
                         std::vector<double>(n),
                         std::vector<unsigned int>(n)};
     for (unsigned int k = 0; k < interface.points().size(); ++k)
       {
-        const ContactPoint &point        = interface.points()[k];
-        const ContactPair  &contact_pair = interface.contact_pair(point);
+        const ContactPoint<dim> &point        = interface.points()[k];
+        const ContactPair<dim>  &contact_pair = interface.contact_pair(point);
         if (tangential &&
             (contact_pair.tied || contact_pair.law.is_frictionless()))
           continue;
-        const double difference = tangential
-                                    ? tractions[k].q - states[k].lambda_t
-                                    : tractions[k].p - states[k].lambda_n;
+        const double difference =
+          tangential
+            ? tractions[k].q[direction - 1] - states[k].lambda_t[direction - 1]
+            : tractions[k].p - states[k].lambda_n;
         for (unsigned int m = 0; m < point.n_multipliers; ++m)
           {
             const unsigned int l     = point.multipliers[m];
@@ -56,13 +60,14 @@ namespace Contact
 
 
 
-  void ContactCheck::add_normal_condition(const unsigned int k,
-                                          const Slack       &slack,
-                                          Worst             &worst) const
+  template<int dim>
+  void ContactCheck<dim>::add_normal_condition(const unsigned int k,
+                                               const Slack       &slack,
+                                               Worst             &worst) const
   {
-    const ContactPoint &point        = interface.points()[k];
-    const ContactState &now          = states[k];
-    const ContactPair  &contact_pair = interface.contact_pair(point);
+    const ContactPoint<dim> &point        = interface.points()[k];
+    const ContactState<dim> &now          = states[k];
+    const ContactPair<dim>  &contact_pair = interface.contact_pair(point);
     if (point.status.kind != Status::open)
       worst.add(-point.weight * tractions[k].p, 0, [&]() {
         return "the pressure in contact is " + brief(tractions[k].p) + " MPa" +
@@ -81,14 +86,15 @@ namespace Contact
 
   // The conditions in the normal direction: weak ones by multiplier, signs by
   // point.
-  void ContactCheck::check_normal(const Slack       &slack,
-                                  ContactInvariants &found) const
+  template<int dim>
+  void ContactCheck<dim>::check_normal(const Slack       &slack,
+                                       ContactInvariants &found) const
   {
     Worst worst;
     for (unsigned int k = 0; k < interface.points().size(); ++k)
       {
-        const ContactPoint &point        = interface.points()[k];
-        const ContactPair  &contact_pair = interface.contact_pair(point);
+        const ContactPoint<dim> &point        = interface.points()[k];
+        const ContactPair<dim>  &contact_pair = interface.contact_pair(point);
         if (contact_pair.tied || !point.facing)
           continue;
         add_normal_condition(k, slack, worst);
@@ -98,10 +104,9 @@ namespace Contact
             found.penetration = penetration;
             found.relative_penetration =
               penetration / contact_pair.edge_length(point);
-            found.deepest = contact_pair.place(point);
           }
       }
-    const WeakConditions weak = weak_conditions(/*tangential=*/false, slack);
+    const WeakConditions weak = weak_conditions(0, slack);
     for (unsigned int l = 0; l < weak.defect.size(); ++l)
       worst.add(weak.stiffness[l] * std::abs(weak.defect[l]),
                 slack.force,
@@ -127,14 +132,15 @@ namespace Contact
 
   // With c far below the stiffness of the bodies, what is penalty instead of
   // multiplier is no pressure: see the header.
-  void ContactCheck::check_penalty(ContactInvariants &found) const
+  template<int dim>
+  void ContactCheck<dim>::check_penalty(ContactInvariants &found) const
   {
     double       largest_pressure = 0, largest_penalty = 0;
     unsigned int worst = 0;
     for (unsigned int k = 0; k < interface.points().size(); ++k)
       {
-        const ContactPoint &point        = interface.points()[k];
-        const ContactPair  &contact_pair = interface.contact_pair(point);
+        const ContactPoint<dim> &point        = interface.points()[k];
+        const ContactPair<dim>  &contact_pair = interface.contact_pair(point);
         if (point.status.kind == Status::open || contact_pair.tied ||
             contact_pair.has_point_per_multiplier())
           continue;
@@ -160,29 +166,28 @@ namespace Contact
 
 
 
-  void ContactCheck::add_tangential_condition(const unsigned int k,
-                                              const Slack       &slack,
-                                              Worst             &cone,
-                                              Worst             &slip) const
+  template<int dim>
+  void ContactCheck<dim>::add_tangential_condition(const unsigned int k,
+                                                   const Slack       &slack,
+                                                   Worst             &cone,
+                                                   Worst &slip) const
   {
-    const ContactPoint &point        = interface.points()[k];
-    const ContactPair  &contact_pair = interface.contact_pair(point);
-    const double        q            = tractions[k].q;
-    const double        bound        = contact_pair.law.bound(tractions[k].p);
-    cone.add(std::abs(q) - bound,
-             slack.shear + slack.relative * largest_bound,
-             [&]() {
-               return "the shear is " + brief(q) + " MPa under a bound of " +
-                      brief(bound) + " MPa" + at(point);
-             });
+    const ContactPoint<dim> &point        = interface.points()[k];
+    const ContactPair<dim>  &contact_pair = interface.contact_pair(point);
+    const double             q            = tractions[k].q.norm();
+    const double             bound = contact_pair.law.bound(tractions[k].p);
+    cone.add(q - bound, slack.shear + slack.relative * largest_bound, [&]() {
+      return "the shear is " + brief(q) + " MPa under a bound of " +
+             brief(bound) + " MPa" + at(point);
+    });
     if (point.status.kind != Status::slip || q == 0 ||
         !contact_pair.has_point_per_multiplier())
       return;
-    const double s = states[k].slip;
+    const double s = states[k].slip.norm();
     const double per_traction =
       contact_pair.stiffness(point) / point.augmentation_parameter;
     slip.add(point.weight * contact_pair.stiffness(point) *
-               std::copysign(s, s * q),
+               std::copysign(s, states[k].slip * tractions[k].q),
              slack.force + point.weight * per_traction * slack.shear,
              [&]() {
                return "the slip is " + brief(s) + " mm along the shear of " +
@@ -192,25 +197,14 @@ namespace Contact
 
 
 
-  // The same in the tangential direction.
-  void ContactCheck::check_tangential(const Slack       &slack,
-                                      ContactInvariants &found) const
+  template<int dim>
+  void ContactCheck<dim>::check_slip(const WeakConditions &weak,
+                                     const Slack          &slack,
+                                     Worst                &slip) const
   {
-    if (!interface.has_friction())
-      return;
-    Worst cone, slip;
-    for (unsigned int k = 0; k < interface.points().size(); ++k)
-      {
-        const ContactPoint &point        = interface.points()[k];
-        const ContactPair  &contact_pair = interface.contact_pair(point);
-        if (!contact_pair.tied && !contact_pair.law.is_frictionless() &&
-            point.status.kind != Status::open)
-          add_tangential_condition(k, slack, cone, slip);
-      }
-    const WeakConditions weak = weak_conditions(/*tangential=*/true, slack);
     for (unsigned int l = 0; l < weak.defect.size(); ++l)
       {
-        const ContactPoint &point = interface.points()[weak.point[l]];
+        const ContactPoint<dim> &point = interface.points()[weak.point[l]];
         slip.add(weak.stiffness[l] * std::abs(weak.defect[l]),
                  slack.force + weak.stiffness[l] * weak.allowed[l] /
                                  point.augmentation_parameter,
@@ -221,6 +215,28 @@ namespace Contact
                           discretization.per_thickness() + at(point);
                  });
       }
+  }
+
+
+
+  // The same in the tangential direction.
+  template<int dim>
+  void ContactCheck<dim>::check_tangential(const Slack       &slack,
+                                           ContactInvariants &found) const
+  {
+    if (!interface.has_friction())
+      return;
+    Worst cone, slip;
+    for (unsigned int k = 0; k < interface.points().size(); ++k)
+      {
+        const ContactPoint<dim> &point        = interface.points()[k];
+        const ContactPair<dim>  &contact_pair = interface.contact_pair(point);
+        if (!contact_pair.tied && !contact_pair.law.is_frictionless() &&
+            point.status.kind != Status::open)
+          add_tangential_condition(k, slack, cone, slip);
+      }
+    for (unsigned int direction = 1; direction < dim; ++direction)
+      check_slip(weak_conditions(direction, slack), slack, slip);
 
     found.cone = largest_bound > 0 ? cone.value / largest_bound : cone.value;
     found.slip = slip.value / slack.reference;
@@ -239,4 +255,7 @@ namespace Contact
                   slip.sentence,
                   wrong_set);
   }
+
+  template class ContactCheck<2>;
+  template class ContactCheck<3>;
 } // namespace Contact

@@ -21,12 +21,12 @@ namespace Contact
   namespace
   {
     /// The slave node with the smallest initial gap.
-    unsigned int first_touch(const ContactPair       &contact_pair,
+    unsigned int first_touch(const ContactPair<2>    &contact_pair,
                              const Discretization<2> &discretization)
     {
       const Vector<double> no_displacement(discretization.dof_handler.n_dofs());
-      const SurfaceSearch  search(*contact_pair.master, no_displacement);
-      const auto           gap_square = [&](const Surface::Node &node) {
+      const SurfaceSearch<2> search(*contact_pair.master, no_displacement);
+      const auto             gap_square = [&](const SurfaceNode<2> &node) {
         return search.distance_square(node.X, search.closest_point(node.X));
       };
       const auto &nodes = contact_pair.slave.nodes;
@@ -48,15 +48,15 @@ namespace Contact
 
     HertzLineContact hertz_contact(const Parameters::All   &parameters,
                                    const Discretization<2> &discretization,
-                                   const ContactPair       &contact_pair,
+                                   const ContactPair<2>    &contact_pair,
                                    const ContactResults    &results)
     {
       const auto &solids = parameters.solids;
       const auto &given  = parameters.probes.hertz;
       const auto  slave =
-        discretization.mesh.body_name(contact_pair.slave.edges[0].body);
+        discretization.mesh.body_name(contact_pair.slave.facets[0].body);
       const auto master =
-        discretization.mesh.body_name(contact_pair.master->edges[0].body);
+        discretization.mesh.body_name(contact_pair.master->facets[0].body);
       return {given[0],
               given.size() > 1 ? given[1] : results.normal_force,
               solids.youngs_modulus.at(slave),
@@ -120,7 +120,7 @@ namespace Contact
 
     ExactSolution make_hertz(const Parameters::All   &parameters,
                              const Discretization<2> &discretization,
-                             const ContactPair       &contact_pair,
+                             const ContactPair<2>    &contact_pair,
                              const ContactResults    &results)
     {
       const HertzLineContact hertz =
@@ -162,11 +162,11 @@ namespace Contact
 
     ExactSolution make_cylinders(const Parameters::All   &parameters,
                                  const Discretization<2> &discretization,
-                                 const ContactPair       &contact_pair)
+                                 const ContactPair<2>    &contact_pair)
     {
       // The inner body is the one with the convex surface.
-      const auto           slave  = contact_pair.slave.edges[0].body;
-      const auto           master = contact_pair.master->edges[0].body;
+      const auto           slave  = contact_pair.slave.facets[0].body;
+      const auto           master = contact_pair.master->facets[0].body;
       const Vector<double> no_displacement(discretization.dof_handler.n_dofs());
       const bool           slave_is_inner =
         contact_pair.slave.normals(no_displacement)[0] *
@@ -229,19 +229,19 @@ namespace Contact
     /// Of a multiplier over the slave, which every rank has. Where contact ends
     /// the exact one has a kink within an edge: hence many points.
     double error_on_slave(const std::function<double(const Point<2> &)> &exact,
-                          const ContactPair         &contact_pair,
+                          const ContactPair<2>      &contact_pair,
                           const std::vector<double> &values)
     {
-      const Surface     &slave = contact_pair.slave;
+      const Surface<2>  &slave = contact_pair.slave;
       const QIterated<1> quadrature(QGauss<1>(4), 4);
       Squares            squares;
-      for (const Surface::Edge &edge : slave.edges)
+      for (const SurfaceFacet<2> &edge : slave.facets)
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
             const EdgeShape shape(slave.degree, 2 * quadrature.point(q)[0] - 1);
             Point<2>        X;
             double          value = 0;
-            for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
+            for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
               {
                 X +=
                   shape.value[a] * Tensor<1, 2>(slave.nodes[edge.nodes[a]].X);
@@ -311,7 +311,7 @@ namespace Contact
   std::optional<ExactSolution>
   make_exact_solution(const Parameters::All   &parameters,
                       const Discretization<2> &discretization,
-                      const ContactPair       &contact_pair,
+                      const ContactPair<2>    &contact_pair,
                       const ContactResults    &results)
   {
     if (!parameters.probes.hertz.empty())
@@ -324,12 +324,12 @@ namespace Contact
 
 
   std::map<std::string, double>
-  solution_errors(const ExactSolution     &exact,
-                  const Discretization<2> &discretization,
-                  const Elasticity<2>     &elasticity,
-                  const ContactInterface  &interface,
-                  const ContactPair       &contact_pair,
-                  const Vector<double>    &solution)
+  solution_errors(const ExactSolution       &exact,
+                  const Discretization<2>   &discretization,
+                  const Elasticity<2>       &elasticity,
+                  const ContactInterface<2> &interface,
+                  const ContactPair<2>      &contact_pair,
+                  const Vector<double>      &solution)
   {
     std::map<std::string, double> errors;
     const auto                    add_on_slave =

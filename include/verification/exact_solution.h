@@ -46,7 +46,7 @@ namespace Contact
   std::optional<ExactSolution>
   make_exact_solution(const Parameters::All   &parameters,
                       const Discretization<2> &discretization,
-                      const ContactPair       &contact_pair,
+                      const ContactPair<2>    &contact_pair,
                       const ContactResults    &results);
 
   /**
@@ -58,12 +58,12 @@ namespace Contact
    *    between the nodes.
    */
   std::map<std::string, double>
-  solution_errors(const ExactSolution     &exact,
-                  const Discretization<2> &discretization,
-                  const Elasticity<2>     &elasticity,
-                  const ContactInterface  &interface,
-                  const ContactPair       &contact_pair,
-                  const Vector<double>    &solution);
+  solution_errors(const ExactSolution       &exact,
+                  const Discretization<2>   &discretization,
+                  const Elasticity<2>       &elasticity,
+                  const ContactInterface<2> &interface,
+                  const ContactPair<2>      &contact_pair,
+                  const Vector<double>      &solution);
 } // namespace Contact
 
 #endif

@@ -52,10 +52,11 @@ namespace Contact
 
 
 
-  InvariantCheck::InvariantCheck(const Discretization<2>    &discretization,
-                                 const Elasticity<2>        &elasticity,
-                                 const ContactInterface     *interface,
-                                 const Parameters::Solution &parameters)
+  template<int dim>
+  InvariantCheck<dim>::InvariantCheck(const Discretization<dim> &discretization,
+                                      const Elasticity<dim>     &elasticity,
+                                      const ContactInterface<dim> *interface,
+                                      const Parameters::Solution  &parameters)
     : discretization(discretization)
     , elasticity(elasticity)
     , interface(interface)
@@ -72,33 +73,37 @@ namespace Contact
 
 
 
-  void InvariantCheck::advance()
+  template<int dim>
+  void InvariantCheck<dim>::advance()
   {
     start = end;
   }
 
 
 
-  const InvariantCheck::State &InvariantCheck::state() const
+  template<int dim>
+  const typename InvariantCheck<dim>::State &InvariantCheck<dim>::state() const
   {
     return start;
   }
 
 
 
-  void InvariantCheck::restore(const State &state)
+  template<int dim>
+  void InvariantCheck<dim>::restore(const State &state)
   {
     start = state;
   }
 
 
 
-  Invariants InvariantCheck::check(const Vector<double> &solution,
-                                   const double          load_factor,
-                                   const double          newton_tolerance,
-                                   const double          reference_force,
-                                   const Vector<double> *hold_forces,
-                                   const double          moved)
+  template<int dim>
+  Invariants InvariantCheck<dim>::check(const Vector<double> &solution,
+                                        const double          load_factor,
+                                        const double          newton_tolerance,
+                                        const double          reference_force,
+                                        const Vector<double> *hold_forces,
+                                        const double          moved)
   {
     Invariants found;
     end = start;
@@ -112,12 +117,12 @@ namespace Contact
     Slack        slack{force, newton_tolerance, newton_tolerance * force};
     if (interface != nullptr)
       {
-        const ContactCheck contact(discretization,
-                                   *interface,
-                                   parameters,
-                                   solution,
-                                   start.displacement,
-                                   moved);
+        const ContactCheck<dim> contact(discretization,
+                                        *interface,
+                                        parameters,
+                                        solution,
+                                        start.displacement,
+                                        moved);
         contact.widen(slack);
         contact.add_forces(end.pressures, end.shears, end.dissipation);
         contact.check(slack, found);
@@ -144,10 +149,11 @@ namespace Contact
   // reactions where the constraints hold an unknown by itself, nothing
   // elsewhere. The force on an unknown that others move goes to those. Every
   // rank knows the constraints of its own unknowns.
-  void InvariantCheck::balance_bodies(const double          load_factor,
-                                      const Slack          &slack,
-                                      const Vector<double> *hold_forces,
-                                      Invariants           &found)
+  template<int dim>
+  void InvariantCheck<dim>::balance_bodies(const double          load_factor,
+                                           const Slack          &slack,
+                                           const Vector<double> *hold_forces,
+                                           Invariants           &found)
   {
     end.holds = 0;
     if (hold_forces != nullptr)
@@ -184,10 +190,11 @@ namespace Contact
 
   // The force scale knows the round-off of the stiffest body. Where that is
   // more than the loads, these are not in the solution.
-  void InvariantCheck::judge_balance(const double residual,
-                                     const Slack &slack,
-                                     const bool   is_held,
-                                     Invariants  &found) const
+  template<int dim>
+  void InvariantCheck<dim>::judge_balance(const double residual,
+                                          const Slack &slack,
+                                          const bool   is_held,
+                                          Invariants  &found) const
   {
     const auto in_words = [this](const double force) {
       return brief(force) + " N" + discretization.per_thickness();
@@ -222,25 +229,27 @@ namespace Contact
 
 
   // Every rank has all reactions: each adds up those of its own unknowns.
-  void InvariantCheck::add_up(const Vector<double> &reactions,
-                              Invariants           &found) const
+  template<int dim>
+  void InvariantCheck<dim>::add_up(const Vector<double> &reactions,
+                                   Invariants           &found) const
   {
     const auto &owned = discretization.dof_handler.locally_owned_dofs();
-    for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int c = 0; c < dim; ++c)
       for (const auto &[group, unknowns] : discretization.supports[c])
         {
           double sum = 0;
           for (const auto dof : unknowns)
             if (owned.is_element(dof))
               sum += reactions[dof];
-          found.reactions[group][std::string(1, "xy"[c])] =
+          found.reactions[group][std::string(1, "xyz"[c])] =
             Utilities::MPI::sum(sum, discretization.communicator);
         }
   }
 
 
 
-  void InvariantCheck::check_energy(const Slack &slack, Invariants &found)
+  template<int dim>
+  void InvariantCheck<dim>::check_energy(const Slack &slack, Invariants &found)
   {
     Vector<double> d(end.displacement);
     d -= start.displacement;
@@ -293,7 +302,8 @@ namespace Contact
 
 
 
-  double InvariantCheck::work_at_middle(const Vector<double> &d) const
+  template<int dim>
+  double InvariantCheck<dim>::work_at_middle(const Vector<double> &d) const
   {
     Vector<double> middle(start.displacement);
     middle.add(0.5, d);
@@ -308,4 +318,7 @@ namespace Contact
                            });
     return Utilities::MPI::sum(work, discretization.communicator);
   }
+
+  template class InvariantCheck<2>;
+  template class InvariantCheck<3>;
 } // namespace Contact

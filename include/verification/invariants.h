@@ -102,6 +102,7 @@ namespace Contact
    * @par Cost
    * Two passes over the cells without a tangent; a third in large displacement.
    */
+  template<int dim>
   class InvariantCheck
   {
   public:
@@ -125,10 +126,10 @@ namespace Contact
 
     /// Start from the undeformed bodies without loads. @p interface may be
     /// null.
-    InvariantCheck(const Discretization<2>    &discretization,
-                   const Elasticity<2>        &elasticity,
-                   const ContactInterface     *interface,
-                   const Parameters::Solution &parameters);
+    InvariantCheck(const Discretization<dim>   &discretization,
+                   const Elasticity<dim>       &elasticity,
+                   const ContactInterface<dim> *interface,
+                   const Parameters::Solution  &parameters);
 
     /**
      * Check the converged state @p solution under @p load_factor. The residual
@@ -174,10 +175,10 @@ namespace Contact
     /// whole way @p d.
     double work_at_middle(const Vector<double> &d) const;
 
-    const Discretization<2>   &discretization;
-    const Elasticity<2>       &elasticity;
-    const ContactInterface    *interface;
-    const Parameters::Solution parameters;
+    const Discretization<dim>   &discretization;
+    const Elasticity<dim>       &elasticity;
+    const ContactInterface<dim> *interface;
+    const Parameters::Solution   parameters;
 
     State start, end;
   };

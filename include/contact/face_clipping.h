@@ -1,0 +1,55 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_face_clipping_h
+#define contact_face_clipping_h
+
+#include <deal.II/base/point.h>
+
+#include <array>
+#include <vector>
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// A plane that facets in space are projected on, along its normal.
+  class ProjectionPlane
+  {
+  public:
+    ProjectionPlane(const Point<3> &origin, const Tensor<1, 3> &unit_normal);
+
+    /// The place of a projected point in the plane.
+    Point<2> project(const Point<3> &x) const;
+
+    const Tensor<1, 3> normal;
+
+  private:
+    const Point<3>              origin;
+    std::array<Tensor<1, 3>, 2> axes;
+  };
+
+
+
+  /// A triangle in the plane.
+  using PlaneTriangle = std::array<Point<2>, 3>;
+
+  /// A quadrangle in the plane: the corners in the order of deal.II.
+  using PlaneQuadrangle = std::array<Point<2>, 4>;
+
+  /// The intersection of two convex quadrangles, cut into triangles; empty if
+  /// it is no larger than round-off. By Boost.Geometry.
+  std::vector<PlaneTriangle> intersection(const PlaneQuadrangle &a,
+                                          const PlaneQuadrangle &b);
+
+  /// The coordinates in [-1, 1] x [-1, 1] of a point of a quadrangle, by its
+  /// bilinear map.
+  Point<2> coordinates_in(const PlaneQuadrangle &quadrangle, const Point<2> &x);
+
+  /// The area of a triangle, not signed.
+  double area(const PlaneTriangle &triangle);
+} // namespace Contact
+
+#endif

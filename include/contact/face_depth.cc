@@ -1,0 +1,136 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The depth of surfaces in space inside of each other.
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/contact_depth.h"
+
+namespace Contact
+{
+  namespace
+  {
+    /// By how much a facet may be beside the surface that it stands for, at one
+    /// of its nodes: by the angles between the facets that meet there smoothly.
+    double sagitta(const Surface<3>      &surface,
+                   const FacetNormals<3> &of_facets,
+                   const FacetNormals<3> &means,
+                   const unsigned int     e,
+                   const unsigned int     a)
+    {
+      const double cosine = std::clamp(of_facets[e][a] * means[e][a], -1., 1.);
+      return 2 * std::acos(cosine) * surface.reference_length(e) / 4;
+    }
+
+
+
+    /// The normals at the nodes by each facet alone.
+    FacetNormals<3> single_normals(const Surface<3>       &surface,
+                                   const SurfaceSearch<3> &search)
+    {
+      FacetNormals<3> normals(surface.facets.size());
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
+        for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+          normals[e][a] = search.normal(e, node_place<3>(a));
+      return normals;
+    }
+
+
+
+    /// The deepest node of @p surface.
+    void look(const Surface<3>     &surface,
+              const Surface<3>     &other,
+              const bool            is_master,
+              const Vector<double> &u,
+              ContactDepth<3>      &deepest)
+    {
+      const SurfaceSearch<3> own(surface, u), search(other, u);
+      const auto             normals       = surface.facet_normals(u);
+      const auto             of_facets     = single_normals(surface, own);
+      const auto             other_normals = other.facet_normals(u);
+      const auto             of_other      = single_normals(other, search);
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
+        for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+          {
+            const unsigned int  i          = surface.facets[e].nodes[a];
+            const Point<3>      x          = surface.position(i, u);
+            const Projection<3> projection = search.closest_point(x);
+            if (projection.off_the_end || projection.clipped)
+              continue;
+            const unsigned int f       = projection.facet;
+            const Tensor<1, 3> outward = search.normal(f, projection.xi);
+            const double       distance =
+              std::sqrt(search.distance_square(x, projection));
+            // A node further behind the other surface than its facet is long
+            // has come there around it.
+            if ((x - search.position(projection)) * outward >= 0 ||
+                outward * normals[e][a] >= 0 ||
+                distance >= other.reference_length(f))
+              continue;
+            double of_master = 0;
+            for (unsigned int b = 0; b < 4; ++b)
+              of_master =
+                std::max(of_master,
+                         sagitta(other, of_other, other_normals, f, b));
+            const double depth =
+              distance - of_master - sagitta(surface, of_facets, normals, e, a);
+            if (depth > deepest.depth)
+              deepest = {depth,
+                         is_master,
+                         surface.nodes[i].X,
+                         is_master ? f : e};
+          }
+    }
+
+
+
+    /// The deepest place of the slave inside of an obstacle.
+    void look(const Surface<3>     &slave,
+              const Obstacle<3>    &obstacle,
+              const Vector<double> &u,
+              ContactDepth<3>      &deepest)
+    {
+      for (unsigned int e = 0; e < slave.facets.size(); ++e)
+        for (const double xi : {-0.5, 0., 0.5})
+          for (const double eta : {-0.5, 0., 0.5})
+            {
+              const FacetShape<3> shape(slave.degree, Point<2>(xi, eta));
+              Point<3>            x, X;
+              for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+                {
+                  const unsigned int i = slave.facets[e].nodes[a];
+                  x += shape.value[a] * slave.position(i, u);
+                  X += shape.value[a] * slave.nodes[i].X;
+                }
+              const auto   closest = obstacle.closest_point(x);
+              const double h =
+                std::sqrt(2.) * slave.reference_length(e); // of the diagonal
+              const double chord =
+                h <= closest.radius ? h * h / (8 * closest.radius) : 0.;
+              const double depth = (closest.x - x) * closest.normal - chord;
+              if (depth > deepest.depth)
+                deepest = {depth, false, X, e};
+            }
+    }
+  } // namespace
+
+
+
+  ContactDepth<3> largest_depth(const ContactPair<3> &contact_pair,
+                                const Vector<double> &u)
+  {
+    ContactDepth<3> deepest;
+    if (contact_pair.master)
+      {
+        look(contact_pair.slave, *contact_pair.master, false, u, deepest);
+        look(*contact_pair.master, contact_pair.slave, true, u, deepest);
+      }
+    else
+      look(contact_pair.slave, *contact_pair.obstacle, u, deepest);
+    return deepest;
+  }
+} // namespace Contact

@@ -1,0 +1,73 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The entries that are for scenes in the plane alone.
+
+#include "parameters/parameters.h"
+
+namespace Contact::Parameters
+{
+  namespace
+  {
+    void refuse(const bool         is_set,
+                const std::string &entry,
+                const std::string &what,
+                const std::string &remedy)
+    {
+      if (is_set)
+        throw EntryError("The mesh has volumes: " + what + ".",
+                         {entry},
+                         remedy);
+    }
+  } // namespace
+
+
+
+  All All::for_space() const
+  {
+    refuse(solids.symmetry == Symmetry::axisymmetric,
+           "Solids/Symmetry",
+           "a section of a ring has none",
+           "remove the entry, or mesh the section: gmsh -2");
+    refuse(solution.system == SystemKind::saddle_point,
+           "Solution/System",
+           "multipliers are always eliminated there",
+           "set 'System = condensed'");
+    refuse(solution.geometry == GeometryLoop::newton,
+           "Solution/Geometry",
+           "the tangent does not know how points are paired there",
+           "set 'Geometry = automatic'");
+    for (const Contact &pair : pairs())
+      {
+        refuse(pair.discretization == ContactDiscretization::gauss,
+               pair.section() + "/Discretization",
+               "the Gauss-point discretization is one for the plane",
+               "take the mortar or the nodal discretization");
+      }
+    refuse(asks_for_accuracy(),
+           "Probes/Accuracy",
+           "errors of probes are estimated in the plane alone",
+           "refine with 'Refinement/Levels'");
+    refuse(probes.dual_weighted_residuals,
+           "Probes/Dual weighted residuals",
+           "errors of probes are estimated in the plane alone",
+           "set 'Estimate errors', which solves on the next mesh");
+    refuse(solution.estimate_effects,
+           "Solution/Estimate effects",
+           "effects are estimated in the plane alone",
+           "compare two runs");
+    refuse(!probes.hertz.empty() || !probes.concentric_cylinders.empty(),
+           "Probes/Hertz, Probes/Concentric cylinders",
+           "the theories are of line contact",
+           "remove the entry");
+    refuse(has_levels() && refinement.strategy == Strategy::adaptive,
+           "Refinement/Strategy",
+           "errors are estimated in the plane alone",
+           "set 'Strategy = uniform'");
+    All all      = *this;
+    all.in_space = true;
+    return all;
+  }
+} // namespace Contact::Parameters

@@ -1,0 +1,51 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_slip_turning_h
+#define contact_slip_turning_h
+
+#include <deal.II/lac/full_matrix.h>
+
+#include "contact/contact_interface.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The turning of the shear of a slipping point in space. Its shear traction
+   * is q = b d, with the bound b and the direction d = q_trial/|q_trial|,
+   * q_trial = lambda - c s. Of Newton's method for q = lambda, with beta =
+   * b/|q_trial| and T = I - d d^T the projection across d, the multiplier of
+   * the next step is
+   *   lambda_new = b d - beta/(1 - beta) T (lambda + c ds),
+   * ds the change of the slip: a load, and a stiffness across d,
+   *   k = w c beta/(1 - beta),
+   * which is symmetric and never negative. Where a point begins to slip, beta
+   * is one: it can not turn, but only go on. At the solution k = w b/|s|, the
+   * derivative of the exact law. In the plane there is nothing to turn.
+   */
+  template<int dim>
+  class SlipTurning
+  {
+  public:
+    /// What a point adds to the system, over unknowns of the displacement.
+    struct Term
+    {
+      std::vector<types::global_dof_index> dofs;
+      FullMatrix<double>                   stiffness; // [N/mm]
+      Vector<double>                       load;      // [N]
+    };
+
+    /// Of the slipping points in a state. With @p moving_bound the bound is
+    /// that of the present pressure.
+    static std::vector<Term> terms(const ContactInterface<dim> &interface,
+                                   const Vector<double>        &solution,
+                                   const Vector<double>        &u_start,
+                                   const bool                   moving_bound);
+  };
+} // namespace Contact
+
+#endif
