@@ -180,7 +180,8 @@ namespace
     stress[0][1] = 3;
     const Stresses stresses(model.mesh.triangulation.n_vertices(), stress);
     for (const auto &[name, quantity] : named_values(Parameters::Quantity()))
-      if (is_displacement(quantity) || is_stress(quantity))
+      if ((is_displacement(quantity) || is_stress(quantity)) &&
+          !is_in_space(quantity))
         std::cout << "  " << name << ' '
                   << probe_value(quantity,
                                  3,
