@@ -16,7 +16,7 @@ namespace Contact
   void print_help(std::ostream &out)
   {
     out
-      << R"(Frictional contact of two deformable bodies (plane strain, axisymmetry).
+      << R"(Frictional contact of two deformable bodies in the plane, with axisymmetry, and in space.
 
 usage: contact FILE [MORE ...] [options]
 

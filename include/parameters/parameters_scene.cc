@@ -323,7 +323,8 @@ namespace Contact
         "Parameter c of the augmented Lagrangian p = max(0, "
         "lambda - c gap), by the stiffness E/h of the slave's "
         "edge [-]; > 0. Results of the nodal and mortar discretizations "
-        "do not depend on it, those of the Gauss-point discretization do.");
+        "do not depend on it, those of the Gauss-point discretization do. In "
+        "space the default means 1.");
       for (const auto &[now, former] :
            {std::make_pair("Discretization", "Rule"),
             std::make_pair("Augmentation parameter", "Complementarity")})

@@ -68,6 +68,17 @@ namespace Contact::Parameters
            "set 'Strategy = uniform'");
     All all      = *this;
     all.in_space = true;
+
+    // The solution does not depend on it; in space a small one would let
+    // round-off into the residual, times E/h/c.
+    const double of_plane = Contact().augmentation_parameter;
+    const auto   set      = [&](Contact &pair) {
+      if (!(pair.augmentation_parameter != of_plane))
+        pair.augmentation_parameter = 1;
+    };
+    set(all.contact);
+    for (auto &[name, pair] : all.further_contacts)
+      set(pair);
     return all;
   }
 } // namespace Contact::Parameters

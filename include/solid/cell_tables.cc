@@ -8,7 +8,9 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "solid/followers.h"
 
@@ -60,7 +62,7 @@ namespace Contact
 
     /// The unknowns of the free nodes and the gradients of their shape
     /// functions. A bound node moves with others and hands its shape function
-    /// on to them. FE_Q numbers the bound ones last.
+    /// on to them.
     template<int dim, typename Cell>
     void tabulate_nodes(const Cell                &dof_cell,
                         const FEValues<dim>       &fe_values,
@@ -69,21 +71,23 @@ namespace Contact
     {
       const auto                  &fe = fe_values.get_fe();
       const std::vector<BoundNode> bound =
-        discretization.serendipity && dof_cell->reference_cell().is_hyper_cube()
-          ? bound_nodes<dim>()
-          : std::vector<BoundNode>();
-      const unsigned int n_nodes = fe.base_element(0).n_dofs_per_cell();
-      const unsigned int n_free  = n_nodes - bound.size();
+        bound_nodes(discretization, dof_cell);
+      std::vector<unsigned int> free(fe.base_element(0).n_dofs_per_cell());
+      std::iota(free.begin(), free.end(), 0);
 
-      // By free node the bound ones that hand over to it, and the factors.
-      std::vector<std::vector<std::pair<unsigned int, double>>> takes(n_free);
+      // By node the bound ones that hand over to it, and the factors.
+      std::vector<std::vector<std::pair<unsigned int, double>>> takes(
+        free.size());
       for (const auto &[node, leaders] : bound)
-        for (const auto &[leader, factor] : leaders)
-          takes[leader].emplace_back(node, factor);
+        {
+          free.erase(std::find(free.begin(), free.end(), node));
+          for (const auto &[leader, factor] : leaders)
+            takes[leader].emplace_back(node, factor);
+        }
 
       std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
       dof_cell->get_dof_indices(dofs);
-      for (unsigned int a = 0; a < n_free; ++a)
+      for (const unsigned int a : free)
         for (unsigned int c = 0; c < dim; ++c)
           cell.dofs.push_back(dofs[fe.component_to_system_index(c, a)]);
 
@@ -94,7 +98,7 @@ namespace Contact
         return value;
       };
       for (const unsigned int q : fe_values.quadrature_point_indices())
-        for (unsigned int a = 0; a < n_free; ++a)
+        for (const unsigned int a : free)
           {
             cell.gradients.push_back(
               handed_over(a, [&](const unsigned int node) {

@@ -20,6 +20,25 @@
 
 namespace Contact
 {
+  namespace
+  {
+    /// The faces of all contact pairs.
+    template<int dim>
+    std::set<types::boundary_id>
+    faces_of_pairs(const Mesh<dim> &mesh, const Parameters::All &parameters)
+    {
+      std::set<types::boundary_id> faces;
+      for (const Parameters::Contact &pair : parameters.pairs())
+        for (const std::string &group : {pair.slave, pair.master})
+          if (const auto found = mesh.boundaries.find(group);
+              found != mesh.boundaries.end())
+            faces.insert(found->second.begin(), found->second.end());
+      return faces;
+    }
+  } // namespace
+
+
+
   template<int dim>
   Discretization<dim>::Discretization(const Mesh<dim>       &mesh,
                                       const Parameters::All &parameters,
@@ -31,6 +50,7 @@ namespace Contact
                                    Parameters::CentreNode::serendipity)
     , axisymmetric(parameters.solids.symmetry ==
                    Parameters::Symmetry::axisymmetric)
+    , free_centres(faces_of_pairs(mesh, parameters))
     , mapping(make_mapping<dim>(degree))
     , fe(make_fe<dim>(degree))
     , quadrature(make_quadrature<dim>(degree))
@@ -409,7 +429,7 @@ namespace Contact
         constraints.add_entry(dof, partner, 1.);
       }
     if (serendipity)
-      bind_centres(dof_handler, constraints);
+      bind_centres(*this, constraints);
     constraints.close();
   }
 

@@ -86,6 +86,9 @@ namespace Contact
     const bool         serendipity;
     const bool         axisymmetric;
 
+    /// The faces that may touch, whose centres serendipity does not bind.
+    const std::set<types::boundary_id> free_centres;
+
     const hp::MappingCollection<dim> mapping;
     const hp::FECollection<dim>      fe;
     const hp::QCollection<dim>       quadrature;

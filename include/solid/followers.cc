@@ -74,18 +74,37 @@ namespace Contact
 
 
   template<int dim>
-  void bind_centres(const DoFHandler<dim>     &dof_handler,
+  std::vector<BoundNode>
+  bound_nodes(const Discretization<dim> &discretization,
+              const typename DoFHandler<dim>::active_cell_iterator &cell)
+  {
+    if (!discretization.serendipity || !cell->reference_cell().is_hyper_cube())
+      return {};
+    std::vector<BoundNode> bound = bound_nodes<dim>();
+    if (dim == 3 && cell->at_boundary())
+      for (unsigned int f = 6; f-- > 0;)
+        if (cell->face(f)->at_boundary() &&
+            discretization.free_centres.count(cell->face(f)->boundary_id()) > 0)
+          bound.erase(bound.begin() + f);
+    return bound;
+  }
+
+
+
+  template<int dim>
+  void bind_centres(const Discretization<dim> &discretization,
                     AffineConstraints<double> &constraints)
   {
-    const std::vector<BoundNode>         bound = bound_nodes<dim>();
     std::set<types::global_dof_index>    constrained, seen;
     std::vector<types::global_dof_index> dofs;
     if (dim == 3)
       for (const auto &line : constraints.get_lines())
         constrained.insert(line.index);
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (!cell->is_artificial() && cell->reference_cell().is_hyper_cube())
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (!cell->is_artificial())
         {
+          const std::vector<BoundNode> bound =
+            bound_nodes(discretization, cell);
           dofs.resize(cell->get_fe().n_dofs_per_cell());
           cell->get_dof_indices(dofs);
           for (unsigned int c = 0; c < dim; ++c)
@@ -123,7 +142,7 @@ namespace Contact
         constraints.add_entry(dof, leader, 1.);
       }
     if (discretization.serendipity)
-      bind_centres(discretization.dof_handler, constraints);
+      bind_centres(discretization, constraints);
     constraints.close();
     return constraints;
   }
@@ -153,13 +172,19 @@ namespace Contact
 
 
 
-  template void                      bind_centres(const DoFHandler<2> &,
+  template std::vector<BoundNode>
+                                     bound_nodes(const Discretization<2> &,
+                                                 const DoFHandler<2>::active_cell_iterator &);
+  template void                      bind_centres(const Discretization<2> &,
                                                   AffineConstraints<double> &);
   template AffineConstraints<double> followers(const Discretization<2> &);
   template void hand_over_from_followers(const Discretization<2> &,
                                          Vector<double> &);
-  template void bind_centres(const DoFHandler<3> &,
-                             AffineConstraints<double> &);
+  template std::vector<BoundNode>
+                                     bound_nodes(const Discretization<3> &,
+                                                 const DoFHandler<3>::active_cell_iterator &);
+  template void                      bind_centres(const Discretization<3> &,
+                                                  AffineConstraints<double> &);
   template AffineConstraints<double> followers(const Discretization<3> &);
   template void hand_over_from_followers(const Discretization<3> &,
                                          Vector<double> &);

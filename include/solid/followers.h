@@ -35,11 +35,19 @@ namespace Contact
   template<int dim>
   std::vector<BoundNode> bound_nodes();
 
+  /// Those of a cell; none of a triangle. In space the centre of a face that
+  /// may touch is free: dual functions need one with positive weights, and the
+  /// corners of a face of 8 nodes have negative ones.
+  template<int dim>
+  std::vector<BoundNode>
+  bound_nodes(const Discretization<dim> &discretization,
+              const typename DoFHandler<dim>::active_cell_iterator &cell);
+
   /// Add the constraints of serendipity elements. Nodes on faces that supports
   /// hold are left out, and those that hang: they follow the face of a larger
   /// cell, which is one of these elements.
   template<int dim>
-  void bind_centres(const DoFHandler<dim>     &dof_handler,
+  void bind_centres(const Discretization<dim> &discretization,
                     AffineConstraints<double> &constraints);
 
   /**
