@@ -17,20 +17,33 @@ class Volumes:
 
     def __init__(self):
         self.nodes, self.elements, self.groups = [], [], {}
+        self.places = {}
 
     def add(self, dimension, group, nodes):
         tag = self.groups.setdefault((dimension, group), len(self.groups) + 1)
         self.elements.append((KINDS[dimension], tag, nodes))
 
-    def block(self, body, n, chart):
+    def block(self, body, n, chart, sides=None, corners=None):
+        """A block of n[0] x n[1] x n[2] cells, the image of the unit cube. By
+        default each side is a group of its own, named x0 to z1, and each corner
+        a point; else those of 'sides' and 'corners', as {name here: name of the
+        group}. Blocks of one body share the nodes at one place."""
         number = {}
         for k, j, i in itertools.product(*(range(m + 1) for m in reversed(n))):
-            self.nodes.append(chart(i / n[0], j / n[1], k / n[2]))
-            number[i, j, k] = len(self.nodes)
+            place = chart(i / n[0], j / n[1], k / n[2])
+            key = body, *(round(x, 9) for x in place)
+            if key not in self.places:
+                self.nodes.append(place)
+                self.places[key] = len(self.nodes)
+            number[i, j, k] = self.places[key]
         for k, j, i in itertools.product(*(range(m) for m in reversed(n))):
             self.add(3, body, [number[i + a, j + b, k + c]
                                for a, b, c in CORNERS])
         for d, side in itertools.product(range(3), range(2)):
+            here = f"{'xyz'[d]}{side}"
+            if sides is not None and here not in sides:
+                continue
+            group = here if sides is None else sides[here]
             others = [c for c in range(3) if c != d]
             for a, b in itertools.product(range(n[others[0]]),
                                           range(n[others[1]])):
@@ -40,11 +53,43 @@ class Volumes:
                     place[d] = side * n[d]
                     place[others[0]], place[others[1]] = a + da, b + db
                     face.append(number[tuple(place)])
-                self.add(2, f"{body}_{'xyz'[d]}{side}", face)
+                self.add(2, f"{body}_{group}", face)
         for corner in itertools.product(range(2), repeat=3):
+            here = "".join(map(str, corner))
+            if corners is not None and here not in corners:
+                continue
             place = tuple(c * m for c, m in zip(corner, n))
-            self.add(0, f"{body}_" + "".join(map(str, corner)),
+            self.add(0, f"{body}_{here if corners is None else corners[here]}",
                      [number[place]])
+
+    def half_space(self, body, n, size, outside, growth, chart):
+        """A quarter of a half space z > 0: a cube of n cells a side and the given
+        size, and layers of cells around it that grow out to a cube of the size
+        'outside'; each place is moved by the chart. The groups x0, y0, z0 are
+        the planes through the origin, of z = 0 that outside of the cube; 'middle'
+        is that of the cube, 'far' the rest, the point 'origin'."""
+        ratio = [1.]
+        step = 1 / n
+        while ratio[-1] < outside / size:
+            step *= growth
+            ratio.append(ratio[-1] + step)
+        layers = len(ratio) - 1
+        ratio = [1 + (r - 1) * (outside / size - 1) / (ratio[-1] - 1)
+                 for r in ratio]
+        self.block(body, (n, n, n),
+                   lambda r, s, t: chart(size * r, size * s, size * t),
+                   {"x0": "x0", "y0": "y0", "z0": "middle"}, {"000": "origin"})
+        for d in range(3):
+            a, b = (d + 1) % 3, (d + 2) % 3
+
+            def place(r, s, t):
+                x = [0., 0., 0.]
+                scale = size * ratio[round(r * layers)]
+                x[d], x[a], x[b] = scale, scale * s, scale * t
+                return chart(*x)
+            self.block(body, (layers, n, n), place,
+                       {"x1": "far", "y0": f"{'xyz'[a]}0",
+                        "z0": f"{'xyz'[b]}0"}, {})
 
     def write(self, name):
         lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames",

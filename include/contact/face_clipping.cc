@@ -6,29 +6,60 @@
 #include "contact/face_clipping.h"
 
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
 
 namespace Contact
 {
   namespace
   {
-    namespace bg  = boost::geometry;
-    using Vertex  = bg::model::d2::point_xy<double>;
-    using Polygon = bg::model::polygon<Vertex>;
+    using Polygon = std::vector<Point<2>>;
 
 
 
-    /// Round its corners.
-    Polygon make_polygon(const PlaneQuadrangle &corners)
+    /// Twice the area of the triangle o, a, b; positive if it is
+    /// counterclockwise.
+    double cross(const Point<2> &o, const Point<2> &a, const Point<2> &b)
     {
-      Polygon polygon;
-      for (const unsigned int a : {0, 1, 3, 2, 0})
-        bg::append(polygon.outer(), Vertex(corners[a][0], corners[a][1]));
-      bg::correct(polygon);
-      return polygon;
+      return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+    }
+
+
+
+    /// Counterclockwise round its corners.
+    Polygon make_polygon(const PlaneQuadrangle &q)
+    {
+      if (cross(q[0], q[1], q[3]) + cross(q[0], q[3], q[2]) >= 0)
+        return {q[0], q[1], q[3], q[2]};
+      return {q[0], q[2], q[3], q[1]};
+    }
+
+
+
+    double area(const Polygon &polygon)
+    {
+      double area = 0;
+      for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+        area += 0.5 * cross(polygon[0], polygon[i], polygon[i + 1]);
+      return area;
+    }
+
+
+
+    /// What of a polygon is to the left of the line from @p a to @p b.
+    Polygon clip(const Polygon &polygon, const Point<2> &a, const Point<2> &b)
+    {
+      Polygon left;
+      for (std::size_t i = 0; i < polygon.size(); ++i)
+        {
+          const Point<2> &x = polygon[i],
+                         &y = polygon[(i + 1) % polygon.size()];
+          const double of_x = cross(a, b, x), of_y = cross(a, b, y);
+          if (of_x >= 0)
+            left.push_back(x);
+          if ((of_x > 0 && of_y < 0) || (of_x < 0 && of_y > 0))
+            left.push_back(x + of_x / (of_x - of_y) * (y - x));
+        }
+      return left;
     }
   } // namespace
 
@@ -68,33 +99,28 @@ namespace Contact
 
 
 
-  // A convex polygon is the triangles between its centroid and its sides.
+  // A convex polygon is the triangles between a point inside and its sides.
   std::vector<PlaneTriangle> intersection(const PlaneQuadrangle &a,
                                           const PlaneQuadrangle &b)
   {
-    const Polygon        first = make_polygon(a), second = make_polygon(b);
-    std::vector<Polygon> common;
-    bg::intersection(first, second, common);
-    const double least =
-      1e-12 * std::min(std::abs(bg::area(first)), std::abs(bg::area(second)));
+    const Polygon subject = make_polygon(a), window = make_polygon(b);
+    const double  least  = 1e-12 * std::min(area(subject), area(window));
+    Polygon       common = subject;
+    for (std::size_t i = 0; i < window.size(); ++i)
+      common = clip(common, window[i], window[(i + 1) % window.size()]);
+    if (common.size() < 3 || area(common) <= least)
+      return {};
 
+    Point<2> middle;
+    for (const Point<2> &x : common)
+      middle += (x - Point<2>()) / double(common.size());
     std::vector<PlaneTriangle> triangles;
-    for (const Polygon &polygon : common)
+    for (std::size_t i = 0; i < common.size(); ++i)
       {
-        if (std::abs(bg::area(polygon)) <= least)
-          continue;
-        Vertex centre(0, 0);
-        bg::centroid(polygon, centre);
-        const auto &ring = polygon.outer();
-        for (std::size_t i = 0; i + 1 < ring.size(); ++i)
-          {
-            const PlaneTriangle triangle{
-              {Point<2>(centre.x(), centre.y()),
-               Point<2>(ring[i].x(), ring[i].y()),
-               Point<2>(ring[i + 1].x(), ring[i + 1].y())}};
-            if (area(triangle) > least)
-              triangles.push_back(triangle);
-          }
+        const PlaneTriangle triangle{
+          {middle, common[i], common[(i + 1) % common.size()]}};
+        if (area(triangle) > least)
+          triangles.push_back(triangle);
       }
     return triangles;
   }

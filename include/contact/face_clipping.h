@@ -40,7 +40,11 @@ namespace Contact
   using PlaneQuadrangle = std::array<Point<2>, 4>;
 
   /// The intersection of two convex quadrangles, cut into triangles; empty if
-  /// it is no larger than round-off. By Boost.Geometry.
+  /// it is no larger than round-off (I. E. Sutherland and G. W. Hodgman, Comm.
+  /// ACM 17, 1974). Its area is continuous in the corners, also where sides lie
+  /// on each other up to round-off, as on a symmetry plane. There
+  /// Boost.Geometry 1.74, told not to round to a grid, loses up to 60 % of the
+  /// area, twice in a thousand pairs (tests/face_clipping.cc has such pairs).
   std::vector<PlaneTriangle> intersection(const PlaneQuadrangle &a,
                                           const PlaneQuadrangle &b);
 
