@@ -121,8 +121,8 @@ namespace Contact
                         "UMFPACK for saddle point systems; for condensed ones "
                         "CHOLMOD, AMG (conjugate gradients with smoothed "
                         "aggregation) or MUMPS [-]; automatic: UMFPACK, or "
-                        "CHOLMOD below 100000 unknowns on one rank and AMG "
-                        "beyond.");
+                        "CHOLMOD below 100000 unknowns (in space 10000) on "
+                        "one rank and AMG beyond.");
     }
 
 

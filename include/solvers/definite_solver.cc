@@ -412,10 +412,13 @@ namespace Contact
 
 
 
-  Parameters::SolverKind DefiniteSolver::choose(const std::size_t  n_unknowns,
+  Parameters::SolverKind DefiniteSolver::choose(const unsigned int dimension,
+                                                const std::size_t  n_unknowns,
                                                 const unsigned int n_ranks)
   {
-    return n_ranks == 1 && n_unknowns < 100000 ? Parameters::SolverKind::cholmod
-                                               : Parameters::SolverKind::amg;
+    const std::size_t as_fast = dimension == 2 ? 100000 : 10000;
+    return n_ranks == 1 && n_unknowns < as_fast
+             ? Parameters::SolverKind::cholmod
+             : Parameters::SolverKind::amg;
   }
 } // namespace Contact

@@ -49,10 +49,12 @@ namespace Contact
 
     /**
      * The meaning of "automatic". In two dimensions CHOLMOD is as fast as AMG
-     * at a hundred thousand unknowns, and faster the more often an analysis or
-     * a factorization serves; beyond, its time and memory grow faster.
+     * at a hundred thousand unknowns, in three at about ten thousand, and
+     * faster the more often an analysis or a factorization serves; beyond, its
+     * time and memory grow faster.
      */
-    static Parameters::SolverKind choose(const std::size_t  n_unknowns,
+    static Parameters::SolverKind choose(const unsigned int dimension,
+                                         const std::size_t  n_unknowns,
                                          const unsigned int n_ranks);
 
     explicit DefiniteSolver(Counters &counters)

@@ -223,7 +223,8 @@ namespace Contact
       {
         if (parameters.linear_solver != Parameters::SolverKind::automatic)
           return parameters.linear_solver;
-        return DefiniteSolver::choose(model.n_displacements(),
+        return DefiniteSolver::choose(dim,
+                                      model.n_displacements(),
                                       Utilities::MPI::n_mpi_processes(
                                         model.discretization->communicator));
       }
