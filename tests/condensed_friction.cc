@@ -52,50 +52,6 @@ namespace
 
 
 
-  /// The norms of the residuals, relative to the forces, after each step to the
-  /// load factor 1 under the statuses of now, until round-off is left.
-  std::vector<double> residuals(CondensedModel &model)
-  {
-    model.start = model.solution;
-    model.discretization.constrain_update(model.solution, 1);
-    std::vector<double> norms;
-    for (unsigned int step = 0; step < 10; ++step)
-      {
-        model.rhs = 0;
-        model.elasticity->assemble(model.solution, 1, model.rhs, nullptr);
-        if (step > 0)
-          {
-            model.elimination->recover_pressures(model.rhs, model.solution);
-            model.elimination->recover_shears(model.rhs, model.solution);
-          }
-        ContactKernel<2>(*model.interface)
-          .assemble(model.solution,
-                    model.start,
-                    {false, true},
-                    model.rhs,
-                    nullptr);
-        const double scale =
-          model.elasticity->forces(model.solution, 1).linfty_norm();
-        if (step > 0)
-          {
-            norms.push_back(model.rhs.linfty_norm() / scale);
-            if (norms.back() < 1e-12)
-              break;
-          }
-        model.condensed->solve(model.solution,
-                               model.start,
-                               model.rhs,
-                               1e-14 * scale,
-                               model.update);
-        for (unsigned int i = 0; i < model.n_dofs(); ++i)
-          model.solution[i] += model.update[i];
-        model.discretization.constrain_update(model.solution, 1);
-      }
-    return norms;
-  }
-
-
-
   void convergence(const std::string &rule, const unsigned int degree)
   {
     headline("convergence, " + rule + " rule, degree " +
@@ -114,12 +70,8 @@ namespace
     check_small("residual of linear bodies after one step",
                 residuals(linear).front(),
                 1e-12);
-    const auto norms     = residuals(model);
-    bool       quadratic = norms.size() > 2 && norms.back() < 1e-12;
-    for (unsigned int k = 0; k + 1 < norms.size(); ++k)
-      quadratic =
-        quadratic && norms[k + 1] < std::max(norms[k] * norms[k], 1e-12);
-    check("others converge quadratically", quadratic);
+    check("others converge quadratically",
+          fall_quadratically(residuals(model)));
   }
 
 
@@ -131,7 +83,7 @@ namespace
     headline("the same solution, " + rule + " rule, degree " +
              std::to_string(degree) + ", " + kinematics);
     const Parameters::All parameters = sliding_block(rule, degree, kinematics);
-    ContactModel       saddle(parameters);
+    ContactModel          saddle(parameters);
     CondensedModel        condensed(parameters, "CHOLMOD", true);
     bool                  converged = true;
     for (const double load_factor : {0.5, 1.})
@@ -156,9 +108,6 @@ namespace
 
 
 
-  // Under statuses that stay the eliminated forces are a function F of the
-  // free unknowns y alone: F(y) is what condense() makes of the forces of the
-  // bodies in u + T y. The matrix is -dF/dy.
   void derivative(const std::string &rule)
   {
     headline("the matrix as a derivative, " + rule + " rule");
@@ -166,55 +115,9 @@ namespace
                          "CHOLMOD",
                          true);
     check("converges", model.solve(0.7));
-    model.assemble(0.7, true);
-    model.condensed->solve(model.solution,
-                           model.start,
-                           model.rhs,
-                           1e-12,
-                           model.update);
+    const double error = matrix_error(model, 0.7);
     check("unsymmetric", !model.elimination->is_symmetric());
-
-    const unsigned int n     = model.n_dofs();
-    const auto        &base  = model.discretization.constraints;
-    const auto        &lines = model.elimination->constraints();
-    Random             random;
-    Vector<double>     y(n);
-    for (unsigned int i = 0; i < n; ++i)
-      if (!base.is_constrained(i) && !lines.is_constrained(i))
-        y[i] = random(-1, 1);
-    const auto forces = [&](const double step) {
-      Vector<double> du(y), rest(n), u(model.solution), rhs(u.size());
-      du *= step;
-      model.elimination->distribute(du);
-      model.elimination->distribute(rest);
-      for (unsigned int i = 0; i < n; ++i)
-        u[i] += du[i] - rest[i];
-      model.elasticity->assemble(u, 0.7, rhs, nullptr);
-      Vector<double> of_bodies(n);
-      std::copy_n(rhs.begin(), n, of_bodies.begin());
-      model.elimination->condense(of_bodies);
-      return of_bodies;
-    };
-    const double   step = 1e-5;
-    Vector<double> by_differences(forces(-step));
-    by_differences -= forces(step);
-    by_differences *= 1 / (2 * step);
-
-    const auto            &matrix = model.condensed->system_matrix();
-    DefiniteSolver::Vector x(matrix.locally_owned_domain_indices(),
-                             matrix.get_mpi_communicator());
-    DefiniteSolver::Vector by_matrix(x);
-    std::copy(y.begin(), y.end(), x.begin());
-    matrix.vmult(by_matrix, x);
-    double deviation = 0, largest = 0;
-    for (unsigned int i = 0; i < n; ++i)
-      if (!base.is_constrained(i) && !lines.is_constrained(i))
-        {
-          deviation =
-            std::max(deviation, std::abs(by_matrix(i) - by_differences[i]));
-          largest = std::max(largest, std::abs(by_matrix(i)));
-        }
-    check_small("deviation from the differences", deviation / largest, 1e-7);
+    check_small("deviation from the differences", error, 1e-7);
   }
 
 

@@ -7,22 +7,28 @@
 #define contact_condensed_model_h
 
 #include "solvers/condensed_system.h"
+#include "solvers/slip_turning.h"
 #include "tests.h"
 
 namespace Tests
 {
   /// Two bodies in contact, without multipliers in the linear system. With
   /// @p moving_bound Newton's method does friction.
-  struct CondensedModel : public Bodies
+  template<int dim>
+  struct CondensedModelIn : public BodiesIn<dim>
   {
-    explicit CondensedModel(const Parameters::All &parameters,
-                            const std::string     &solver_name  = "CHOLMOD",
-                            const bool             moving_bound = false)
-      : Bodies(parameters)
+    using BodiesIn<dim>::discretization;
+    using BodiesIn<dim>::elasticity;
+    using BodiesIn<dim>::n_dofs;
+
+    explicit CondensedModelIn(const Parameters::All &parameters,
+                              const std::string     &solver_name  = "CHOLMOD",
+                              const bool             moving_bound = false)
+      : BodiesIn<dim>(parameters)
       , moving_bound(moving_bound)
-      , interface(std::make_unique<ContactInterface<2>>(discretization,
-                                                        *elasticity,
-                                                        parameters.pairs()))
+      , interface(std::make_unique<ContactInterface<dim>>(discretization,
+                                                          *elasticity,
+                                                          parameters.pairs()))
       , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
       , solution(n_dofs() + interface->n_multipliers())
       , start(solution)
@@ -35,10 +41,10 @@ namespace Tests
     void make_system(const std::string &solver_name)
     {
       condensed.reset();
-      elimination = std::make_unique<ContactElimination<2>>(discretization,
-                                                            interface.get(),
-                                                            moving_bound);
-      condensed   = std::make_unique<CondensedSystem<2>>(
+      elimination = std::make_unique<ContactElimination<dim>>(discretization,
+                                                              interface.get(),
+                                                              moving_bound);
+      condensed   = std::make_unique<CondensedSystem<dim>>(
         discretization,
         *elasticity,
         interface.get(),
@@ -53,10 +59,10 @@ namespace Tests
     {
       condensed.reset();
       interface.reset();
-      elasticity = Elasticity<2>::create(discretization, parameters.solids);
-      interface  = std::make_unique<ContactInterface<2>>(discretization,
-                                                        *elasticity,
-                                                        parameters.pairs());
+      elasticity = Elasticity<dim>::create(discretization, parameters.solids);
+      interface  = std::make_unique<ContactInterface<dim>>(discretization,
+                                                          *elasticity,
+                                                          parameters.pairs());
       solution.reinit(n_dofs() + interface->n_multipliers());
       start.reinit(solution.size());
       rhs.reinit(solution.size());
@@ -80,12 +86,12 @@ namespace Tests
       elasticity->assemble(solution, load_factor, rhs, nullptr);
       if (after_a_step)
         {
-          elimination->recover_pressures(rhs, solution);
-          elimination->recover_shears(rhs, solution);
+          elimination->recover_pressures(rhs, start, solution);
+          elimination->recover_shears(rhs, start, solution);
         }
       const unsigned int n_changes =
         interface->update_statuses(solution, start, moving_bound, after_a_step);
-      ContactKernel<2>(*interface)
+      ContactKernel<dim>(*interface)
         .assemble(solution, start, {false, moving_bound}, rhs, nullptr);
       return n_changes;
     }
@@ -131,13 +137,156 @@ namespace Tests
       return false;
     }
 
-    const bool                             moving_bound;
-    std::unique_ptr<ContactInterface<2>>   interface;
-    std::unique_ptr<ContactElimination<2>> elimination;
-    std::unique_ptr<CondensedSystem<2>>    condensed;
-    TimerOutput                            timer;
-    Vector<double>                         solution, start, rhs, update;
+    const bool                               moving_bound;
+    std::unique_ptr<ContactInterface<dim>>   interface;
+    std::unique_ptr<ContactElimination<dim>> elimination;
+    std::unique_ptr<CondensedSystem<dim>>    condensed;
+    TimerOutput                              timer;
+    Vector<double>                           solution, start, rhs, update;
   };
+
+  using CondensedModel = CondensedModelIn<2>;
+
+
+
+  /// The norms of the residuals, relative to the forces, after each step to the
+  /// load factor 1 from the present solution, until round-off is left; statuses
+  /// are those of now or follow the multipliers.
+  template<int dim>
+  std::vector<double> residuals(CondensedModelIn<dim> &model,
+                                const bool             statuses_follow = false)
+  {
+    model.start = model.solution;
+    model.discretization.constrain_update(model.solution, 1);
+    std::vector<double> norms;
+    for (unsigned int step = 0; step < 10; ++step)
+      {
+        model.rhs = 0;
+        model.elasticity->assemble(model.solution, 1, model.rhs, nullptr);
+        if (step > 0)
+          {
+            model.elimination->recover_pressures(model.rhs,
+                                                 model.start,
+                                                 model.solution);
+            model.elimination->recover_shears(model.rhs,
+                                              model.start,
+                                              model.solution);
+          }
+        if (statuses_follow)
+          model.interface->update_statuses(model.solution,
+                                           model.start,
+                                           model.moving_bound,
+                                           /*keep=*/step > 0);
+        ContactKernel<dim>(*model.interface)
+          .assemble(model.solution,
+                    model.start,
+                    {false, true},
+                    model.rhs,
+                    nullptr);
+        const double scale =
+          model.elasticity->forces(model.solution, 1).linfty_norm();
+        if (step > 0)
+          {
+            norms.push_back(model.rhs.linfty_norm() / scale);
+            if (norms.back() < 1e-12)
+              break;
+          }
+        model.condensed->solve(model.solution,
+                               model.start,
+                               model.rhs,
+                               1e-14 * scale,
+                               model.update);
+        for (unsigned int i = 0; i < model.n_dofs(); ++i)
+          model.solution[i] += model.update[i];
+        model.discretization.constrain_update(model.solution, 1);
+      }
+    return norms;
+  }
+
+
+
+  /// Whether residuals are squared from step to step, but for a factor, down to
+  /// round-off.
+  inline bool fall_quadratically(const std::vector<double> &norms)
+  {
+    const double factor = 10, round_off = 1e-12;
+    bool         quadratic = !norms.empty() && norms.back() < round_off;
+    for (unsigned int k = 0; k + 1 < norms.size(); ++k)
+      quadratic =
+        quadratic &&
+        norms[k + 1] < std::max(factor * norms[k] * norms[k], round_off);
+    return quadratic;
+  }
+
+
+
+  /**
+   * The distance of the matrix of a solved model from difference quotients.
+   * Under statuses that stay the eliminated forces are a function F of the free
+   * unknowns y alone: F(y) is what condense() makes of the forces of the bodies
+   * in u + T y, and of the turning of the slip. The matrix is -dF/dy.
+   */
+  template<int dim>
+  double matrix_error(CondensedModelIn<dim> &model, const double load_factor)
+  {
+    model.assemble(load_factor, true);
+    model.condensed->solve(model.solution,
+                           model.start,
+                           model.rhs,
+                           1e-12,
+                           model.update);
+
+    const unsigned int n     = model.n_dofs();
+    const auto        &base  = model.discretization.constraints;
+    const auto        &lines = model.elimination->constraints();
+    Random             random;
+    Vector<double>     y(n);
+    for (unsigned int i = 0; i < n; ++i)
+      if (!base.is_constrained(i) && !lines.is_constrained(i))
+        y[i] = random(-1, 1);
+    const auto turning = SlipTurning<dim>::terms(*model.interface,
+                                                 model.solution,
+                                                 model.start,
+                                                 model.moving_bound);
+    const auto forces  = [&](const double step) {
+      Vector<double> du(y), rest(n), u(model.solution), rhs(u.size());
+      du *= step;
+      model.elimination->distribute(du);
+      model.elimination->distribute(rest);
+      du -= rest;
+      for (unsigned int i = 0; i < n; ++i)
+        u[i] += du[i];
+      model.elasticity->assemble(u, load_factor, rhs, nullptr);
+      for (const auto &term : turning)
+        for (unsigned int i = 0; i < term.dofs.size(); ++i)
+          for (unsigned int j = 0; j < term.dofs.size(); ++j)
+            rhs[term.dofs[i]] -= term.stiffness(i, j) * du[term.dofs[j]];
+      Vector<double> of_bodies(n);
+      std::copy_n(rhs.begin(), n, of_bodies.begin());
+      model.elimination->condense(of_bodies);
+      return of_bodies;
+    };
+    const double   step = 1e-5;
+    Vector<double> by_differences(forces(-step));
+    by_differences -= forces(step);
+    by_differences *= 1 / (2 * step);
+
+    const auto            &matrix = model.condensed->system_matrix();
+    DefiniteSolver::Vector x(matrix.locally_owned_domain_indices(),
+                             matrix.get_mpi_communicator());
+    DefiniteSolver::Vector by_matrix(x);
+    std::copy(y.begin(), y.end(), x.begin());
+    matrix.vmult(by_matrix, x);
+    double deviation = 0, largest = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      if (!base.is_constrained(i) && !lines.is_constrained(i))
+        {
+          deviation =
+            std::max(deviation, std::abs(by_matrix(i) - by_differences[i]));
+          largest = std::max(largest, std::abs(by_matrix(i)));
+        }
+    return deviation / largest;
+  }
 
 
 

@@ -237,8 +237,8 @@ namespace Contact
     /// Add the couplings of the points.
     void add_couplings(DynamicSparsityPattern &pattern) const;
 
-    /// Without friction, and where its tangential row is void, a point in
-    /// contact slips.
+    /// Without friction, where its tangential row is void, and where supports
+    /// move it along a tangent, a point in contact slips.
     bool can_stick(const ContactPoint<dim> &point) const;
 
     /// Whether a point sticks although its node is in contact with another
@@ -263,10 +263,7 @@ namespace Contact
 
     /// The supports move in this increment by @p motion, zero elsewhere [mm]:
     /// a point that only they move along its tangent slips with them.
-    void set_support_motion(const Vector<double> &motion)
-    {
-      support_motion = motion;
-    }
+    void set_support_motion(const Vector<double> &motion);
 
     /// The tractions that follow from a status and trial values.
     Traction<dim> traction(const ContactPoint<dim>  &point,
@@ -282,7 +279,11 @@ namespace Contact
   private:
     /// The direction of slip of a point that cannot stick.
     typename PointStatus<dim>::Direction
-    prescribed_direction(const ContactPoint<dim> &point) const;
+    prescribed_direction(const ContactPoint<dim>  &point,
+                         const Tensor<1, dim - 1> &q_trial) const;
+
+    /// The slip [mm] with friction that supports prescribe in this increment.
+    Tensor<1, dim - 1> slip_of_supports(const ContactPoint<dim> &point) const;
 
     /// Points that stick and are held in a corner slip in no direction.
     void release_in_corners();

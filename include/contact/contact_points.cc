@@ -176,21 +176,23 @@ namespace Contact
 
 
 
-  bool tangential_row_is_void(const ContactPoint<2>   &point,
-                              const Discretization<2> &discretization)
+  std::vector<Tensor<1, 1>> free_slips(const ContactPoint<2>   &point,
+                                       const Discretization<2> &discretization)
   {
-    return FreeRows(point, discretization).are_parallel();
+    if (FreeRows(point, discretization).are_parallel())
+      return {};
+    return {Tensor<1, 1>({1.})};
   }
 
 
 
-  double prescribed_slip(const ContactPoint<2>   &point,
-                         const Discretization<2> &discretization,
-                         const Vector<double>    &motion)
+  Tensor<1, 1> prescribed_slip(const ContactPoint<2>   &point,
+                               const Discretization<2> &discretization,
+                               const Vector<double>    &motion)
   {
     const FreeRows rows(point, discretization);
     if (!rows.are_parallel())
-      return 0;
+      return {};
     const Tensor<1, 2> along =
       point.tangents[0] - (rows.nn > 0 ? rows.nt / rows.nn : 0.) * point.normal;
     double slip = 0, size = 0;
@@ -204,7 +206,7 @@ namespace Contact
             size += std::abs(share);
           }
     const double round_off = 1e-10;
-    return std::abs(slip) > round_off * size ? slip : 0.;
+    return Tensor<1, 1>({std::abs(slip) > round_off * size ? slip : 0.});
   }
 
 

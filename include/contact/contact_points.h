@@ -331,26 +331,36 @@ namespace Contact
                                                  MultiplierSpace &multipliers);
 
   /**
-   * Whether the tangential row of a point lies in the span of the normal one,
-   * once the unknowns that a support fixes are out. In space rows are left out
-   * one by one where the points are eliminated: none is void.
+   * The orthonormal directions, in the frame of the tangents, in which supports
+   * leave a point free to slip: none in the plane where the tangential row lies
+   * in the span of the normal one once the unknowns that a support fixes are
+   * out; in space one across a component of the displacement that supports
+   * prescribe of all its nodes, none across two.
    */
-  bool tangential_row_is_void(const ContactPoint<2>   &point,
-                              const Discretization<2> &discretization);
+  std::vector<Tensor<1, 1>> free_slips(const ContactPoint<2>   &point,
+                                       const Discretization<2> &discretization);
+  std::vector<Tensor<1, 2>> free_slips(const ContactPoint<3>   &point,
+                                       const Discretization<3> &discretization);
 
-  inline bool tangential_row_is_void(const ContactPoint<3> &,
-                                     const Discretization<3> &)
+  /// Whether supports leave no direction of slip.
+  template<int dim>
+  bool tangential_row_is_void(const ContactPoint<dim>   &point,
+                              const Discretization<dim> &discretization)
   {
-    return false;
+    return free_slips(point, discretization).empty();
   }
 
   /**
-   * The slip [mm] of a point whose tangential row is void, while its gap stays:
-   * it follows from the @p motion of the supports. Zero for any other point.
+   * The slip [mm] of a point, by tangent, in the directions that supports do
+   * not leave free, while its gap stays: it follows from their @p motion. Zero
+   * where all are free.
    */
-  double prescribed_slip(const ContactPoint<2>   &point,
-                         const Discretization<2> &discretization,
-                         const Vector<double>    &motion);
+  Tensor<1, 1> prescribed_slip(const ContactPoint<2>   &point,
+                               const Discretization<2> &discretization,
+                               const Vector<double>    &motion);
+  Tensor<1, 2> prescribed_slip(const ContactPoint<3>   &point,
+                               const Discretization<3> &discretization,
+                               const Vector<double>    &motion);
 
   /**
    * A point whose nodes are held on both sides has no unknown for its pressure

@@ -78,35 +78,58 @@ namespace Contact
 
 
 
+  // What supports move along the surface slips, in whatever other directions it
+  // could stick.
   template<int dim>
   bool ContactInterface<dim>::can_stick(const ContactPoint<dim> &point) const
   {
-    return has_friction(point) && !point.tangential_row_is_void;
+    return has_friction(point) && !point.tangential_row_is_void &&
+           slip_of_supports(point) == Tensor<1, dim - 1>();
   }
 
 
 
-  // Where the supports rest, the last slip goes on.
-  template<>
-  int ContactInterface<2>::prescribed_direction(
-    const ContactPoint<2> &point) const
+  template<int dim>
+  Tensor<1, dim - 1>
+  ContactInterface<dim>::slip_of_supports(const ContactPoint<dim> &point) const
   {
     if (!has_friction(point) || contact_pair(point).tied ||
         support_motion.size() == 0)
-      return 0;
-    const double slip = prescribed_slip(point, discretization, support_motion);
-    return slip == 0 ? point.status.slip_direction : slip > 0 ? -1 : 1;
+      return {};
+    return prescribed_slip(point, discretization, support_motion);
   }
 
 
 
-  // The rows that supports prescribe are left out where the points are
-  // eliminated.
-  template<>
-  Tensor<1, 2>
-  ContactInterface<3>::prescribed_direction(const ContactPoint<3> &) const
+  // What stuck before begins to slip.
+  template<int dim>
+  void ContactInterface<dim>::set_support_motion(const Vector<double> &motion)
   {
-    return {};
+    support_motion = motion;
+    for (ContactPoint<dim> &point : all_points)
+      if (point.status.kind == Status::stick && !contact_pair(point).tied &&
+          !can_stick(point))
+        point.status = {Status::slip, prescribed_direction(point, {})};
+  }
+
+
+
+  // Where supports leave a direction free, the shear says how the slip turns.
+  // Where they leave none and rest, the last slip goes on.
+  template<int dim>
+  typename PointStatus<dim>::Direction
+  ContactInterface<dim>::prescribed_direction(
+    const ContactPoint<dim>  &point,
+    const Tensor<1, dim - 1> &q_trial) const
+  {
+    if (!has_friction(point) || contact_pair(point).tied ||
+        support_motion.size() == 0)
+      return {};
+    if (!point.tangential_row_is_void && q_trial.norm() > 0)
+      return direction_of<dim>(q_trial);
+    const Tensor<1, dim - 1> slip = slip_of_supports(point);
+    return slip.norm() > 0 ? direction_of<dim>(-slip)
+                           : point.status.slip_direction;
   }
 
 
@@ -178,7 +201,7 @@ namespace Contact
     if (!point.facing || (!contact_pair(point).tied && p_trial <= 0))
       return {Status::open, {}};
     if (!can_stick(point))
-      return {Status::slip, prescribed_direction(point)};
+      return {Status::slip, prescribed_direction(point, q_trial)};
 
     const double bound = moving_bound ? contact_pair(point).law.bound(p_trial)
                                       : point.friction_bound;

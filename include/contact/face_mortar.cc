@@ -466,6 +466,8 @@ namespace Contact
     if (excess < 0)
       point.projection = Point<3>(excess * point.normal);
     find_void_slip(now, node, integrals, point);
+    point.tangential_row_is_void =
+      tangential_row_is_void(point, discretization);
     skip_where_held(point, discretization, u);
   }
 

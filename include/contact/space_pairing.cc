@@ -29,7 +29,92 @@ namespace Contact
           }
       return false;
     }
+
+
+
+    /// A component of the relative displacement of a point that supports
+    /// prescribe: in all nodes.
+    struct PrescribedComponent
+    {
+      unsigned int component;
+      Tensor<1, 2> along; // its part along the tangents
+    };
+
+
+
+    /// Without those that are next to the normal.
+    std::vector<PrescribedComponent>
+    prescribed_components(const ContactPoint<3>   &point,
+                          const Discretization<3> &discretization)
+    {
+      const double                     round_off = 1e-8, sine = 1e-3;
+      std::vector<PrescribedComponent> components;
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          double free = 0, all = 0;
+          for (unsigned int a = 0; a < point.n_nodes; ++a)
+            {
+              all += std::abs(point.C[a]);
+              if (!discretization.is_fixed(point.dofs[a][c]))
+                free += std::abs(point.C[a]);
+            }
+          const Tensor<1, 2> along =
+            point.tangential_part(Point<3>::unit_vector(c));
+          if (free <= round_off * all && along.norm() > sine)
+            components.push_back({c, along});
+        }
+      return components;
+    }
   } // namespace
+
+
+
+  std::vector<Tensor<1, 2>> free_slips(const ContactPoint<3>   &point,
+                                       const Discretization<3> &discretization)
+  {
+    const auto held = prescribed_components(point, discretization);
+    if (held.empty())
+      return {Tensor<1, 2>({1., 0.}), Tensor<1, 2>({0., 1.})};
+    const Tensor<1, 2> across =
+      cross_product_2d(held[0].along / held[0].along.norm());
+    const double sine = 1e-3;
+    for (const auto &other : held)
+      if (std::abs(other.along * across) > sine)
+        return {};
+    return {across};
+  }
+
+
+
+  // The shortest one that has the prescribed components.
+  Tensor<1, 2> prescribed_slip(const ContactPoint<3>   &point,
+                               const Discretization<3> &discretization,
+                               const Vector<double>    &motion)
+  {
+    const double round_off = 1e-10;
+    const auto   held      = prescribed_components(point, discretization);
+    const auto   free      = free_slips(point, discretization);
+    Tensor<2, 2> A;
+    Tensor<1, 2> b;
+    for (const auto &[c, along] : held)
+      {
+        double slip = 0, size = 0;
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          {
+            const double share = point.C[a] * motion[point.dofs[a][c]];
+            slip += share;
+            size += std::abs(share);
+          }
+        A += outer_product(along, along);
+        if (std::abs(slip) > round_off * size)
+          b += slip * along;
+      }
+    if (free.size() == 2 || b == Tensor<1, 2>())
+      return {};
+    for (const Tensor<1, 2> &direction : free)
+      A += outer_product(direction, direction);
+    return invert(A) * b;
+  }
 
 
 
@@ -109,6 +194,8 @@ namespace Contact
     point.normal = normal / normal.norm();
     set_tangents(point);
     point.projection_is_clipped = projection.clipped;
+    point.tangential_row_is_void =
+      tangential_row_is_void(point, discretization);
     skip_where_held(point, discretization, u);
   }
 } // namespace Contact

@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "base/errors.h"
-#include "solvers/multiplier_recovery.h"
 
 namespace Contact
 {
@@ -425,15 +424,27 @@ namespace Contact
 
 
   template<int dim>
+  MultiplierRecovery<dim>
+  ContactElimination<dim>::recovery(const Vector<double> &u_start,
+                                    const Vector<double> &solution) const
+  {
+    return {
+      discretization,
+      *interface,
+      eliminated,
+      SlipTurning<dim>::turned_shears(turning, *interface, solution, u_start),
+      moving_bound};
+  }
+
+
+
+  template<int dim>
   void
   ContactElimination<dim>::recover_pressures(const Vector<double> &residual,
+                                             const Vector<double> &u_start,
                                              Vector<double> &solution) const
   {
-    const auto tractions = MultiplierRecovery<dim>(discretization,
-                                                   *interface,
-                                                   eliminated,
-                                                   moving_bound)
-                             .tractions(residual);
+    const auto tractions = recovery(u_start, solution).tractions(residual);
     for (unsigned int k = 0; k < tractions.size(); ++k)
       solution[interface->normal_index(interface->points()[k].multipliers[0])] =
         tractions[k].p;
@@ -443,15 +454,12 @@ namespace Contact
 
   template<int dim>
   void ContactElimination<dim>::recover_shears(const Vector<double> &residual,
+                                               const Vector<double> &u_start,
                                                Vector<double> &solution) const
   {
     if (interface->n_multipliers() == interface->n_normal_multipliers())
       return;
-    const auto tractions = MultiplierRecovery<dim>(discretization,
-                                                   *interface,
-                                                   eliminated,
-                                                   moving_bound)
-                             .tractions(residual);
+    const auto tractions = recovery(u_start, solution).tractions(residual);
     for (unsigned int k = 0; k < tractions.size(); ++k)
       {
         const ContactPoint<dim> &point = interface->points()[k];
@@ -464,14 +472,7 @@ namespace Contact
         if (point.status.kind == Status::stick)
           q = tractions[k].q;
         else if (point.status.has_direction())
-          {
-            // The magnitude is known; across the direction, which is none in
-            // the plane, the forces tell by how much it turns.
-            const Tensor<1, dim - 1> d = point.status.direction();
-            q                          = d * bound;
-            if (dim == 3)
-              q += tractions[k].q - (tractions[k].q * d) * d;
-          }
+          q = point.status.direction() * bound + tractions[k].q;
         for (unsigned int t = 0; t < dim - 1; ++t)
           solution[interface->tangential_index(point.multipliers[0], t)] = q[t];
       }

@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "contact/contact_interface.h"
+#include "solvers/multiplier_recovery.h"
 #include "solvers/row_elimination.h"
 #include "solvers/slip_turning.h"
 
@@ -119,8 +120,10 @@ namespace Contact
      * and the lines of the last make(). See MultiplierRecovery.
      */
     void recover_pressures(const Vector<double> &residual,
+                           const Vector<double> &u_start,
                            Vector<double>       &solution) const;
     void recover_shears(const Vector<double> &residual,
+                        const Vector<double> &u_start,
                         Vector<double>       &solution) const;
 
     /// A description of the last equations that contradict each other, for the
@@ -153,6 +156,9 @@ namespace Contact
               const Row               &row,
               const Row               &test_row,
               const double             smallest) const;
+
+    MultiplierRecovery<dim> recovery(const Vector<double> &u_start,
+                                     const Vector<double> &solution) const;
 
     const Discretization<dim>   &discretization;
     const ContactInterface<dim> *interface;

@@ -167,11 +167,11 @@ namespace Contact
       void recover_multipliers(const Vector<double> &rhs,
                                IncrementState<dim>  &state) override
       {
-        elimination.recover_pressures(rhs, state.solution);
+        elimination.recover_pressures(rhs, state.start, state.solution);
         if (model.has_friction() &&
             parameters.friction == Parameters::FrictionLoop::lagged_bound)
           model.interface->update_bounds(state.solution, state.start);
-        elimination.recover_shears(rhs, state.solution);
+        elimination.recover_shears(rhs, state.start, state.solution);
       }
 
       void begin_newton() override

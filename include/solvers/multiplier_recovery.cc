@@ -13,16 +13,20 @@ namespace Contact
 {
   template<int dim>
   MultiplierRecovery<dim>::MultiplierRecovery(
-    const Discretization<dim>   &discretization,
-    const ContactInterface<dim> &interface,
-    const std::vector<Dof>      &eliminated,
-    const bool                   moving_bound)
+    const Discretization<dim>             &discretization,
+    const ContactInterface<dim>           &interface,
+    const std::vector<Dof>                &eliminated,
+    const std::vector<Tensor<1, dim - 1>> &turned,
+    const bool                             moving_bound)
     : discretization(discretization)
     , points(interface.points())
     , interface(interface)
+    , turned(turned)
     , moving_bound(moving_bound)
     , coupled(interface.points().size(), false)
   {
+    for (unsigned int k = 0; k < points.size(); ++k)
+      shear_directions.push_back(find_shear_directions(k));
     collect_equations(eliminated);
     collect_shares();
     find_coupled_points();
@@ -91,20 +95,29 @@ namespace Contact
         }
     for (unsigned int k = 0; k < points.size(); ++k)
       if (points[k].status.kind != Status::open &&
-          n_equations[k] < (has_shear_unknown(k) ? dim : 1))
+          n_equations[k] < (shear_directions[k].empty() ? 1 : dim))
         coupled[k] = true;
+    for (unsigned int k = 0; k < points.size(); ++k)
+      if (coupled[k] && points[k].status.kind == Status::slip)
+        shear_directions[k].clear();
   }
 
 
 
+  // What supports hold feels no shear.
   template<int dim>
-  bool
-  MultiplierRecovery<dim>::has_shear_unknown(const unsigned int point) const
+  std::vector<Tensor<1, dim - 1>>
+  MultiplierRecovery<dim>::find_shear_directions(const unsigned int k) const
   {
-    // In space the direction of the shear is not known beforehand.
-    const auto kind = points[point].status.kind;
-    return kind == Status::stick || (dim == 3 && kind == Status::slip &&
-                                     interface.has_friction(points[point]));
+    const ContactPoint<dim> &point = points[k];
+    if (point.status.kind == Status::stick)
+      return free_slips(point, discretization);
+    if (dim == 2 || !point.status.has_direction())
+      return {};
+    for (const auto dof : point.dofs[0])
+      if (discretization.constraints.is_constrained(dof))
+        return {};
+    return free_slips(point, discretization);
   }
 
 
@@ -116,24 +129,25 @@ namespace Contact
     const ContactPoint<dim> &point  = points[share.point];
     const FrictionLaw       &law    = interface.contact_pair(point).law;
     const double             normal = point.normal[share.coordinate];
-    if (has_shear_unknown(share.point))
-      {
-        Tensor<1, dim - 1> tangents;
-        for (unsigned int t = 0; t < dim - 1; ++t)
-          tangents[t] = share.factor * point.tangents[t][share.coordinate];
-        return {share.factor * normal, tangents, 0};
-      }
-    if (!point.status.has_direction())
-      return {share.factor * normal, {}, 0};
+    Factors                  factors{share.factor * normal, {}, 0};
+    for (const Tensor<1, dim - 1> &direction : shear_directions[share.point])
+      factors.q.push_back(share.factor *
+                          point.along_tangents(direction)[share.coordinate]);
+    if (!factors.q.empty() || !point.status.has_direction())
+      return factors;
     const double along =
       point.along_tangents(point.status.direction())[share.coordinate];
     if (moving_bound)
-      return {share.factor * (normal + law.coulomb_coefficient * along),
-              {},
-              share.factor * law.tresca_limit * along};
-    return {share.factor * normal,
-            {},
-            share.factor * point.friction_bound * along};
+      {
+        factors.p = share.factor * (normal + law.coulomb_coefficient * along);
+        factors.known = share.factor * law.tresca_limit * along;
+      }
+    else
+      factors.known = share.factor * point.friction_bound * along;
+    if (dim == 3)
+      factors.known += share.factor * point.along_tangents(
+                                        turned[share.point])[share.coordinate];
+    return factors;
   }
 
 
@@ -151,6 +165,14 @@ namespace Contact
         tractions[k] = traction_of_single(k, residual);
     if (any_coupled)
       solve_coupled(residual, tractions);
+    for (unsigned int k = 0; k < points.size(); ++k)
+      if (points[k].status.kind == Status::slip)
+        {
+          const Tensor<1, dim - 1> d = points[k].status.direction();
+          tractions[k].q             = shear_directions[k].empty()
+                                         ? turned[k]
+                                         : tractions[k].q - (tractions[k].q * d) * d;
+        }
     return tractions;
   }
 
@@ -184,7 +206,8 @@ namespace Contact
             direction[i] = f.p;
           }
     return {traction * direction / direction.norm_square(),
-            point.tangential_part(traction)};
+            shear_directions[k].empty() ? Tensor<1, dim - 1>()
+                                        : point.tangential_part(traction)};
   }
 
 
@@ -195,7 +218,7 @@ namespace Contact
     std::vector<unsigned int> first_column(points.size() + 1, 0);
     for (unsigned int k = 0; k < points.size(); ++k)
       first_column[k + 1] =
-        first_column[k] + (coupled[k] ? (has_shear_unknown(k) ? dim : 1) : 0);
+        first_column[k] + (coupled[k] ? 1 + shear_directions[k].size() : 0);
     return first_column;
   }
 
@@ -219,9 +242,8 @@ namespace Contact
               const double  root = std::sqrt(points[share.point].weight);
               const auto    j    = first_column[share.point];
               equation.row[j] += f.p / root;
-              if (has_shear_unknown(share.point))
-                for (unsigned int t = 0; t < dim - 1; ++t)
-                  equation.row[j + 1 + t] += f.q[t] / root;
+              for (unsigned int t = 0; t < f.q.size(); ++t)
+                equation.row[j + 1 + t] += f.q[t] / root;
               equation.rhs -= f.known;
             }
           system.push_back(std::move(equation));
@@ -246,9 +268,8 @@ namespace Contact
           const double root = std::sqrt(points[k].weight);
           const auto   j    = first_column[k];
           tractions[k].p    = x[j] / root;
-          if (has_shear_unknown(k))
-            for (unsigned int t = 0; t < dim - 1; ++t)
-              tractions[k].q[t] = x[j + 1 + t] / root;
+          for (unsigned int t = 0; t < shear_directions[k].size(); ++t)
+            tractions[k].q += x[j + 1 + t] / root * shear_directions[k][t];
         }
   }
 

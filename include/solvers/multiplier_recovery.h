@@ -31,10 +31,12 @@ namespace Contact
   class MultiplierRecovery
   {
   public:
-    /// @p eliminated: what the points eliminate.
+    /// @p eliminated: what the points eliminate; @p turned: by point, what is
+    /// known of the shear across the direction of slip, see SlipTurning.
     MultiplierRecovery(const Discretization<dim>   &discretization,
                        const ContactInterface<dim> &interface,
                        const std::vector<types::global_dof_index> &eliminated,
+                       const std::vector<Tensor<1, dim - 1>>      &turned,
                        const bool moving_bound);
 
     /// Pressure and shear of a point [MPa].
@@ -45,7 +47,8 @@ namespace Contact
     };
 
     /// Of all points, from @p residual, minus the residual of the bodies alone;
-    /// zero for open ones.
+    /// zero for open ones, and of a slipping one the shear across its
+    /// direction.
     std::vector<Pair> tractions(const Vector<double> &residual) const;
 
   private:
@@ -63,20 +66,21 @@ namespace Contact
     /// The factors of the multipliers of a point in a share, and what is known.
     struct Factors
     {
-      double             p;
-      Tensor<1, dim - 1> q; // by tangent
-      double             known;
+      double              p;
+      std::vector<double> q; // by direction
+      double              known;
     };
 
     void    collect_equations(const std::vector<Dof> &eliminated);
     void    collect_shares();
     void    find_coupled_points();
     Factors factors(const Share &share) const;
-    bool    has_shear_unknown(const unsigned int point) const;
-    Pair    traction_of_single(const unsigned int    point,
-                               const Vector<double> &residual) const;
-    void    solve_coupled(const Vector<double> &residual,
-                          std::vector<Pair>    &tractions) const;
+    std::vector<Tensor<1, dim - 1>>
+         find_shear_directions(const unsigned int point) const;
+    Pair traction_of_single(const unsigned int    point,
+                            const Vector<double> &residual) const;
+    void solve_coupled(const Vector<double> &residual,
+                       std::vector<Pair>    &tractions) const;
 
     /// A row of the least squares, and its right-hand side.
     struct Equation
@@ -96,10 +100,16 @@ namespace Contact
     const Discretization<dim>            &discretization;
     const std::vector<ContactPoint<dim>> &points;
     const ContactInterface<dim>          &interface;
+    const std::vector<Tensor<1, dim - 1>> turned;
     const bool                            moving_bound;
 
     std::map<Dof, std::vector<Share>> equations;
     std::vector<bool>                 coupled; // by point
+
+    /// By point, the directions along the tangents in which its shear follows
+    /// from the forces: where it sticks; in space also where it slips, if its
+    /// node is free and it has that for itself. Elsewhere it is known.
+    std::vector<std::vector<Tensor<1, dim - 1>>> shear_directions;
   };
 } // namespace Contact
 

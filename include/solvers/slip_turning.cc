@@ -16,12 +16,14 @@ namespace Contact
     /// The load along @p across, and the stiffness @p k in the directions that
     /// @p projection leaves.
     Term make_term(const ContactPoint<3> &point,
+                   const unsigned int     number,
+                   const double           share,
                    const Tensor<2, 3>    &projection,
                    const double           k,
                    const Tensor<1, 3>    &load)
     {
       const unsigned int n = 3 * point.n_nodes;
-      Term               term{{}, FullMatrix<double>(n, n), Vector<double>(n)};
+      Term term{number, share, {}, FullMatrix<double>(n, n), Vector<double>(n)};
       for (unsigned int a = 0; a < point.n_nodes; ++a)
         for (unsigned int i = 0; i < 3; ++i)
           {
@@ -58,15 +60,18 @@ namespace Contact
                         const bool                 moving_bound)
   {
     std::vector<Term> all;
-    for (const ContactPoint<3> &point : interface.points())
+    for (unsigned int k = 0; k < interface.points().size(); ++k)
       {
+        const ContactPoint<3> &point = interface.points()[k];
         if (point.status.kind != Status::slip || !point.status.has_direction())
           continue;
         const ContactState<3> now  = interface.state(point, solution, u_start);
         const double          size = now.q_trial.norm();
-        const double          bound =
+        if (size == 0) // supports move it, and nothing turns
+          continue;
+        const double bound =
           moving_bound ? interface.contact_pair(point).law.bound(now.p_trial)
-                                : point.friction_bound;
+                       : point.friction_bound;
         // A point that is about to stick, or begins to slip, is as stiff as a
         // multiple of the bodies.
         const double least = 1e-6;
@@ -80,6 +85,8 @@ namespace Contact
         across -= outer_product(d, d);
         all.push_back(
           make_term(point,
+                    k,
+                    share,
                     across,
                     point.weight * point.augmentation_parameter * share,
                     -point.weight * share *
@@ -87,4 +94,29 @@ namespace Contact
       }
     return all;
   }
+
+
+
+  template<int dim>
+  std::vector<Tensor<1, dim - 1>>
+  SlipTurning<dim>::turned_shears(const std::vector<Term>     &terms,
+                                  const ContactInterface<dim> &interface,
+                                  const Vector<double>        &solution,
+                                  const Vector<double>        &u_start)
+  {
+    std::vector<Tensor<1, dim - 1>> turned(interface.points().size());
+    for (const Term &term : terms)
+      {
+        const ContactPoint<dim>  &point = interface.points()[term.point];
+        const Tensor<1, dim - 1> &d     = point.status.direction();
+        const Tensor<1, dim - 1>  slip =
+          interface.state(point, solution, u_start).slip;
+        turned[term.point] =
+          -term.share * point.augmentation_parameter * (slip - (slip * d) * d);
+      }
+    return turned;
+  }
+
+  template class SlipTurning<2>;
+  template class SlipTurning<3>;
 } // namespace Contact

@@ -34,6 +34,8 @@ namespace Contact
     /// What a point adds to the system, over unknowns of the displacement.
     struct Term
     {
+      unsigned int                         point;
+      double                               share; // beta/(1 - beta)
       std::vector<types::global_dof_index> dofs;
       FullMatrix<double>                   stiffness; // [N/mm]
       Vector<double>                       load;      // [N]
@@ -45,6 +47,15 @@ namespace Contact
                                    const Vector<double>        &solution,
                                    const Vector<double>        &u_start,
                                    const bool                   moving_bound);
+
+    /// By point, what a step has added across the direction of the shear,
+    /// -beta/(1 - beta) T c s with the slip s in the state after it: for lambda
+    /// is c s across d before. In the frame of the tangents.
+    static std::vector<Tensor<1, dim - 1>>
+    turned_shears(const std::vector<Term>     &terms,
+                  const ContactInterface<dim> &interface,
+                  const Vector<double>        &solution,
+                  const Vector<double>        &u_start);
   };
 } // namespace Contact
 

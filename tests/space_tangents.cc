@@ -1,0 +1,299 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Tangents of contact in space, for both discretizations and degrees:
+//  - the matrix of the contact points, over displacements and multipliers, is
+//    the derivative of their residual: open, in contact, sticking, and slipping
+//    in any direction with a bound that moves and with one that does not;
+//  - the turning of a slip is the derivative of the law q = b s/|s|;
+//  - the matrix without multipliers is the derivative of the condensed forces;
+//  - Newton's method with friction is quadratic, statuses and directions
+//    following, while a block is dragged and turned.
+
+#include "condensed_model.h"
+#include "volume_mesh.h"
+
+using namespace Tests;
+
+namespace
+{
+  struct Case
+  {
+    std::string  rule;
+    unsigned int degree;
+    std::string  kinematics;
+  };
+
+
+
+  std::string named(const Case &c)
+  {
+    return c.rule + ", degree " + std::to_string(c.degree) + ", " +
+           c.kinematics;
+  }
+
+
+
+  /// A block on a larger one whose mesh does not match, with an interface that
+  /// is inclined in both directions: pressed down, dragged by one side and
+  /// turned by another.
+  Parameters::All turned_block(const Case &c, const bool moved = true)
+  {
+    const auto inclined = [](const Point<3> &low, const Point<3> &high) {
+      const VolumeChart straight = box(low, high);
+      return [=](const Point<3> &s) {
+        Point<3> x = straight(s);
+        x[2] += 0.2 * x[0] - 0.1 * x[1];
+        return x;
+      };
+    };
+    VolumeText mesh;
+    mesh.block("Low", {{3, 3, 1}}, inclined({-0.5, -0.5, -1}, {1.8, 1.6, 0}));
+    mesh.block("Up", {{2, 2, 1}}, inclined({0, 0, 0}, {1, 1, 1}));
+    mesh.write("volume.msh");
+
+    Parameters::All parameters;
+    parameters.mesh.file         = "volume.msh";
+    parameters.element.degree    = c.degree;
+    parameters.solids.kinematics = c.kinematics;
+    for (const std::string body : {"Low", "Up"})
+      {
+        parameters.solids.youngs_modulus[body] = 1000;
+        parameters.solids.poisson[body]        = 0.3;
+      }
+    parameters.contact.slave                = "Up bottom";
+    parameters.contact.master               = "Low top";
+    parameters.contact.discretization       = c.rule;
+    parameters.contact.friction_coefficient = 0.3;
+    if (!moved)
+      return parameters.for_space();
+    parameters.boundary.displacement[0] = {{"Low bottom", 0}, {"Up top", 0.06}};
+    parameters.boundary.displacement[1] = {{"Low bottom", 0},
+                                           {"Up left", 0.04}};
+    parameters.boundary.displacement[2] = {{"Low bottom", 0},
+                                           {"Up top", -0.02}};
+    return parameters.for_space();
+  }
+
+
+
+  /// Any state: all nodes moved a little, the start of the increment elsewhere.
+  void randomize(CondensedModelIn<3> &model)
+  {
+    Random random;
+    for (unsigned int i = 0; i < model.n_dofs(); ++i)
+      {
+        model.solution[i] = random(-0.02, 0.02);
+        model.start[i]    = model.solution[i] + random(-0.1, 0.1);
+      }
+    for (unsigned int i = model.n_dofs(); i < model.solution.size(); ++i)
+      model.solution[i] = random(0.5, 1.5);
+    model.pair();
+    auto points = model.interface->points();
+    for (ContactPoint<3> &point : points)
+      point.friction_bound = random(0.1, 0.5);
+    model.interface->set_points(points);
+  }
+
+
+
+  std::set<types::global_dof_index>
+  unknowns_of(const CondensedModelIn<3> &model)
+  {
+    std::set<types::global_dof_index> unknowns;
+    for (const ContactPoint<3> &point : model.interface->points())
+      for (unsigned int a = 0; a < point.n_nodes; ++a)
+        unknowns.insert(point.dofs[a].begin(), point.dofs[a].end());
+    for (unsigned int i = model.n_dofs(); i < model.solution.size(); ++i)
+      unknowns.insert(i);
+    return unknowns;
+  }
+
+
+
+  /// The distance of the points' tangent from difference quotients, by its
+  /// largest entry. Nothing but the state changes between these.
+  double kernel_error(const CondensedModelIn<3> &model, const bool moving_bound)
+  {
+    const unsigned int     n = model.solution.size();
+    DynamicSparsityPattern couplings(n, n);
+    model.interface->add_couplings(couplings);
+    SparsityPattern pattern;
+    pattern.copy_from(couplings);
+    SparseMatrix<double>       matrix(pattern);
+    Vector<double>             unused(n);
+    const ContactKernel<3>     kernel(*model.interface);
+    const ContactLinearization linearization{false, moving_bound};
+    kernel.assemble(model.solution,
+                    model.start,
+                    linearization,
+                    unused,
+                    &matrix);
+
+    double       error = 0, largest = 0;
+    const double h        = 1e-6;
+    const auto   unknowns = unknowns_of(model);
+    for (const auto j : unknowns)
+      {
+        Vector<double> column(n);
+        for (const int side : {1, -1})
+          {
+            Vector<double> moved(model.solution), rhs(n);
+            moved[j] += side * h;
+            kernel.assemble(moved, model.start, linearization, rhs, nullptr);
+            column.add(-side / (2 * h), rhs);
+          }
+        for (const auto i : unknowns)
+          {
+            error   = std::max(error, std::abs(matrix.el(i, j) - column[i]));
+            largest = std::max(largest, std::abs(matrix.el(i, j)));
+          }
+      }
+    return error / largest;
+  }
+
+
+
+  void points_of_contact(const Case &c)
+  {
+    headline("points of contact, " + named(c));
+    CondensedModelIn<3> model(turned_block(c, false), "CHOLMOD", true);
+    randomize(model);
+    const double       angle = 0.7;
+    const Tensor<1, 2> direction({std::cos(angle), std::sin(angle)});
+    const std::vector<std::pair<std::string, PointStatus<3>>> statuses = {
+      {"open", {}},
+      {"contact", {Status::slip, {}}},
+      {"stick", {Status::stick, {}}},
+      {"slip", {Status::slip, direction}}};
+    for (const auto &[name, status] : statuses)
+      for (const bool moving_bound : {false, true})
+        {
+          auto points = model.interface->points();
+          for (ContactPoint<3> &point : points)
+            point.status = point.facing ? status : PointStatus<3>();
+          model.interface->set_points(points);
+          check_small(name + (moving_bound ? ", moving bound" : ""),
+                      kernel_error(model, moving_bound),
+                      1e-8);
+        }
+  }
+
+
+
+  /// The shear tractions of the law alone, b s/|s|, as forces; the bound is
+  /// that of now.
+  Vector<double> exact_shears(const CondensedModelIn<3> &model,
+                              const Vector<double>      &solution)
+  {
+    Vector<double> forces(model.n_dofs());
+    for (const ContactPoint<3> &point : model.interface->points())
+      if (point.status.kind == Status::slip)
+        {
+          const Tensor<1, 2> s =
+            model.interface->state(point, solution, model.start).slip;
+          const Tensor<1, 3> q =
+            point.friction_bound * point.along_tangents(s / s.norm());
+          for (unsigned int a = 0; a < point.n_nodes; ++a)
+            for (unsigned int i = 0; i < 3; ++i)
+              forces[point.dofs[a][i]] += point.weight * point.C[a] * q[i];
+        }
+    return forces;
+  }
+
+
+
+  // Multipliers are those of the law, opposite to the slip.
+  void turning(const Case &c)
+  {
+    headline("turning of a slip, " + named(c));
+    CondensedModelIn<3> model(turned_block(c, false), "CHOLMOD", true);
+    randomize(model);
+    auto points = model.interface->points();
+    for (ContactPoint<3> &point : points)
+      {
+        const Tensor<1, 2> s =
+          model.interface->state(point, model.solution, model.start).slip;
+        for (unsigned int i = 0; i < 2; ++i)
+          model.solution[model.interface->tangential_index(point.multipliers[0],
+                                                           i)] =
+            -point.friction_bound * s[i] / s.norm();
+        if (point.facing)
+          point.status = {Status::slip, -s / s.norm()};
+      }
+    model.interface->set_points(points);
+
+    Random         random;
+    Vector<double> du(model.n_dofs()), by_terms(du);
+    for (double &value : du)
+      value = random(-1, 1);
+    for (const auto &term : SlipTurning<3>::terms(*model.interface,
+                                                  model.solution,
+                                                  model.start,
+                                                  false))
+      for (unsigned int i = 0; i < term.dofs.size(); ++i)
+        for (unsigned int j = 0; j < term.dofs.size(); ++j)
+          by_terms[term.dofs[i]] += term.stiffness(i, j) * du[term.dofs[j]];
+
+    const double   h = 1e-6;
+    Vector<double> by_differences(model.n_dofs());
+    for (const int side : {1, -1})
+      {
+        Vector<double> moved(model.solution);
+        for (unsigned int i = 0; i < du.size(); ++i)
+          moved[i] += side * h * du[i];
+        by_differences.add(side / (2 * h), exact_shears(model, moved));
+      }
+    const double largest = by_terms.linfty_norm();
+    by_terms -= by_differences;
+    check_small("deviation from the differences",
+                by_terms.linfty_norm() / largest,
+                1e-8);
+  }
+
+
+
+  void condensed_matrix(const Case &c)
+  {
+    headline("the matrix as a derivative, " + named(c));
+    CondensedModelIn<3> model(turned_block(c), "CHOLMOD", true);
+    check("converges", model.solve(0.7));
+    const StatusCount count = model.interface->count();
+    check("points slip", count.active > count.stick);
+    check_small("deviation from the differences",
+                matrix_error(model, 0.7),
+                1e-7);
+  }
+
+
+
+  void convergence(const Case &c)
+  {
+    headline("convergence, " + named(c));
+    CondensedModelIn<3> model(turned_block(c), "CHOLMOD", true);
+    check("converges at half of the load", model.solve(0.5));
+    const auto norms = residuals(model, /*statuses_follow=*/true);
+    check("quadratic", fall_quadratically(norms));
+    check("at most 8 steps", norms.size() <= 8);
+  }
+} // namespace
+
+
+
+int main()
+{
+  for (const std::string rule : {"nodal", "mortar"})
+    for (const unsigned int degree : {1, 2})
+      {
+        points_of_contact({rule, degree, "small strain"});
+        turning({rule, degree, "small strain"});
+        for (const std::string kinematics :
+             {"small strain", "large displacement"})
+          {
+            condensed_matrix({rule, degree, kinematics});
+            convergence({rule, degree, kinematics});
+          }
+      }
+}
