@@ -5,6 +5,8 @@
 
 #include "parameters/json_file.h"
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -182,7 +184,7 @@ namespace Contact
       // was read: that may be long, and it is at this place.
       std::string reason(std::string message) const
       {
-        if (Utilities::trim(text).empty())
+        if (dealii::Utilities::trim(text).empty())
           return "it is empty";
         const auto begin = message.find("syntax error");
         message.erase(0,

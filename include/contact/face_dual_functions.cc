@@ -1,0 +1,146 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/face_dual_functions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Contact
+{
+  namespace
+  {
+    /// The bilinear functions of the four parts of a facet of degree 2.
+    FacetShape<3>::Values hats(const Point<2> &xi)
+    {
+      const auto hat = [](const unsigned int i, const double x) {
+        return std::max(0., 1 - std::abs(x - node_coordinates[i]));
+      };
+      FacetShape<3>::Values values{};
+      for (unsigned int a = 0; a < values.size(); ++a)
+        {
+          const auto [i, j] = FacetShape<3>::factors[a];
+          values[a]         = hat(i, xi[0]) * hat(j, xi[1]);
+        }
+      return values;
+    }
+  } // namespace
+
+
+
+  FacetDualFunctions::FacetDualFunctions(
+    const unsigned int              degree,
+    const std::vector<FacetSample> &samples,
+    const std::vector<double>      &shares,
+    const PerFacetNode<3, bool>    &carries)
+    : n_nodes(shares.size())
+    , degree(degree)
+  {
+    const auto integrals = [&]() {
+      std::vector<double> sums(n_nodes, 0.);
+      for (const FacetSample &sample : samples)
+        {
+          const auto values = functions(sample.slave_xi);
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            sums[a] += sample.weight * values[a];
+        }
+      return sums;
+    };
+    std::vector<double> of_functions = integrals();
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      piecewise = piecewise || (degree == 2 && of_functions[a] < shares[a] / 2);
+    if (piecewise)
+      of_functions = integrals();
+    find_carriers(of_functions, carries);
+
+    const unsigned int n = carriers.size();
+    FullMatrix<double> G(n, n);
+    Vector<double>     D(n);
+    for (const FacetSample &sample : samples)
+      {
+        const Vector<double> M = test_functions(sample.slave_xi);
+        D.add(sample.weight, M);
+        for (unsigned int k = 0; k < n; ++k)
+          for (unsigned int j = 0; j < n; ++j)
+            G(k, j) += sample.weight * M[k] * M[j];
+      }
+    if (n == 0)
+      return;
+    G.gauss_jordan();
+    A.reinit(n, n);
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int j = 0; j < n; ++j)
+        A(k, j) = D[k] * G(k, j);
+  }
+
+
+
+  // Functions that vanish on what faces the master have no part in it.
+  void FacetDualFunctions::find_carriers(const std::vector<double>   &integrals,
+                                         const PerFacetNode<3, bool> &carries)
+  {
+    double sum = 0;
+    for (const double integral : integrals)
+      sum += integral;
+    const double              round_off = 1e-12;
+    std::vector<unsigned int> others;
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      if (integrals[a] > round_off * sum)
+        (carries[a] ? carriers : others).push_back(a);
+
+    shared.reinit(carriers.size(), n_nodes);
+    for (unsigned int j = 0; j < carriers.size(); ++j)
+      shared(j, carriers[j]) = 1;
+    for (const unsigned int a : others)
+      {
+        double                    nearest = std::numeric_limits<double>::max();
+        std::vector<unsigned int> heirs;
+        for (unsigned int j = 0; j < carriers.size(); ++j)
+          {
+            const double distance =
+              node_place<3>(a).distance(node_place<3>(carriers[j]));
+            if (distance < nearest)
+              heirs.clear();
+            nearest = std::min(nearest, distance);
+            if (distance == nearest)
+              heirs.push_back(j);
+          }
+        for (const unsigned int j : heirs)
+          shared(j, a) = 1. / heirs.size();
+      }
+  }
+
+
+
+  FacetShape<3>::Values FacetDualFunctions::functions(const Point<2> &xi) const
+  {
+    return piecewise ? hats(xi) : FacetShape<3>(degree, xi).value;
+  }
+
+
+
+  Vector<double> FacetDualFunctions::test_functions(const Point<2> &xi) const
+  {
+    const auto     all = functions(xi);
+    Vector<double> M(carriers.size());
+    for (unsigned int j = 0; j < carriers.size(); ++j)
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        M[j] += shared(j, a) * all[a];
+    return M;
+  }
+
+
+
+  std::vector<double> FacetDualFunctions::values(const Point<2> &xi) const
+  {
+    const Vector<double> M = test_functions(xi);
+    std::vector<double>  phi(carriers.size(), 0.);
+    for (unsigned int k = 0; k < phi.size(); ++k)
+      for (unsigned int j = 0; j < phi.size(); ++j)
+        phi[k] += A(k, j) * M[j];
+    return phi;
+  }
+} // namespace Contact

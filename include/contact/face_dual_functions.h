@@ -1,0 +1,81 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_face_dual_functions_h
+#define contact_face_dual_functions_h
+
+#include <deal.II/lac/full_matrix.h>
+
+#include "contact/surface.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// A place of a facet in space, and the undeformed area that it stands for.
+  struct FacetSample
+  {
+    Point<2> slave_xi;
+    double   weight; // [mm^2]
+  };
+
+
+
+  /**
+   * The dual functions of a slave facet in space, over the part of it that
+   * faces the master. With test functions M_j of its nodes,
+   *   Phi_k = sum_j A_kj M_j,   A = D G^-1,   D_k = integral M_k,
+   *                                           G_kj = integral M_k M_j,
+   * so that integral Phi_k M_j = delta_kj D_k, and the Phi_k sum up to one as
+   * the M_j do.
+   *
+   * Pressures need D_k > 0. The M_j are the shape functions, but where a facet
+   * of degree 2 faces the master in part, and that takes more than half of its
+   * integral from one of them, which may make it negative: there they are the
+   * piecewise bilinear functions of the nine nodes. A node without a multiplier
+   * leaves its function to the nearest ones that have one.
+   */
+  class FacetDualFunctions
+  {
+  public:
+    /**
+     * @p samples are of the part that faces the master, @p shares [mm^2] the
+     * integrals of the shape functions over the whole facet; @p carries tells
+     * by node whether it has a multiplier.
+     */
+    FacetDualFunctions(const unsigned int              degree,
+                       const std::vector<FacetSample> &samples,
+                       const std::vector<double>      &shares,
+                       const PerFacetNode<3, bool>    &carries);
+
+    /// The nodes of the facet that have a dual function.
+    const std::vector<unsigned int> &nodes() const
+    {
+      return carriers;
+    }
+
+    /// The values of their dual functions at a place, in the same order.
+    std::vector<double> values(const Point<2> &xi) const;
+
+  private:
+    /// The M_j before nodes without a multiplier left theirs, by node.
+    FacetShape<3>::Values functions(const Point<2> &xi) const;
+
+    /// The M_j of the carriers.
+    Vector<double> test_functions(const Point<2> &xi) const;
+
+    void find_carriers(const std::vector<double>   &integrals,
+                       const PerFacetNode<3, bool> &carries);
+
+    const unsigned int        n_nodes;
+    const unsigned int        degree;
+    bool                      piecewise = false;
+    std::vector<unsigned int> carriers;
+    FullMatrix<double>        shared; // M_j = sum_a shared(j, a) functions[a]
+    FullMatrix<double>        A;
+  };
+} // namespace Contact
+
+#endif

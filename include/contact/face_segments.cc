@@ -1,0 +1,271 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/face_segments.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+#include "contact/face_clipping.h"
+
+namespace Contact
+{
+  namespace
+  {
+    /// The parts of a facet that are projected as quadrangles: one, or at
+    /// degree 2 four. Their corners are nodes of the facet.
+    struct Part
+    {
+      std::array<unsigned int, 4> corners;
+      Point<2>                    middle; // in the coordinates of the facet
+      double                      scale;  // of the coordinates of the part
+    };
+
+    const std::vector<Part> &parts_of_facet(const unsigned int degree)
+    {
+      static const std::vector<Part> one{{{{0, 1, 2, 3}}, Point<2>(), 1}};
+      static const std::vector<Part> four{
+        {{{0, 6, 4, 8}}, Point<2>(-0.5, -0.5), 0.5},
+        {{{6, 1, 8, 5}}, Point<2>(0.5, -0.5), 0.5},
+        {{{4, 8, 2, 7}}, Point<2>(-0.5, 0.5), 0.5},
+        {{{8, 5, 7, 3}}, Point<2>(0.5, 0.5), 0.5}};
+      return degree == 1 ? one : four;
+    }
+
+
+
+    PlaneQuadrangle project(const ProjectionPlane               &plane,
+                            const Part                          &part,
+                            const PerFacetNode<3, unsigned int> &nodes,
+                            const std::vector<Point<3>>         &x)
+    {
+      PlaneQuadrangle quadrangle;
+      for (unsigned int a = 0; a < 4; ++a)
+        quadrangle[a] = plane.project(x[nodes[part.corners[a]]]);
+      return quadrangle;
+    }
+
+
+
+    bool is_parallelogram(const PlaneQuadrangle &q)
+    {
+      const double round_off = 1e-10;
+      return ((q[3] - q[2]) - (q[1] - q[0])).norm() <=
+             round_off * (q[3] - q[0]).norm();
+    }
+
+
+
+    /// The Gauss points of a triangle. Of parallelograms products of two shape
+    /// functions are polynomials, and integrated exactly; of others they are
+    /// quotients.
+    const Quadrature<2> &rule(const unsigned int degree, const bool polynomial)
+    {
+      static const QWitherdenVincentSimplex<2> linear(3), quadratic(5), most(7);
+      return !polynomial ? most : degree == 1 ? linear : quadratic;
+    }
+
+
+
+    /// The determinant of the bilinear map of a quadrangle.
+    double jacobian(const PlaneQuadrangle &q, const Point<2> &xi)
+    {
+      const FacetShape<3> shape(1, xi);
+      Tensor<1, 2>        a, b;
+      for (unsigned int k = 0; k < 4; ++k)
+        {
+          a += shape.first[0][k] * q[k];
+          b += shape.first[1][k] * q[k];
+        }
+      return std::abs(a[0] * b[1] - a[1] * b[0]);
+    }
+
+
+
+    Point<3> position(const SurfaceSearch<3> &search,
+                      const unsigned int      facet,
+                      const Point<2>         &xi)
+    {
+      Projection<3> place;
+      place.facet = facet;
+      place.xi    = xi;
+      return search.position(place);
+    }
+
+
+
+    ProjectionPlane plane_of(const unsigned int      slave_facet,
+                             const SurfaceSearch<3> &search)
+    {
+      return {position(search, slave_facet, Point<2>()),
+              search.normal(slave_facet, Point<2>())};
+    }
+  } // namespace
+
+
+
+  FaceConfiguration::FaceConfiguration(const Surface<3>     &slave,
+                                       const Surface<3>     &master,
+                                       const Vector<double> &u)
+    : slave_normals(slave.facet_normals(u))
+    , master_normals(master.facet_normals(u))
+    , slave_search(slave, u)
+    , search(master, u)
+  {
+    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+      slave_x.push_back(slave.position(i, u));
+    for (unsigned int i = 0; i < master.nodes.size(); ++i)
+      master_x.push_back(master.position(i, u));
+  }
+
+
+
+  FaceSegments::FaceSegments(const Surface<3>        &slave,
+                             const Surface<3>        &master,
+                             const FaceConfiguration &now)
+    : slave(slave)
+    , master(master)
+    , now(now)
+  {
+  }
+
+
+
+  // The master facets that face a slave facet are in its box, widened by the
+  // distance of the surfaces there.
+  std::vector<FaceSample> FaceSegments::samples(const unsigned int e) const
+  {
+    std::vector<Point<3>> x;
+    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      x.push_back(now.slave_x[slave.facets[e].nodes[a]]);
+    NormalCone<3> directions;
+    directions.normals = {now.slave_search.normal(e, Point<2>())};
+
+    double distance = 0;
+    for (const Point<3> &node : x)
+      {
+        const Projection<3> foot = now.search.closest_facing(node, directions);
+        distance =
+          std::max(distance, std::sqrt(now.search.distance_square(node, foot)));
+      }
+    BoundingBox<3> box(x);
+    box.extend(distance + 0.1 * slave.reference_length(e));
+    std::vector<FaceSample> samples;
+    for (const unsigned int m : now.search.facets_in(box))
+      if (directions.faces(now.search.normal(m, Point<2>())))
+        add_segment(e, m, samples);
+    remove_hidden(e, samples);
+    return samples;
+  }
+
+
+
+  void FaceSegments::add_segment(const unsigned int       e,
+                                 const unsigned int       m,
+                                 std::vector<FaceSample> &samples) const
+  {
+    const auto           &own = slave.facets[e], &other = master.facets[m];
+    const ProjectionPlane plane = plane_of(e, now.slave_search);
+    for (const Part &part : parts_of_facet(slave.degree))
+      for (const Part &other_part : parts_of_facet(master.degree))
+        {
+          const auto s = project(plane, part, own.nodes, now.slave_x);
+          const auto t = project(plane, other_part, other.nodes, now.master_x);
+          const Quadrature<2> &quadrature =
+            rule(std::max(slave.degree, master.degree),
+                 is_parallelogram(s) && is_parallelogram(t));
+          for (const PlaneTriangle &triangle : intersection(s, t))
+            for (unsigned int q = 0; q < quadrature.size(); ++q)
+              {
+                const Point<2> &eta = quadrature.point(q);
+                const Point<2>  place(triangle[0] +
+                                     eta[0] * (triangle[1] - triangle[0]) +
+                                     eta[1] * (triangle[2] - triangle[0]));
+                const Point<2>  in_s = coordinates_in(s, place);
+                FaceSample      sample;
+                sample.slave_xi = part.middle + part.scale * in_s;
+                sample.weight =
+                  2 * area(triangle) * quadrature.weight(q) /
+                  jacobian(s, in_s) * part.scale * part.scale *
+                  slave.reference_jacobian(own,
+                                           FacetShape<3>(slave.degree,
+                                                         sample.slave_xi));
+                sample.master_facet = m;
+                sample.master_xi    = other_part.middle +
+                                   other_part.scale * coordinates_in(t, place);
+                sample.distance =
+                  position(now.slave_search, e, sample.slave_xi) -
+                  position(now.search, m, sample.master_xi);
+                samples.push_back(sample);
+              }
+        }
+  }
+
+
+
+  // Facets next to each other are no further apart than they are large.
+  void FaceSegments::remove_hidden(const unsigned int       e,
+                                   std::vector<FaceSample> &samples) const
+  {
+    const Tensor<1, 3>     normal = now.slave_search.normal(e, Point<2>());
+    std::set<unsigned int> facets;
+    double                 least = 0, largest = 0;
+    for (const FaceSample &sample : samples)
+      {
+        const double along = sample.distance * normal;
+        least              = facets.empty() ? along : std::min(least, along);
+        largest            = facets.empty() ? along : std::max(largest, along);
+        facets.insert(sample.master_facet);
+      }
+    const double thin = 0.1;
+    if (facets.size() < 2 ||
+        largest - least <= thin * slave.reference_length(e))
+      return;
+    const auto is_hidden = [&](const FaceSample &sample) {
+      return std::any_of(facets.begin(),
+                         facets.end(),
+                         [&](const unsigned int m) {
+                           return m != sample.master_facet &&
+                                  is_behind(sample, e, m);
+                         });
+    };
+    const std::vector<FaceSample> all = samples;
+    samples.clear();
+    std::remove_copy_if(all.begin(),
+                        all.end(),
+                        std::back_inserter(samples),
+                        is_hidden);
+  }
+
+
+
+  // A place on a line that facets share is behind none of them.
+  bool FaceSegments::is_behind(const FaceSample  &sample,
+                               const unsigned int e,
+                               const unsigned int m) const
+  {
+    const ProjectionPlane plane = plane_of(e, now.slave_search);
+    const Point<3> on_slave   = position(now.slave_search, e, sample.slave_xi);
+    const Point<2> place      = plane.project(on_slave);
+    const Tensor<1, 3> normal = now.slave_search.normal(e, Point<2>());
+    for (const Part &part : parts_of_facet(master.degree))
+      {
+        const Point<2> xi = coordinates_in(
+          project(plane, part, master.facets[m].nodes, now.master_x),
+          place);
+        if (!(std::max(std::abs(xi[0]), std::abs(xi[1])) < 1))
+          continue;
+        const double other =
+          (on_slave - position(now.search, m, part.middle + part.scale * xi)) *
+          normal;
+        if (std::abs(other) < std::abs(sample.distance * normal))
+          return true;
+      }
+    return false;
+  }
+} // namespace Contact

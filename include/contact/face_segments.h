@@ -1,0 +1,76 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_face_segments_h
+#define contact_face_segments_h
+
+#include "contact/face_dual_functions.h"
+#include "contact/face_search.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// Both surfaces of a contact pair in space, where the bodies are.
+  struct FaceConfiguration
+  {
+    FaceConfiguration(const Surface<3>     &slave,
+                      const Surface<3>     &master,
+                      const Vector<double> &u);
+
+    std::vector<Point<3>>  slave_x, master_x;
+    FacetNormals<3>        slave_normals, master_normals;
+    const SurfaceSearch<3> slave_search, search;
+  };
+
+
+
+  /// A Gauss point of a segment, the piece of a slave facet that faces one
+  /// master facet.
+  struct FaceSample : public FacetSample
+  {
+    Point<2>     master_xi;
+    unsigned int master_facet;
+    Tensor<1, 3> distance; // slave less master [mm]
+  };
+
+
+
+  /**
+   * The segments that slave and master are cut into in one configuration.
+   *
+   * Slave and master facets are projected on a plane, the one through the
+   * middle of the slave facet across its normal, and clipped (M. A. Puso and T.
+   * A. Laursen, Comput. Methods Appl. Mech. Engrg. 193, 2004); facets of degree
+   * 2 in four parts, bilinear between their nodes. The common polygons are cut
+   * into triangles with Gauss points. Integrals are over the undeformed slave.
+   * Of master facets that lie one behind the other, the nearest is the partner.
+   */
+  class FaceSegments
+  {
+  public:
+    FaceSegments(const Surface<3>        &slave,
+                 const Surface<3>        &master,
+                 const FaceConfiguration &now);
+
+    /// The Gauss points of a slave facet.
+    std::vector<FaceSample> samples(const unsigned int slave_facet) const;
+
+  private:
+    void add_segment(const unsigned int       slave_facet,
+                     const unsigned int       master_facet,
+                     std::vector<FaceSample> &samples) const;
+    void remove_hidden(const unsigned int       slave_facet,
+                       std::vector<FaceSample> &samples) const;
+    bool is_behind(const FaceSample  &sample,
+                   const unsigned int slave_facet,
+                   const unsigned int master_facet) const;
+
+    const Surface<3>        &slave, &master;
+    const FaceConfiguration &now;
+  };
+} // namespace Contact
+
+#endif
