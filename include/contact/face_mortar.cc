@@ -338,15 +338,21 @@ namespace Contact
 
 
 
-  // On a plane of symmetry that the surface meets at a right angle, or nearly
-  // so, the facets are those of one side only.
+  // The facets around a node on a plane of symmetry are those of one side only:
+  // the mean with their images is along the plane. Not of a surface that lies
+  // in it.
   void MortarDiscretization<3>::make_symmetric(ContactPoint<3> &point) const
   {
-    const double sine   = 0.3;
+    const double sine   = 0.9;
     Tensor<1, 3> normal = point.normal;
     for (unsigned int c = 0; c < 3; ++c)
-      if (point.slip_is_void[c] && std::abs(normal[c]) < sine)
-        normal[c] = 0;
-    point.normal = normal / normal.norm();
+      {
+        point.slip_is_void[c] =
+          point.slip_is_void[c] && std::abs(point.normal[c]) < sine;
+        if (point.slip_is_void[c])
+          normal[c] = 0;
+      }
+    if (normal.norm() > 0)
+      point.normal = normal / normal.norm();
   }
 } // namespace Contact
