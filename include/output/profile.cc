@@ -5,55 +5,16 @@
 
 #include "output/profile.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <map>
 
 #include "contact/contact_results.h"
+#include "output/profile_rows.h"
 
 namespace Contact
 {
   namespace
   {
-    /// Values between the corners of a facet are the mean of those there.
-    template<typename T>
-    void fill_middles(const SurfaceFacet<2> &edge, std::vector<T> &values)
-    {
-      values[edge.nodes[2]] =
-        0.5 * (values[edge.nodes[0]] + values[edge.nodes[1]]);
-    }
-
-    template<typename T>
-    void fill_middles(const SurfaceFacet<3> &facet, std::vector<T> &values)
-    {
-      const auto &n = facet.nodes;
-      for (unsigned int s = 0; s < 4; ++s)
-        {
-          const auto [a, b] = SurfaceFacet<3>::corners_of_side[s];
-          values[n[4 + s]]  = 0.5 * (values[n[a]] + values[n[b]]);
-        }
-      values[n[8]] =
-        0.25 * (values[n[0]] + values[n[1]] + values[n[2]] + values[n[3]]);
-    }
-
-
-
-    std::vector<double> arc_lengths(const Surface<2>            &surface,
-                                    const std::vector<Point<2>> &x)
-    {
-      return surface.arc_length(x);
-    }
-
-    /// Surfaces in space have none.
-    std::vector<double> arc_lengths(const Surface<3> &,
-                                    const std::vector<Point<3>> &x)
-    {
-      return std::vector<double>(x.size());
-    }
-
-
-
     /// A shear or a slip in one number: along the tangent, or the magnitude.
     double in_one_number(const Tensor<1, 1> &tangential)
     {
@@ -63,86 +24,6 @@ namespace Contact
     double in_one_number(const Tensor<1, 2> &tangential)
     {
       return tangential.norm();
-    }
-
-
-
-    /// The recovered stress at the nodes of a surface, with several ranks from
-    /// those that know the vertices.
-    template<int dim>
-    std::vector<SymmetricTensor<2, 3>>
-    node_stresses(const Surface<dim>                       &surface,
-                  const Discretization<dim>                &discretization,
-                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses)
-    {
-      std::map<types::global_dof_index, unsigned int> vertex_of_dof;
-      for (unsigned int v = 0; v < discretization.vertex_dofs.size(); ++v)
-        vertex_of_dof.emplace(discretization.vertex_dofs[v][0], v);
-
-      // The components by node, and how many ranks know them.
-      const unsigned int  n = SymmetricTensor<2, 3>::n_independent_components;
-      std::vector<double> sums((n + 1) * surface.nodes.size());
-      const auto &owned = discretization.dof_handler.locally_owned_dofs();
-      for (unsigned int node = 0; node < surface.nodes.size(); ++node)
-        {
-          const auto dof    = surface.nodes[node].dofs[0];
-          const auto vertex = vertex_of_dof.find(dof);
-          if (vertex == vertex_of_dof.end() || !owned.is_element(dof))
-            continue;
-          for (unsigned int i = 0; i < n; ++i)
-            sums[(n + 1) * node + i] =
-              vertex_stresses[vertex->second].access_raw_entry(i);
-          sums[(n + 1) * node + n] = 1;
-        }
-      Utilities::MPI::sum(sums, discretization.communicator, sums);
-
-      std::vector<SymmetricTensor<2, 3>> stresses(surface.nodes.size());
-      for (unsigned int node = 0; node < stresses.size(); ++node)
-        for (unsigned int i = 0; i < n; ++i)
-          stresses[node].access_raw_entry(i) = sums[(n + 1) * node + i];
-
-      // The recovered stress is linear along an edge.
-      if (surface.degree == 2)
-        for (const SurfaceFacet<dim> &facet : surface.facets)
-          fill_middles(facet, stresses);
-      return stresses;
-    }
-
-
-
-    /// The rows of a surface with all that does not ask for the other one.
-    template<int dim>
-    std::vector<ProfileRow<dim>>
-    make_rows(const Surface<dim>                       &surface,
-              const Discretization<dim>                &discretization,
-              const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-              const Vector<double>                     &u)
-    {
-      const auto stresses =
-        node_stresses(surface, discretization, vertex_stresses);
-      const auto              normals = surface.normals(u);
-      std::vector<Point<dim>> reference, deformed;
-      for (unsigned int i = 0; i < surface.nodes.size(); ++i)
-        {
-          reference.push_back(surface.nodes[i].X);
-          deformed.push_back(surface.position(i, u));
-        }
-      const auto arc_length          = arc_lengths(surface, reference);
-      const auto deformed_arc_length = arc_lengths(surface, deformed);
-
-      std::vector<ProfileRow<dim>> rows(surface.nodes.size());
-      for (unsigned int n = 0; n < rows.size(); ++n)
-        {
-          rows[n].arc_length          = arc_length[n];
-          rows[n].deformed_arc_length = deformed_arc_length[n];
-          rows[n].X                   = reference[n];
-          rows[n].u                   = deformed[n] - reference[n];
-          for (unsigned int i = 0; i < dim; ++i)
-            for (unsigned int j = 0; j < dim; ++j)
-              rows[n].extrapolated_pressure -=
-                normals[n][i] * stresses[n][i][j] * normals[n][j];
-        }
-      return rows;
     }
 
 
@@ -297,16 +178,29 @@ namespace Contact
 
 
 
-    /// Give a row the contact values of a place on the slave.
-    void interpolate(const Surface<2>                 &slave,
-                     const std::vector<ProfileRow<2>> &slave_rows,
-                     const Projection<2>              &place,
-                     ProfileRow<2>                    &row)
+    /// The place of a facet that is closest to one in its plane: values are not
+    /// extrapolated to the overhang beyond the end.
+    double onto_facet(const double xi)
     {
-      // Values are not extrapolated to the overhang beyond the end.
-      const EdgeShape shape(slave.degree,
-                            std::max(-1., std::min(1., place.xi)));
-      unsigned int    nearest = 0;
+      return std::max(-1., std::min(1., xi));
+    }
+
+    Point<2> onto_facet(const Point<2> &xi)
+    {
+      return {onto_facet(xi[0]), onto_facet(xi[1])};
+    }
+
+
+
+    /// Give a row the contact values of a place on the slave.
+    template<int dim>
+    void interpolate(const Surface<dim>                 &slave,
+                     const std::vector<ProfileRow<dim>> &slave_rows,
+                     const Projection<dim>              &place,
+                     ProfileRow<dim>                    &row)
+    {
+      const FacetShape<dim> shape(slave.degree, onto_facet(place.xi));
+      unsigned int          nearest = 0;
       for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
         {
           const auto &from = slave_rows[slave.facets[place.facet].nodes[a]];
@@ -314,6 +208,8 @@ namespace Contact
           row.shear += shape.value[a] * from.shear;
           row.gap += shape.value[a] * from.gap;
           row.slip += shape.value[a] * from.slip;
+          row.shear_vector += shape.value[a] * from.shear_vector;
+          row.slip_vector += shape.value[a] * from.slip_vector;
           if (shape.value[a] > shape.value[nearest])
             nearest = a;
         }
@@ -322,7 +218,7 @@ namespace Contact
 
 
 
-    /// Let the rows begin at their other end.
+    /// Let the rows of a chain begin at their other end.
     void reverse(std::vector<ProfileRow<2>> &rows)
     {
       std::reverse(rows.begin(), rows.end());
@@ -333,6 +229,10 @@ namespace Contact
           row.arc_length          = length - row.arc_length;
           row.deformed_arc_length = deformed_length - row.deformed_arc_length;
         }
+    }
+
+    void reverse(std::vector<ProfileRow<3>> &)
+    {
     }
   } // namespace
 
@@ -358,25 +258,25 @@ namespace Contact
 
 
 
-  template<>
-  std::vector<ProfileRow<2>>
-  master_profile(const ContactInterface<2>                &interface,
-                 const ContactPair<2>                     &contact_pair,
-                 const Discretization<2>                  &discretization,
+  template<int dim>
+  std::vector<ProfileRow<dim>>
+  master_profile(const ContactInterface<dim>              &interface,
+                 const ContactPair<dim>                   &contact_pair,
+                 const Discretization<dim>                &discretization,
                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                  const Vector<double>                     &solution,
-                 const std::vector<ProfileRow<2>>         &slave,
+                 const std::vector<ProfileRow<dim>>       &slave,
                  const std::optional<ExactSolution>       &exact)
   {
     if (!contact_pair.master)
       return {};
-    const Surface<2> &master = *contact_pair.master;
+    const Surface<dim> &master = *contact_pair.master;
     auto rows = make_rows(master, discretization, vertex_stresses, solution);
 
-    const SurfaceSearch<2> search(contact_pair.slave, solution);
+    const SurfaceSearch<dim> search(contact_pair.slave, solution);
     for (unsigned int n = 0; n < rows.size(); ++n)
       {
-        const Projection<2> place =
+        const Projection<dim> place =
           search.closest_point(master.position(n, solution));
         if (!place.off_the_end)
           interpolate(contact_pair.slave, slave, place, rows[n]);
@@ -385,7 +285,7 @@ namespace Contact
     std::map<types::global_dof_index, unsigned int> node_of_dof;
     for (unsigned int n = 0; n < master.nodes.size(); ++n)
       node_of_dof[master.nodes[n].dofs[0]] = n;
-    for (const ContactPoint<2> &point : interface.points_of(contact_pair))
+    for (const ContactPoint<dim> &point : interface.points_of(contact_pair))
       {
         // Positive if it pushes.
         const double force = (point.is_master_corner ? -1 : 1) *
@@ -399,21 +299,6 @@ namespace Contact
     add_exact_values(exact, rows);
     reverse(rows);
     return rows;
-  }
-
-
-
-  template<>
-  std::vector<ProfileRow<3>>
-  master_profile(const ContactInterface<3> &,
-                 const ContactPair<3> &,
-                 const Discretization<3> &,
-                 const std::vector<SymmetricTensor<2, 3>> &,
-                 const Vector<double> &,
-                 const std::vector<ProfileRow<3>> &,
-                 const std::optional<ExactSolution> &)
-  {
-    return {};
   }
 
 

@@ -97,9 +97,9 @@ namespace Contact
    * nodal force is the sum over the points of what they put on the node, w p
    * times the node's share.
    *
-   * The rows begin at the last node of the master, and so do the arc lengths:
-   * two surfaces that face each other run in opposite directions, because
-   * each has its body to the left, and the profiles shall run alike.
+   * In the plane the rows begin at the last node of the master, and so do the
+   * arc lengths: two surfaces that face each other run in opposite directions,
+   * because each has its body to the left, and the profiles shall run alike.
    */
   template<int dim>
   std::vector<ProfileRow<dim>>

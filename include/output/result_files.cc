@@ -15,6 +15,7 @@
 
 #include "base/all_ranks.h"
 #include "base/files.h"
+#include "output/contact_patches.h"
 #include "output/node_table.h"
 #include "output/vertex_fields.h"
 
@@ -43,140 +44,14 @@ namespace Contact
                                         {"stress_yy", "MPa"},
                                         {"stress_zz", "MPa"},
                                         {"stress_xy", "MPa"},
+                                        {"stress_xz", "MPa"},
+                                        {"stress_yz", "MPa"},
                                         {"von_mises", "MPa"},
                                         {"pressure", "MPa"},
                                         {"shear", "MPa"},
                                         {"gap", "mm"},
                                         {"slip", "mm"}};
       return flags;
-    }
-
-
-
-    /// The fields of the contact file.
-    const std::vector<std::string> &contact_fields(const Surface<2> &)
-    {
-      static const std::vector<std::string> names{"displacement",
-                                                  "displacement",
-                                                  "pressure",
-                                                  "shear",
-                                                  "gap",
-                                                  "slip",
-                                                  "status"};
-      return names;
-    }
-
-    const std::vector<std::string> &contact_fields(const Surface<3> &)
-    {
-      static const std::vector<std::string> names{"displacement",
-                                                  "displacement",
-                                                  "displacement",
-                                                  "shear",
-                                                  "shear",
-                                                  "shear",
-                                                  "slip",
-                                                  "slip",
-                                                  "slip",
-                                                  "pressure",
-                                                  "gap",
-                                                  "status"};
-      return names;
-    }
-
-    /// Their values in a row, and the position.
-    std::vector<double> contact_values(const ProfileRow<2> &row)
-    {
-      return {row.u[0],
-              row.u[1],
-              row.pressure,
-              row.shear,
-              row.gap,
-              row.slip,
-              double(row.status),
-              row.X[0],
-              row.X[1]};
-    }
-
-    std::vector<double> contact_values(const ProfileRow<3> &row)
-    {
-      std::vector<double> values;
-      for (const Tensor<1, 3> &vector :
-           {Tensor<1, 3>(row.u), row.shear_vector, row.slip_vector})
-        for (unsigned int c = 0; c < 3; ++c)
-          values.push_back(vector[c]);
-      values.insert(values.end(),
-                    {row.pressure,
-                     row.gap,
-                     double(row.status),
-                     row.X[0],
-                     row.X[1],
-                     row.X[2]});
-      return values;
-    }
-
-    /// The vectors among them.
-    using VectorFields = std::vector<
-      std::tuple<unsigned int,
-                 unsigned int,
-                 std::string,
-                 DataComponentInterpretation::DataComponentInterpretation>>;
-
-    VectorFields vector_fields(const Surface<2> &)
-    {
-      return {{0, 1, "displacement", component_is_part_of_vector}};
-    }
-
-    VectorFields vector_fields(const Surface<3> &)
-    {
-      return {{0, 2, "displacement", component_is_part_of_vector},
-              {3, 5, "shear", component_is_part_of_vector},
-              {6, 8, "slip", component_is_part_of_vector}};
-    }
-
-
-
-    /// A patch wants its points along its coordinates, the first one fastest.
-    std::vector<unsigned int> points_of_patch(const Surface<2> &,
-                                              const unsigned int degree)
-    {
-      return degree == 1 ? std::vector<unsigned int>{0, 1}
-                         : std::vector<unsigned int>{0, 2, 1};
-    }
-
-    std::vector<unsigned int> points_of_patch(const Surface<3> &,
-                                              const unsigned int degree)
-    {
-      return degree == 1 ? std::vector<unsigned int>{0, 1, 2, 3}
-                         : std::vector<unsigned int>{0, 6, 1, 4, 8, 5, 2, 7, 3};
-    }
-
-
-
-    /// A facet of the slave surface with the fields above, then its position.
-    template<int dim>
-    DataOutBase::Patch<dim - 1, dim>
-    make_patch(const Surface<dim>                 &slave,
-               const std::vector<ProfileRow<dim>> &rows,
-               const unsigned int                  e)
-    {
-      const auto &nodes = slave.facets[e].nodes;
-      const auto  order = points_of_patch(slave, slave.degree);
-
-      DataOutBase::Patch<dim - 1, dim> patch;
-      for (unsigned int v = 0; v < GeometryInfo<dim - 1>::vertices_per_cell;
-           ++v)
-        patch.vertices[v] = rows[nodes[v]].X;
-      patch.reference_cell       = ReferenceCells::get_hypercube<dim - 1>();
-      patch.n_subdivisions       = slave.degree;
-      patch.points_are_available = true;
-      patch.data.reinit(contact_fields(slave).size() + dim, order.size());
-      for (unsigned int i = 0; i < order.size(); ++i)
-        {
-          unsigned int c = 0;
-          for (const double value : contact_values(rows[nodes[order[i]]]))
-            patch.data(c++, i) = value;
-        }
-      return patch;
     }
 
 
@@ -359,20 +234,19 @@ namespace Contact
                                  load_factor,
                                  discretization.degree,
                                  "N" + discretization.per_thickness()));
-    data_out.add_data_vector(discretization.dof_handler,
-                             u,
-                             std::vector<std::string>(2, "displacement"),
-                             {component_is_part_of_vector,
-                              component_is_part_of_vector});
+    const auto add_vector = [&](const Vector<double> &values,
+                                const std::string    &name) {
+      data_out.add_data_vector(discretization.dof_handler,
+                               values,
+                               std::vector<std::string>(dim, name),
+                               {std::size_t(dim), component_is_part_of_vector});
+    };
+    add_vector(u, "displacement");
     Vector<double> forces;
     if (contact_forces.size() > 0)
       {
         forces = owned_part(contact_forces);
-        data_out.add_data_vector(discretization.dof_handler,
-                                 forces,
-                                 std::vector<std::string>(2, "contact_force"),
-                                 {component_is_part_of_vector,
-                                  component_is_part_of_vector});
+        add_vector(forces, "contact_force");
       }
     vertex_fields.attach(data_out);
     data_out.add_data_vector(body, "body", DataOut<dim>::type_cell_data);
@@ -428,25 +302,14 @@ namespace Contact
                                   const double       load_factor,
                                   const std::vector<PairProfile<dim>> &pairs)
   {
-    std::vector<DataOutBase::Patch<dim - 1, dim>> patches;
-    for (const PairProfile<dim> &contact_pair : pairs)
-      for (unsigned int e = 0; e < contact_pair.slave->facets.size(); ++e)
-        {
-          patches.push_back(
-            make_patch(*contact_pair.slave, contact_pair.slave_rows, e));
-          patches.back().patch_index = patches.size() - 1;
-        }
-
     const std::string file =
       "contact_" + Utilities::int_to_string(k, 4) + ".vtu";
     write_first(file, [&](std::ostream &out) {
       DataOutBase::write_vtu(
-        patches,
-        contact_fields(*pairs.front().slave),
-        vector_fields(*pairs.front().slave),
-        // As curved lines deal.II 9.4 numbers their points wrongly: an edge of
-        // degree 2 is written as two lines through its middle node.
-        vtk_flags(k, load_factor, /*degree=*/1),
+        contact_patches(pairs),
+        contact_fields<dim>(),
+        contact_vectors<dim>(),
+        vtk_flags(k, load_factor, contact_cell_degree(*pairs.front().slave)),
         out);
     });
     contact.emplace_back(load_factor, file);

@@ -55,8 +55,9 @@ namespace Contact
 
     /**
      * Write contact_000k.vtu of increment @p k, and contact.pvd anew: the
-     * edges of the slave surfaces with displacement, pressure, shear, gap, slip
-     * and status of their rows.
+     * facets of the slave surfaces, in space at their degree, with
+     * displacement, pressure, shear, gap, slip and status of their rows; shear
+     * and slip are vectors in space.
      */
     void write_contact(const unsigned int                   k,
                        const double                         load_factor,
