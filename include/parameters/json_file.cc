@@ -17,6 +17,8 @@
 
 namespace Contact
 {
+  using namespace dealii;
+
   namespace
   {
     using nlohmann::json;
