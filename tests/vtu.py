@@ -129,7 +129,7 @@ def slope(cell, place, d):
     h, ends, subcell = 0.25, [], reference(0)
     weights = [0.0] * cell.GetNumberOfPoints()
     for sign in (1, -1):
-        local, x = [*place, 0.0], [0.0] * 3
+        local, x = [*place, 0.0][:3], [0.0] * 3
         local[d] += sign * h
         cell.EvaluateLocation(subcell, local, x, weights)
         ends.append(x)
