@@ -1,16 +1,18 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Converts a plane mesh with named groups into the MSH format that contact reads.
+"""Converts a mesh with named groups into the MSH format that contact reads.
 
     convert.py [--bodies NAME,NAME] IN OUT.msh
 
 IN is a MED file (Code_Aster, Salome; 2.2 to 4) or of any format that meshio
-reads. Groups keep their names: groups of faces become bodies, groups of lines
-the parts of their boundaries, point elements and groups of one node the named
-points. Every face needs one body; --bodies says which groups of faces are
+reads. Groups keep their names: in the plane groups of faces become bodies and
+groups of lines the parts of their boundaries, in space (hexahedra) groups of
+volumes and groups of faces; point elements and groups of one node become the
+named points. Every cell needs one body; --bodies says which groups of cells are
 bodies where others overlap with them. Elements of first and second order keep
 their nodes, but contact takes the corners alone: what is round is reported,
-with the circle for Mesh/Arcs where a group is one, and with a note on stderr
+with the circle for Mesh/Arcs (in space the sphere, cylinder or cone for
+Mesh/Spheres, Cylinders or Cones) where a group is one, and with a note on stderr
 where it becomes straight. Exit status: 0, or 2 if IN can not be converted.
 
 For Debian's Python with python3-h5py (MED) and python3-meshio (the others).
@@ -19,21 +21,38 @@ For Debian's Python with python3-h5py (MED) and python3-meshio (the others).
 from __future__ import annotations
 
 import argparse
-import math
 import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
+sys.dont_write_bytecode = True
+import roundness  # noqa: E402, of the folder of this file
+
 # meshio's name -> gmsh's type, dimension, number of nodes that gmsh's type has.
 TYPES = {"vertex": (15, 0, 1), "line": (1, 1, 2), "line3": (8, 1, 3),
          "triangle": (2, 2, 3), "triangle6": (9, 2, 6), "triangle7": (9, 2, 6),
-         "quad": (3, 2, 4), "quad8": (16, 2, 8), "quad9": (10, 2, 9)}
-KINDS = ("points", "boundaries", "bodies")  # by dimension
+         "quad": (3, 2, 4), "quad8": (16, 2, 8), "quad9": (10, 2, 9),
+         "hexahedron": (5, 3, 8), "hexahedron20": (17, 3, 20),
+         "hexahedron27": (12, 3, 27)}
+
+# The nodes behind the corners of hexahedra in gmsh's order, by their place in
+# meshio's, which is VTK's.
+GMSH_ORDER = {"hexahedron20": [8, 11, 16, 9, 17, 10, 18, 19, 12, 15, 13, 14]}
+GMSH_ORDER["hexahedron27"] = GMSH_ORDER["hexahedron20"] + [24, 22, 20, 21, 23,
+                                                           25, 26]
+
+# Names of what is no hexahedron, of meshio's and of MED.
+OTHER_VOLUMES = ("tetra", "wedge", "pyramid", "TE4", "T10", "PE6", "P15", "P18",
+                 "PY5", "P13")
 
 # MED's name -> meshio's.
 MED_TYPES = {"PO1": "vertex", "SE2": "line", "SE3": "line3", "TR3": "triangle",
              "TR6": "triangle6", "TR7": "triangle7", "QU4": "quad",
-             "QU8": "quad8", "QU9": "quad9"}
+             "QU8": "quad8", "QU9": "quad9", "HE8": "hexahedron",
+             "H20": "hexahedron20", "H27": "hexahedron27"}
+# The centres of the faces of a hexahedron in VTK's order, by their place in
+# MED's.
+MED_ORDER = {"hexahedron27": [*range(20), 24, 22, 21, 23, 20, 25, 26]}
 MED_ENDS = (".med", ".mmed", ".rmed")
 
 
@@ -61,12 +80,32 @@ class Mesh:
     elements: list[Element] = field(default_factory=list)
     node_groups: dict[str, list[int]] = field(default_factory=dict)
 
+    @property
+    def dimension(self) -> int:
+        """That of its bodies: 3 if it has volumes."""
+        return max([2] + [e.dimension for e in self.elements])
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """What groups are, by dimension."""
+        return ("points", "boundaries", "bodies") if self.dimension == 2 else \
+            ("points", "curves", "boundaries", "bodies")
+
+    def of_dimension(self, dimension: int) -> list[Element]:
+        return [e for e in self.elements if e.dimension == dimension]
+
     def add(self, kind: str, nodes, groups, path: Path) -> None:
         """A block of equal elements with the groups of each."""
+        if kind.startswith(OTHER_VOLUMES):
+            raise BadMesh("the mesh has tetrahedra, prisms or pyramids (elements "
+                          f"of type {kind})", str(path),
+                          "mesh volumes with hexahedra of 8, 20 or 27 nodes, by "
+                          "extrusion or mapping of quadrangles")
         if kind not in TYPES:
             raise BadMesh(f"the mesh has elements of type {kind}", str(path),
                           "mesh a plane surface with lines, triangles and "
-                          "quadrangles of first or second order")
+                          "quadrangles, or volumes with hexahedra, of first or "
+                          "second order")
         self.elements += [
             Element(kind, [int(n) for n in numbers[:TYPES[kind][2]]], set(names))
             for numbers, names in zip(nodes, groups)]
@@ -142,8 +181,10 @@ def read_med(path: Path) -> Mesh:
         for kind, block in blocks:
             n = int(block["NOD"].attrs["NBR"])
             groups = [names.get(int(f), ()) for f in block.get("FAM", [0] * n)]
-            mesh.add(MED_TYPES.get(kind, kind),
-                     block["NOD"][()].reshape(-1, n).T - 1, groups, path)
+            name = MED_TYPES.get(kind, kind)
+            nodes = block["NOD"][()].reshape(-1, n).T - 1
+            mesh.add(name, nodes[:, MED_ORDER.get(name, slice(None))], groups,
+                     path)
     return mesh
 
 
@@ -212,145 +253,54 @@ def name_points(mesh: Mesh) -> None:
             mesh.elements.append(Element("vertex", nodes, {name}))
         elif len(nodes) > 1:
             print(f"left out: the group '{name}' of {len(nodes)} nodes; a named "
-                  "point is one node, a boundary a group of lines")
+                  "point is one node, a boundary a group of "
+                  + ("lines" if mesh.dimension == 2 else "faces"))
 
 
 def check(mesh: Mesh, path: Path, bodies: list[str]) -> None:
-    """Every face has one body, and all are in one plane. Drops the groups of
-    faces that are not in @p bodies, if this names any."""
-    faces = [e for e in mesh.elements if e.dimension == 2]
-    if not faces:
+    """Every cell has one body, and plane cells are in one plane. Drops the groups
+    of cells that are not in @p bodies, if this names any."""
+    cells = mesh.of_dimension(mesh.dimension)
+    cell, cell_plural = (("face", "faces") if mesh.dimension == 2
+                         else ("volume", "volumes"))
+    if not cells:
         raise BadMesh("the mesh has no faces", str(path),
-                      "mesh surfaces with triangles or quadrangles")
-    known = sorted({name for face in faces for name in face.groups})
-    there = "groups of faces: " + (", ".join(known) or "none")
+                      "mesh surfaces with triangles or quadrangles, or volumes "
+                      "with hexahedra")
+    known = sorted({name for element in cells for name in element.groups})
+    there = f"groups of {cell_plural}: " + (", ".join(known) or "none")
     for name in bodies:
         if name not in known:
-            raise BadMesh(f"no face is in the group '{name}'", str(path), there)
-    for face in faces:
+            raise BadMesh(f"no {cell} is in the group '{name}'", str(path), there)
+    for element in cells:
         if bodies:
-            face.groups &= set(bodies)
-        if len(face.groups) != 1:
-            names = ", ".join(sorted(face.groups)) or "none"
-            raise BadMesh("a face needs one body, but its groups are: " + names,
-                          f"{path}, face with the corner "
-                          f"{mesh.points[face.nodes[0]]}",
-                          f"put each face in one group, or choose the bodies "
+            element.groups &= set(bodies)
+        if len(element.groups) != 1:
+            names = ", ".join(sorted(element.groups)) or "none"
+            raise BadMesh(f"a {cell} needs one body, but its groups are: " + names,
+                          f"{path}, {cell} with the corner "
+                          f"{mesh.points[element.nodes[0]]}",
+                          f"put each {cell} in one group, or choose the bodies "
                           f"with --bodies NAME,NAME; {there}")
+    if mesh.dimension == 2:
+        check_plane(mesh, path)
+    for face in mesh.of_dimension(2) if mesh.dimension == 3 else ():
+        if face.groups and face.kind.startswith("triangle"):
+            raise BadMesh(f"the group '{min(face.groups)}' has triangles, which "
+                          "are no faces of hexahedra", str(path),
+                          "mesh the surfaces of volumes with quadrangles")
 
+
+def check_plane(mesh: Mesh, path: Path) -> None:
     if len(mesh.points[0]) == 3:
-        used = [mesh.points[node] for face in faces for node in face.nodes]
+        used = [mesh.points[node] for face in mesh.of_dimension(2)
+                for node in face.nodes]
         z = [point[2] for point in used]
         # As exact as coordinates with nine digits are.
         if max(z) - min(z) > 1e-9 * max(abs(c) for p in used for c in p):
             raise BadMesh(f"the mesh is not plane: z from {min(z):g} to "
                           f"{max(z):g}", str(path),
-                          "turn it into a plane of constant z")
-
-
-# ------------------------------------------------------- sides that are round
-
-@dataclass
-class Side:
-    """A side of second order: its ends, and the node between them."""
-    ends: list[int]
-    middle: int
-    off: float  # distance of the node from the middle of the ends
-
-
-def round_sides(mesh: Mesh) -> list[Side]:
-    """The sides between a body and what is not this body whose node between the
-    ends is not in their middle. Others than these can be straight without any
-    change of a body."""
-    bodies: dict[frozenset[int], list[set[str]]] = {}
-    sides = {}
-    for face in (e for e in mesh.elements if e.dimension == 2):
-        n = 3 if face.kind.startswith("triangle") else 4
-        for i in range(n):
-            ends = [face.nodes[i], face.nodes[(i + 1) % n]]
-            bodies.setdefault(frozenset(ends), []).append(face.groups)
-            if len(face.nodes) >= 2 * n:
-                sides[frozenset(ends)] = (ends, face.nodes[n + i])
-
-    # As exact as sides and coordinates with nine digits are.
-    size = max(abs(c) for point in mesh.points for c in point)
-    found = []
-    for key, (ends, middle) in sides.items():
-        if len(bodies[key]) == 2 and bodies[key][0] == bodies[key][1]:
-            continue
-        a, b, c = (mesh.points[node] for node in (*ends, middle))
-        off = math.dist(c, [(x + y) / 2 for x, y in zip(a, b)])
-        if off > 1e-6 * math.dist(a, b) + 1e-9 * size:
-            found.append(Side(ends, middle, off))
-    return found
-
-
-def circle(points) -> tuple[float, float, float] | None:
-    """Centre and radius of the circle that all the points are on, with the
-    tolerance of Mesh/Arcs."""
-    a = points[0]
-    b = max(points, key=lambda p: math.dist(p, a))
-
-    def area(p) -> float:
-        return abs((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]))
-
-    c = max(points, key=area)
-    if area(c) == 0:
-        return None
-    # The perpendicular bisectors of a b and of a c meet in the centre.
-    (ux, uy), (vx, vy) = ((p[0] - a[0], p[1] - a[1]) for p in (b, c))
-    u, v, d = ux * ux + uy * uy, vx * vx + vy * vy, 2 * (ux * vy - uy * vx)
-    x, y = a[0] + (u * vy - v * uy) / d, a[1] + (v * ux - u * vx) / d
-    radius = math.dist((x, y), a[:2])
-    if all(abs(math.dist((x, y), p[:2]) - radius) <= 1e-5 * radius
-           for p in points):
-        return x, y, radius
-    return None
-
-
-def report_round_sides(mesh: Mesh) -> None:
-    """The program takes the corners of elements alone, and boundaries that are
-    arcs of circles from Mesh/Arcs. Prints the circles of the groups that can be
-    given so, and which sides become straight."""
-    groups: dict[frozenset[int], set[str]] = {}
-    nodes: dict[str, set[int]] = {}
-    for line in (e for e in mesh.elements if e.dimension == 1):
-        groups.setdefault(frozenset(line.nodes[:2]), set()).update(line.groups)
-        for name in line.groups:
-            nodes.setdefault(name, set()).update(line.nodes)
-    circles = {}
-    lost: dict[str, list[Side]] = {}
-    for side in round_sides(mesh):
-        names = sorted(groups.get(frozenset(side.ends), ()))
-        for name in set(names) - set(circles):
-            circles[name] = circle([mesh.points[i] for i in sorted(nodes[name])])
-        if not any(circles[name] for name in names):
-            why = (f"in the group '{names[0]}', which is not one circle"
-                   if names else "in no group of lines")
-            lost.setdefault(why, []).append(side)
-
-    for name, found in sorted(circles.items()):
-        if found:
-            print(f"round: {name}; it stays so with Mesh/Arcs = {name}: "
-                  + ", ".join(f"{c:.9g}" if abs(c) > 1e-9 * found[2] else "0"
-                              for c in found))
-    for why, straight in lost.items():
-        print_lost_sides(mesh, why, straight)
-
-
-def print_lost_sides(mesh: Mesh, why: str, sides: list[Side]) -> None:
-    n_shown = 10
-    sides.sort(key=lambda side: -side.off)
-    print(f"note: {len(sides)} round sides become straight, {why}: their middle "
-          f"nodes are left out, by up to {sides[0].off:.3g}. To keep an arc, "
-          "put all of it, and nothing else, in a group for Mesh/Arcs.",
-          file=sys.stderr)
-    for side in sides[:n_shown]:
-        a, b = (", ".join(f"{c:g}" for c in mesh.points[node][:2])
-                for node in side.ends)
-        print(f"  from ({a}) to ({b}): {side.off:.3g}", file=sys.stderr)
-    if len(sides) > n_shown:
-        print(f"  and {len(sides) - n_shown} more", file=sys.stderr)
+                          "turn it into a plane of constant z, or mesh volumes")
 
 
 def write(mesh: Mesh, path: Path) -> None:
@@ -366,7 +316,9 @@ def write(mesh: Mesh, path: Path) -> None:
     for number, point in enumerate(mesh.points, 1):
         x, y, z = [*point, 0.0, 0.0][:3]
         lines.append(f"{number} {x!r} {y!r} {z!r}")
-    rows = [(TYPES[e.kind][0], tags[e.dimension, name], e.nodes)
+    rows = [(TYPES[e.kind][0], tags[e.dimension, name],
+             e.nodes[:8] + [e.nodes[i] for i in GMSH_ORDER[e.kind]]
+             if e.kind in GMSH_ORDER else e.nodes)
             for e in mesh.elements for name in sorted(e.groups)]
     lines += ["$EndNodes", "$Elements", str(len(rows))]
     for number, (kind, tag, nodes) in enumerate(rows, 1):
@@ -377,12 +329,12 @@ def write(mesh: Mesh, path: Path) -> None:
 
 def describe(mesh: Mesh) -> None:
     """What the program will find."""
-    for dimension in (2, 1, 0):
+    for dimension in reversed(range(mesh.dimension + 1)):
         counts: dict[str, int] = {}
         for e in mesh.elements:
             for name in e.groups if e.dimension == dimension else ():
                 counts[name] = counts.get(name, 0) + 1
-        print(f"{KINDS[dimension]}: " + (", ".join(
+        print(f"{mesh.kinds[dimension]}: " + (", ".join(
             f"{name} ({n})" for name, n in sorted(counts.items())) or "none"))
 
 
@@ -392,14 +344,15 @@ def main() -> None:
     parser.add_argument("input", metavar="IN", type=Path)
     parser.add_argument("output", metavar="OUT.msh", type=Path)
     parser.add_argument("--bodies", metavar="NAME,NAME", default="",
-                        help="the groups of faces that are bodies; all without")
+                        help="the groups of faces (of volumes) that are bodies; "
+                        "all without")
     arguments = parser.parse_args()
     bodies = [name for name in arguments.bodies.split(",") if name]
     mesh = read(arguments.input)
     name_points(mesh)
     check(mesh, arguments.input, bodies)
     write(mesh, arguments.output)
-    report_round_sides(mesh)
+    roundness.report(mesh)
     describe(mesh)
 
 
