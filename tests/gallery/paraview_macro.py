@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The views of a case in ParaView: von Mises stress on the deformed bodies, the
 mesh at the contact with the pressure on the slave, the pressure over the arc
-beside the exact one where theory knows it, shear and slip.
+beside the exact one where theory knows it, shear and slip. Of a case in space:
+the bodies clipped by a plane through the contact, the mesh on this cut, the
+pressure on the slave, and its status with the shear as arrows.
 
 As a macro (Macros, Import new macro ...): open bodies.pvd of a case, select it
 in the pipeline, press the button. From a shell
@@ -30,6 +32,12 @@ def case_directory():
         raise RuntimeError("open bodies.pvd of a case and select it, or name "
                            "the directory of the case")
     return os.path.dirname(files if isinstance(files, str) else files[0])
+
+
+def is_in_space(directory):
+    """Whether the profile has no arc length but three coordinates."""
+    with open(os.path.join(directory, "profile.csv"), newline="") as file:
+        return "Z_mm" in next(csv.reader(file))
 
 
 def contact_zone(directory):
@@ -112,9 +120,8 @@ def columns_with_values(directory, columns):
     return [c for c in columns if {row[c[0]] for row in rows} != {""}]
 
 
-def main():
-    directory = case_directory()
-    pv._DisableFirstRenderCameraReset()
+def plane_views(directory):
+    """The layout of a plane case, and the largest pressure."""
     bodies, surface = moved(directory, "bodies"), moved(directory, "contact")
     x, y, arc, largest = contact_zone(directory)
     centre = (sum(x) / 2, sum(y) / 2)
@@ -162,6 +169,94 @@ for name in inputs[0].RowData.keys():
     layout.SplitHorizontal(6, 0.5)
     for cell, view in ((1, whole), (5, close), (13, pressure), (14, shear)):
         layout.AssignView(cell, view)
+    return layout, largest
+
+
+def contact_box(directory):
+    """Where the slave is in contact, moved: least and largest coordinates; and
+    the largest pressure."""
+    places, pressure = [], []
+    with open(os.path.join(directory, "profile.csv"), newline="") as file:
+        for row in csv.DictReader(file):
+            if (row["surface"].startswith("slave")
+                    and int(row["status_0_open_1_slip_2_stick"]) > 0):
+                places.append([float(row[c.upper() + "_mm"])
+                               + float(row["displacement_" + c + "_mm"])
+                               for c in "xyz"])
+                pressure.append(float(row["pressure_MPa"]))
+    if not places:
+        raise RuntimeError("no point of " + directory + " is in contact")
+    columns = list(zip(*places))
+    return [min(c) for c in columns], [max(c) for c in columns], max(pressure)
+
+
+def look(view, centre, direction, up, half):
+    """A view in space at a place, from a direction, of a window about it."""
+    view.InteractionMode = "3D"
+    view.CameraParallelProjection = 1
+    view.CameraFocalPoint = centre
+    view.CameraPosition = [c + 10 * half * d for c, d in zip(centre, direction)]
+    view.CameraViewUp = up
+    view.CameraParallelScale = half
+
+
+def space_views(directory):
+    """The layout of a case in space, and the largest pressure."""
+    bodies, surface = moved(directory, "bodies"), moved(directory, "contact")
+    low, high, largest = contact_box(directory)
+    centre = [(a + b) / 2 for a, b in zip(low, high)]
+    half = LARGEST_ZONE / 2 * max(b - a for a, b in zip(low, high))
+
+    # Just beyond the middle: a plane of symmetry has its own face there.
+    clip = pv.Clip(registrationName="clip", Input=bodies)
+    clip.ClipType = "Plane"
+    clip.ClipType.Origin = [centre[0], low[1] + 1e-6 * half, centre[2]] \
+        if abs(low[1]) < 1e-6 * half else centre
+    clip.ClipType.Normal = [0, 1, 0]
+    clip.Invert = 0
+    whole = render_view("von Mises stress [MPa]")
+    show(clip, whole, "von_mises")
+    look(whole, centre, [-0.4, -0.8, 0.4], [0, 0, 1], half)
+    pv.ResetCamera(whole)
+
+    close = render_view("von Mises stress [MPa], mesh on the cut")
+    show(clip, close, "von_mises", "Surface With Edges")
+    look(close, centre, [0, -1, 0], [0, 0, 1], half)
+
+    pressure = render_view("pressure on the slave [MPa], from above")
+    show(surface, pressure, "pressure", "Surface With Edges")
+    look(pressure, centre, [0, 0, 1], [0, 1, 0], half)
+
+    status = render_view("status (0 open, 1 slip, 2 stick), shear")
+    show(surface, status, "status")
+    arrows = pv.Glyph(registrationName="shear", Input=surface,
+                      GlyphType="Arrow")
+    arrows.OrientationArray = ["POINTS", "shear"]
+    arrows.ScaleArray = ["POINTS", "shear"]
+    arrows.GlyphMode = "All Points"
+    # The longest arrow is a third of the zone.
+    shears = surface.PointData.GetArray("shear")
+    longest = shears.GetRange(-1)[1] if shears else 0
+    arrows.ScaleFactor = half / 3 / longest if longest > 0 else 1
+    display = pv.Show(arrows, status)
+    display.ColorArrayName = ["POINTS", ""]
+    display.AmbientColor = display.DiffuseColor = [0, 0, 0]
+    look(status, centre, [0, 0, 1], [0, 1, 0], half)
+
+    layout = pv.CreateLayout(name=os.path.basename(directory))
+    layout.SplitHorizontal(0, 0.5)
+    layout.SplitVertical(1, 0.5)
+    layout.SplitVertical(2, 0.5)
+    for cell, view in ((3, whole), (4, pressure), (5, close), (6, status)):
+        layout.AssignView(cell, view)
+    return layout, largest
+
+
+def main():
+    directory = case_directory()
+    pv._DisableFirstRenderCameraReset()
+    layout, largest = (space_views if is_in_space(directory)
+                       else plane_views)(directory)
     pv.GetAnimationScene().GoToLast()
     # Under a force on a node stresses have no limit; under a contact they stay
     # below its pressure.
@@ -175,6 +270,7 @@ for name in inputs[0].RowData.keys():
         else:
             layout.SetSize(1400, 900)
             pv.SaveScreenshot(file, layout)
+
 
 
 main()
