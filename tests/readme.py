@@ -79,6 +79,8 @@ ELSEWHERE = {
     "cmake -S . -B build -DDEAL_II_DIR=DIR": "./run, where deal.II is installed",
     "gmsh -2 -format msh41 -o mine.msh mine.geo": "program/readme_case",
     "./run mine.prm": "program/readme_case",
+    "gmsh -3 -format msh41 -o drag.msh drag.geo": "program/readme_case",
+    "./run drag.prm": "program/readme_case",
     "ctest -R half_plane": "tests/half_plane", "ctest -R locking": "tests/locking",
     "ctest -R restart": "program/restart",
     "ctest -R invariance": "program/invariance",

@@ -1,31 +1,42 @@
 #!/bin/sh
-# The case that README shows how to write runs as it is printed there.
+# The cases that the front page and the one of parameters show how to write run as
+# they are printed there.
 #   readme_case.sh CONTACT PARAMETERS
 # SPDX-License-Identifier: LGPL-2.1-or-later
 set -eu
 
-readme=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)/README.md
+root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 
-# block LANGUAGE: the lines between ```LANGUAGE and ```
+# block PAGE LANGUAGE: the lines between ```LANGUAGE and ```
 block() {
-  awk -v fence='```' -v from="\`\`\`$1" '
+  awk -v fence='```' -v from="\`\`\`$2" '
     $0 == from { inside = 1; next }
     $0 == fence { inside = 0 }
-    inside' "$readme"
+    inside' "$root/$1"
 }
 
 command -v gmsh >/dev/null || {
   echo "skipped: no gmsh"
   exit 0
 }
-block geo >mine.geo
-block prm >mine.prm
+block README.md geo >mine.geo
+block README.md prm >mine.prm
 [ -s mine.geo ] && [ -s mine.prm ]
 gmsh -2 -format msh41 -o mine.msh mine.geo >gmsh.log
 "$1" mine.prm
 [ -s output/mine/bodies.pvd ]
 grep -q '"stick": [1-9]' output/mine/summary.json
 grep -q '"slip": [1-9]' output/mine/summary.json
+
+# In space.
+block parameters/README.md geo >drag.geo
+block parameters/README.md prm >drag.prm
+[ -s drag.geo ] && [ -s drag.prm ]
+gmsh -3 -format msh41 -o drag.msh drag.geo >gmsh.log
+"$1" drag.prm
+[ -s output/drag/contact.pvd ]
+grep -q '"stick": [1-9]' output/drag/summary.json
+grep -q '"slip": [1-9]' output/drag/summary.json
 
 # A circle that is no arc is noted; one that is, is not.
 "$1" "$2/ssnp154_b.prm" --set Output/VTU=false >with_arc
