@@ -5,6 +5,8 @@ free node, the force of the support at a held one, and the force of contact on a
 contact surface. These are compared with each other, with the deformed surfaces,
 and with what the program says."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
+import collections
+
 import numpy as np
 from scipy.spatial import cKDTree
 
@@ -123,13 +125,27 @@ def take_profile(model, rows, nodes, u, error):
             error[n] = 1e-11 * np.abs(value).max() + ulp * np.abs(model.X).max()
 
 
+# What differs between the plane and space: the model of a scene and a run, the
+# states of the increments, the check of a zone, of what the program says.
+Tools = collections.namedtuple("Tools", "model states zone output")
+
+
+def tools_of(scene):
+    if len(scene.axes) == 2:
+        return Tools(lambda scene, run: fem.Model(scene), states_of,
+                     zone_check.ZoneCheck, check_profile)
+    import space_check
+    return space_check.TOOLS
+
+
 def problems(scene, run, model=None):
     """What is wrong with a run whose exit status is 0."""
     summary = run.summary
     if summary is None or not summary.get("converged"):
         return [Problem("no summary", "exit status 0")]
-    model = model or fem.Model(scene)
-    states = states_of(scene, model, run)
+    tools = tools_of(scene)
+    model = model or tools.model(scene, run)
+    states = tools.states(scene, model, run)
     if states is None:
         return [Problem("file of the bodies", "lacks a node")]
     found = []
@@ -137,19 +153,20 @@ def problems(scene, run, model=None):
         if not np.isfinite(state.u).all():
             return [Problem("not a number", "displacements")]
         before = states[k - 1] if k else None
-        found = check_state(scene, model, state, states, before)
+        found = check_state(scene, model, state, states, before, tools.zone)
         if found:
             for problem in found:
                 problem.detail += " (t = %.4g)" % state.t
             break
     else:
-        found += check_output(scene, model, states[-1], run)
+        found += check_reactions(scene, model, states[-1], run)
+        found += tools.output(scene, model, states[-1], run)
     if not scene.zones:
         found += check_without_contact(model, states[-1])
     return found
 
 
-def check_state(scene, model, state, states, before):
+def check_state(scene, model, state, states, before, zone_of):
     found = check_displacements(scene, model, state)
     found += check_equilibrium(model, state)
     if found:
@@ -159,8 +176,8 @@ def check_state(scene, model, state, states, before):
     shared = shared_nodes(scene, model)
     for zone in scene.zones:
         if not scene.undeformed:
-            found += zone_check.ZoneCheck(scene, model, state, zone, largest,
-                               shared).problems(before)
+            found += zone_of(scene, model, state, zone, largest,
+                             shared).problems(before)
     return found
 
 
@@ -184,8 +201,8 @@ def check_displacements(scene, model, state):
 
 def mean_rotation(block, u):
     H = block.strain(u, False)[0]
-    turn = (H[..., 0, 1] - H[..., 1, 0]) / 2
-    return abs((block.w * turn).sum()) / block.w.sum()
+    turn = np.einsum("eq,eqij->ij", block.w, H - H.swapaxes(2, 3)) / 2
+    return np.linalg.norm(turn) / 2 ** 0.5 / block.w.sum()
 
 
 def check_equilibrium(model, state):
@@ -194,9 +211,13 @@ def check_equilibrium(model, state):
     if worst <= EQUILIBRIUM * state.scale:
         return []
     n = np.unravel_index(over.argmax(), over.shape)[0]
-    return [Problem("equilibrium", "%.3g N on a free node at (%.5g, %.5g), "
-                    "all forces %.3g N" % (worst, *model.X[n], state.scale),
+    return [Problem("equilibrium", "%.3g N on a free node at %s, all "
+                    "forces %.3g N" % (worst, place(model.X[n]), state.scale),
                     worst / state.scale)]
+
+
+def place(X):
+    return "(%s)" % ", ".join("%.5g" % x for x in X)
 
 
 def clusters(scene, model):
@@ -226,14 +247,14 @@ def check_balance(scene, model, state):
         scale = np.abs(force).sum()
         allowed = (EQUILIBRIUM * max(scale, state.scale * 1e-2) +
                    3 * state.error[nodes].sum(0))
-        for d in range(2):
+        for d in range(model.dim):
             # A ring carries radial forces by itself, and so does the axis.
             if state.held[nodes, d].any() or (model.axisymmetric and d == 0):
                 continue
             if abs(force[:, d].sum()) > allowed[d]:
                 found.append(Problem("balance", "contact forces in %s leave "
                                      "%.3g of %.3g N" % (
-                                         "xy"[d], force[:, d].sum(), scale)))
+                                         "xyz"[d], force[:, d].sum(), scale)))
     return found
 
 
@@ -247,26 +268,26 @@ def shared_nodes(scene, model):
     return count > 1
 
 
-def check_output(scene, model, state, run):
-    """What the program says about forces, against ours."""
+def check_reactions(scene, model, state, run):
+    """What the program says about the forces of supports, against ours."""
     found = []
     reactions = run.summary["increments"][-1].get("reactions", {})
     for group, values in reactions.items():
         nodes = model.nodes_of(group)
         if state.on_surface[nodes].any():
             continue
-        for d in range(2):
-            entry = "Displacement " + "xy"[d]
+        for d, axis in enumerate(scene.axes):
+            entry = "Displacement " + axis
             if group not in scene.boundary.get(entry, {}):
                 continue
             ours = state.residual[nodes, d].sum()
             allowed = (EQUILIBRIUM * state.scale +
                        3 * state.error[nodes, d].sum())
-            if abs(ours - values["xy"[d]]) > allowed:
+            if abs(ours - values[axis]) > allowed:
                 found.append(Problem("reaction", "%s of %s is %.8g N, said to "
-                                     "be %.8g" % ("xy"[d], group, ours,
-                                                  values["xy"[d]])))
-    return found + check_profile(scene, model, state, run)
+                                     "be %.8g" % (axis, group, ours,
+                                                  values[axis])))
+    return found
 
 
 def check_profile(scene, model, state, run):

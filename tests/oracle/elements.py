@@ -1,10 +1,13 @@
-"""Shape functions and quadrature of the plane elements: Q4, Q8, T3, T6, and of
-their edges.
+"""Shape functions and quadrature of the plane elements: Q4, Q8, T3, T6, of
+their edges, and of hexahedra with 8 and 27 nodes and their faces.
 
 Nodes: corners anticlockwise, then the middles of the edges 01, 12, 23, 30 (01,
 12, 20 of triangles). Quadrangles live in [-1, 1]^2, triangles in x, y >= 0,
-x + y <= 1, edges in [-1, 1] with the nodes begin, end, middle."""
+x + y <= 1, edges in [-1, 1] with the nodes begin, end, middle. Hexahedra and
+their faces have their nodes in rows: x first, then y, then z."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
+import itertools
+
 import numpy as np
 
 CORNERS = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], float)
@@ -78,8 +81,31 @@ def hammer_seven():
     return points
 
 
+def tensor(place, degree):
+    """The products of edges: shape functions and gradients at a place of a face
+    or a hexahedron."""
+    order = [0, 1] if degree == 1 else [0, 2, 1]
+    axes = [[table[order] for table in edge(x, degree)] for x in place]
+    product = lambda factors: np.einsum(
+        "k,j->kj", factors[-1], product(factors[:-1])).ravel() if (
+            len(factors) > 1) else factors[0]
+    values = [value for value, _ in axes]
+    slopes = [product(values[:d] + [axes[d][1]] + values[d + 1:])
+              for d in range(len(axes))]
+    return product(values), np.stack(slopes, 1)
+
+
+def gauss_cube(n, dim):
+    points, weights = np.polynomial.legendre.leggauss(n)
+    return [([points[k] for k in place], np.prod(weights[list(place)]))
+            for place in itertools.product(range(n), repeat=dim)]
+
+
 def rule(kind, degree):
     """Shape functions and points of an element: those of the stiffness."""
+    if kind == "hex":
+        return ((lambda *place: tensor(place, degree)),
+                gauss_cube(degree + 1, 3))
     if kind == "quad":
         return (q4 if degree == 1 else q8), gauss_square(degree + 1)
     return (t3 if degree == 1 else t6), gauss_triangle(degree)

@@ -1,12 +1,13 @@
 """A small finite element code: linear elasticity and St. Venant-Kirchhoff,
-plane strain and axisymmetric, degree 1 and 2.
+plane strain and axisymmetric, degree 1 and 2; blocks of elements also in space
+(space_fem.py).
 
 The energy of a body is the integral of
     1/2 lambda (P tr E)^2 + mu E : E
 over the undeformed volume, E the linear or Green's strain with the hoop strain
 of rings in it, P the identity or the projection of each cell onto the mean
-(degree 2, quadrangles: onto 1, xi, eta). Forces are its derivatives, in N per
-mm of thickness, of whole rings in N."""
+(degree 2, quadrangles: onto 1, xi, eta, hexahedra: and zeta). Forces are its
+derivatives, in N per mm of thickness, of whole rings and in space in N."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import numpy as np
 import scipy.sparse as sp
@@ -20,6 +21,7 @@ class Block:
 
     def __init__(self, model, kind, cells, young, poisson):
         self.cells = cells
+        self.dim = model.X.shape[1]
         self.lame = young * poisson / ((1 + poisson) * (1 - 2 * poisson))
         self.shear = young / (2 * (1 + poisson))
         shape, points = elements.rule(kind, model.degree)
@@ -43,12 +45,12 @@ class Block:
         if dilatation == "B-bar" or (dilatation == "automatic" and
                                          self.lame > 10 * self.shear):
             self.make_modes([p for p, _ in points], kind, model.degree)
-        self.dofs = (2 * cells[:, :, None] + np.arange(2)).reshape(
-            len(cells), -1)
+        self.dofs = (self.dim * cells[:, :, None] + np.arange(
+            self.dim)).reshape(len(cells), -1)
 
     def make_modes(self, points, kind, degree):
         """Polynomials, orthonormal by the weights of each cell."""
-        n = 3 if kind == "quad" and degree == 2 else 1
+        n = 1 + self.dim if kind != "triangle" and degree == 2 else 1
         raw = np.array([[1, *p] for p in points], float)[:, :n]
         root = np.sqrt(self.w)[:, :, None]
         q, _ = np.linalg.qr(root * raw[None])
@@ -68,7 +70,7 @@ class Block:
         h = (np.zeros(H.shape[:2]) if self.hoop is None else
              np.einsum("eqa,ea->eq", self.hoop, u[self.cells][:, :, 0]))
         E = 0.5 * (H + H.swapaxes(2, 3))
-        F = np.broadcast_to(np.eye(2), H.shape)
+        F = np.broadcast_to(np.eye(self.dim), H.shape)
         f = np.ones_like(h)
         e = h
         if large:
@@ -79,9 +81,9 @@ class Block:
         return H, E, e, F, f
 
     def stress(self, E, e):
-        trace = self.project(E[..., 0, 0] + E[..., 1, 1] + e)
+        trace = self.project(np.trace(E, axis1=-2, axis2=-1) + e)
         S = (2 * self.shear * E +
-             self.lame * trace[..., None, None] * np.eye(2))
+             self.lame * trace[..., None, None] * np.eye(self.dim))
         return S, self.lame * trace + 2 * self.shear * e
 
     def forces(self, u, large):
@@ -96,19 +98,22 @@ class Block:
 
     def tangent(self, u, large):
         _, E, e, F, f = self.strain(u, large)
-        n = self.cells.shape[1]
-        B = np.empty(self.w.shape + (4, n, 2))
-        for k in range(2):
+        n, d = self.cells.shape[1], self.dim
+        shears = [(k, l) for k in range(d) for l in range(k)]
+        hoop = d + len(shears)
+        B = np.zeros(self.w.shape + (hoop + 1, n, d))
+        for k in range(d):
             B[:, :, k] = np.einsum("eqi,eqa->eqai", F[..., :, k],
                                    self.dN[..., k])
-        B[:, :, 2] = (np.einsum("eqi,eqa->eqai", F[..., 0], self.dN[..., 1]) +
-                      np.einsum("eqi,eqa->eqai", F[..., 1], self.dN[..., 0]))
-        B[:, :, 3] = 0
+        for row, (k, l) in enumerate(shears, d):
+            B[:, :, row] = (
+                np.einsum("eqi,eqa->eqai", F[..., k], self.dN[..., l]) +
+                np.einsum("eqi,eqa->eqai", F[..., l], self.dN[..., k]))
         if self.hoop is not None:
-            B[:, :, 3, :, 0] = f[..., None] * self.hoop
-        B = B.reshape(self.w.shape + (4, 2 * n))
-        trace = self.project(B[:, :, 0] + B[:, :, 1] + B[:, :, 3])
-        D = self.shear * np.array([2, 2, 1, 2])
+            B[:, :, hoop, :, 0] = f[..., None] * self.hoop
+        B = B.reshape(self.w.shape + (hoop + 1, d * n))
+        trace = self.project(B[:, :, :d].sum(2) + B[:, :, hoop])
+        D = self.shear * np.array([2] * d + [1] * len(shears) + [2])
         K = np.einsum("eq,k,eqki,eqkj->eij", self.w, D, B, B, optimize=True)
         K += self.lame * np.einsum("eq,eqi,eqj->eij", self.w, trace, trace,
                                    optimize=True)
@@ -116,13 +121,13 @@ class Block:
             S, s = self.stress(E, e)
             G = np.einsum("eq,eqak,eqkl,eqbl->eab", self.w, self.dN, S,
                           self.dN, optimize=True)
-            K = K.reshape(len(K), n, 2, n, 2)
-            K[:, :, 0, :, 0] += G
-            K[:, :, 1, :, 1] += G
+            K = K.reshape(len(K), n, d, n, d)
+            for k in range(d):
+                K[:, :, k, :, k] += G
             if self.hoop is not None:
                 K[:, :, 0, :, 0] += np.einsum("eq,eqa,eqb->eab", self.w * s,
                                               self.hoop, self.hoop)
-            K = K.reshape(len(K), 2 * n, 2 * n)
+            K = K.reshape(len(K), d * n, d * n)
         return K
 
 
@@ -137,10 +142,13 @@ class Model:
         mesh = scene.mesh
         self.n_vertices = len(mesh.X)
         self.X = mesh.X
+        self.dim = mesh.X.shape[1]
         self.middle = {}
         cells = mesh.cells
         if self.degree == 2:
             cells = self.add_middles(mesh, cells)
+        # Degrees of freedom that follow others: in space.
+        self.bound = np.zeros(self.X.shape, bool)
         self.lines = {name: self.complete(lines)
                       for name, lines in mesh.lines.items()}
         self.blocks = [Block(self, kind, array, *scene.material(body))
@@ -182,6 +190,10 @@ class Model:
         return np.array([[a, b, self.middle[min(a, b), max(a, b)]]
                          for a, b in lines])
 
+    def following(self, u):
+        """The displacements; those that follow others in their places."""
+        return u
+
     def nodes_of(self, name):
         """The nodes of a boundary or point group."""
         if name in self.lines:
@@ -189,7 +201,7 @@ class Model:
         return np.array([self.scene.mesh.points[name]])
 
     def forces(self, u):
-        total = np.zeros((len(self.X), 2))
+        total = np.zeros_like(self.X)
         for block in self.blocks:
             np.add.at(total, block.cells, block.forces(u, self.large))
         return total
@@ -197,12 +209,12 @@ class Model:
     def magnitude(self, u, error):
         """How far the force on each node is off if each displacement is off by
         `error` (by node)."""
-        total = np.zeros(2 * len(self.X))
+        total = np.zeros(self.X.size)
         for block in self.blocks:
             K = np.abs(block.tangent(u, self.large))
-            e = np.repeat(error[block.cells], 2, axis=1)
+            e = np.repeat(error[block.cells], self.dim, axis=1)
             np.add.at(total, block.dofs, np.einsum("eij,ej->ei", K, e))
-        return total.reshape(-1, 2)
+        return total.reshape(self.X.shape)
 
     def tangent(self, u):
         rows, columns, values = [], [], []
@@ -212,7 +224,7 @@ class Model:
             rows.append(np.repeat(block.dofs, n, axis=1).ravel())
             columns.append(np.tile(block.dofs, (1, n)).ravel())
             values.append(K.ravel())
-        size = 2 * len(self.X)
+        size = self.X.size
         return sp.csc_matrix((np.concatenate(values), (np.concatenate(
             rows), np.concatenate(columns))), shape=(size, size))
 
@@ -222,17 +234,18 @@ class Model:
         for entry, items in self.scene.boundary.items():
             if entry.startswith("Displacement"):
                 continue
-            total = loads.setdefault(entry, np.zeros((len(self.X), 2)))
+            total = loads.setdefault(entry, np.zeros_like(self.X))
             for name, value in items.items():
                 total += self.load(entry, name, value)
         return loads
 
     def load(self, entry, name, value):
-        direction = np.array([entry.endswith("x"), entry.endswith("y")], float)
+        direction = np.array([entry.endswith(d) for d in "xyz"[:self.dim]],
+                             float)
         if entry.startswith("Body force"):
             return self.body_force(name, value, direction)
         if entry.startswith("Force"):
-            total = np.zeros((len(self.X), 2))
+            total = np.zeros_like(self.X)
             total[self.nodes_of(name)[0]] = value * direction
             return total
         if entry == "Pressure":
@@ -244,7 +257,7 @@ class Model:
         return unit * value / unit.sum()
 
     def edge_load(self, name, traction):
-        total = np.zeros((len(self.X), 2))
+        total = np.zeros_like(self.X)
         for line in self.lines[name]:
             for x, w in zip(*np.polynomial.legendre.leggauss(self.degree + 1)):
                 N, slope = elements.edge(x, self.degree)
@@ -258,7 +271,7 @@ class Model:
         return total
 
     def body_force(self, name, value, direction):
-        total = np.zeros((len(self.X), 2))
+        total = np.zeros_like(self.X)
         for (body, kind), cells in self.cells.items():
             if body != name:
                 continue
@@ -276,7 +289,7 @@ class Model:
         return total
 
     def external(self, t):
-        total = np.zeros((len(self.X), 2))
+        total = np.zeros_like(self.X)
         for entry, load in self.loads.items():
             total += self.scene.factor(entry, t) * load
         return total
@@ -288,9 +301,10 @@ class Model:
 
     def supports(self, t):
         """Whether a degree of freedom is prescribed, and the value."""
-        held = np.zeros((len(self.X), 2), bool)
-        value = np.zeros((len(self.X), 2))
-        for d, entry in enumerate(("Displacement x", "Displacement y")):
+        held = np.zeros(self.X.shape, bool)
+        value = np.zeros_like(self.X)
+        for d in range(self.dim):
+            entry = "Displacement " + "xyz"[d]
             for name, u in self.scene.boundary.get(entry, {}).items():
                 nodes = self.nodes_of(name)
                 held[nodes, d] = True
@@ -302,19 +316,21 @@ class Model:
     def solve(self, t=1.0, steps=1, fixed=None, u=None):
         """The displacements without contact, by Newton's method; `fixed`: more
         degrees of freedom that stay as they are in u."""
-        u = np.zeros((len(self.X), 2)) if u is None else u.copy()
+        u = np.zeros_like(self.X) if u is None else u.copy()
         for k in range(1, steps + 1):
             held, value = self.supports(t * k / steps)
             if fixed is not None:
                 held = held | fixed
                 value = np.where(fixed, u, value)
-            free = ~held.ravel()
+            free = ~(held | self.bound).ravel()
             u[held] = value[held]
+            u = self.following(u)
             for _ in range(60):
                 r = (self.external(t * k / steps) - self.forces(u)).ravel()
                 K = self.tangent(u)[free][:, free]
                 du = spl.spsolve(K.tocsc(), r[free])
                 u.reshape(-1)[free] += du
+                u = self.following(u)
                 if not np.isfinite(du).all():
                     raise ArithmeticError("the reference does not converge")
                 if np.abs(du).max(initial=0) <= 1e-12 * np.abs(u).max():

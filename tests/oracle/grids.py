@@ -90,8 +90,15 @@ def block(name, x0, y0, x1, y1, nx, ny, split=None, shape=None):
     return body
 
 
+KINDS = {3: "triangle", 4: "quad", 8: "hex"}
+
+
 class Mesh:
     """Nodes X, cells by body and shape, oriented lines and points by name."""
+
+    dimension = 2
+    # Of a line.
+    corners = 2
 
     def __init__(self, bodies, arcs=None):
         self.bodies = []
@@ -106,14 +113,14 @@ class Mesh:
             if body.name not in self.bodies:
                 self.bodies.append(body.name)
             for cell in body.cells:
-                kind = "quad" if len(cell) == 4 else "triangle"
-                by_key.setdefault((body.name, kind), []).append(
+                by_key.setdefault((body.name, KINDS[len(cell)]), []).append(
                     [n + offset for n in cell])
             for name, lines in body.lines.items():
                 self.lines.setdefault(name, []).extend(
-                    (a + offset, b + offset) for a, b in lines)
+                    tuple(n + offset for n in line) for line in lines)
             self.boundary.setdefault(body.name, []).extend(
-                (a + offset, b + offset) for a, b, *_ in body.boundary)
+                tuple(n + offset for n in line[:self.corners])
+                for line in body.boundary)
             for name, node in body.points.items():
                 self.points[name] = node + offset
         self.X = np.array(X, float)
@@ -132,55 +139,70 @@ class Mesh:
 
     def mapped(self, order, X, flip, rng, axis=0):
         """Node n gets the number order[n]; `flip`: turned round."""
-        other = Mesh([])
+        other = type(self)([])
         other.bodies = list(self.bodies)
         other.order = order
         other.X = np.empty_like(X)
         other.X[order] = X
 
-        def line(a, b):
-            return (order[b], order[a]) if flip else (order[a], order[b])
+        def line(nodes):
+            return tuple(order[n] for n in (nodes[::-1] if flip else nodes))
         for key, cells in self.cells.items():
             cells = order[cells]
             if flip:
                 cells = cells[:, ::-1]
             if rng:
-                cells = np.array([np.roll(c, rng.randrange(len(c)))
+                cells = np.array([self.turned_cell(c, rng)
                                   for c in rng.sample(list(cells),
                                                       len(cells))])
             other.cells[key] = cells
         for target, source in ((other.lines, self.lines),
                                (other.boundary, self.boundary)):
             for name, lines in source.items():
-                target[name] = [line(a, b) for a, b in lines]
+                target[name] = [line(nodes) for nodes in lines]
                 if rng:
                     rng.shuffle(target[name])
         other.points = {name: order[n] for name, n in self.points.items()}
-        sign = np.ones(3)
+        other.arcs = dict(self.arcs)
         if flip:
+            sign = np.ones(3)
             sign[axis] = -1
-        other.arcs = {name: tuple(sign * arc)
-                      for name, arc in self.arcs.items()}
+            other.arcs = {name: tuple(sign * arc)
+                          for name, arc in self.arcs.items()}
         return other
+
+    def turned_cell(self, cell, rng):
+        """With another node as the first one."""
+        return np.roll(cell, rng.randrange(len(cell)))
+
+    def element(self, nodes):
+        """The type of gmsh, and the nodes in its order."""
+        if len(nodes) < 3:
+            return [15 if len(nodes) == 1 else 1, *nodes]
+        return [3 if len(nodes) == 4 else 2, *nodes]
 
     def text(self):
         """The file, with a point group n<k> for each node k."""
-        groups = [(0, name, [[15, node]]) for name, node in self.points.items()]
-        groups += [(0, "n%d" % k, [[15, k]]) for k in range(len(self.X))]
-        groups += [(1, name, [[1, a, b] for a, b in lines])
+        groups = [(0, name, [self.element([node])])
+                  for name, node in self.points.items()]
+        groups += [(0, "n%d" % k, [self.element([k])])
+                   for k in range(len(self.X))]
+        groups += [(self.dimension - 1, name, [self.element(line)
+                                               for line in lines])
                    for name, lines in self.lines.items()]
         for body in self.bodies:
-            cells = [[3 if kind == "quad" else 2, *c]
-                     for (name, kind), array in self.cells.items()
-                     if name == body for c in array.tolist()]
-            groups.append((2, body, cells))
+            cells = [self.element(c) for (name, kind), array in
+                     self.cells.items() if name == body
+                     for c in array.tolist()]
+            groups.append((self.dimension, body, cells))
         lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames",
                  str(len(groups))]
         lines += ['%d %d "%s"' % (dimension, tag, name)
                   for tag, (dimension, name, _) in enumerate(groups, 1)]
         lines += ["$EndPhysicalNames", "$Nodes", str(len(self.X))]
-        lines += ["%d %.17g %.17g 0" % (k + 1, x, y)
-                  for k, (x, y) in enumerate(self.X)]
+        lines += ["%d %s" % (k + 1, " ".join(
+            "%.17g" % x for x in (*place, 0)[:3]))
+            for k, place in enumerate(self.X)]
         lines += ["$EndNodes", "$Elements",
                   str(sum(len(g[2]) for g in groups))]
         number = 0

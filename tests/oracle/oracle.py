@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Random scenes of many kinds, judged by a finite element code of its own.
 
-    oracle.py [--count N] [--seed S] [--kind K,...] [--keep DIRECTORY]
+    oracle.py [--space] [--count N] [--seed S] [--kind K,...] [--keep DIRECTORY]
               [--jobs N] [--variants SHARE] [--strict] CONTACT
 
 Scene k is of the kind k modulo their number; with its seed it is always the
@@ -25,16 +25,23 @@ import kinds_parts
 import kinds_shapes
 import results
 import scene as scenes
+import space_blocks
+import space_round
 import variants
 
 KINDS = {f.__name__: f for f in kinds_blocks.KINDS + kinds_shapes.KINDS +
          kinds_parts.KINDS}
+SPACE = {"space_" + f.__name__: f for f in space_blocks.KINDS +
+         space_round.KINDS}
 COLUMNS = ("run", "converged", "differs", "refused", "not converged", "wrong",
            "crash", "seconds", "most s", "most MB", "steps")
 
 
 def make(kind, seed):
-    return KINDS[kind](random.Random("%s %d" % (kind, seed)), seed)
+    scene = {**KINDS, **SPACE}[kind](random.Random("%s %d" % (kind, seed)),
+                                     seed)
+    scene.kind, scene.name = kind, "%s_%d" % (kind, seed)
+    return scene
 
 
 class Outcome:
@@ -99,10 +106,10 @@ def is_failure(outcome):
     return outcome.column in ("refused", "not converged") and scene.is_default
 
 
-def table(outcomes):
+def table(kinds, outcomes):
     lines = ["| kind | " + " | ".join(COLUMNS) + " | at default |",
              "|" + "---|" * (len(COLUMNS) + 2)]
-    for kind in list(KINDS) + ["all"]:
+    for kind in kinds + ["all"]:
         these = [o for o in outcomes if kind in (o.scene.kind, "all")]
         if these:
             lines.append("| %s | %s | %s |" % (kind, " | ".join(
@@ -139,7 +146,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--kind", default=",".join(KINDS))
+    parser.add_argument("--kind")
+    parser.add_argument("--space", action="store_true")
     parser.add_argument("--keep", default="output/oracle", type=pathlib.Path)
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--variants", type=float, default=0.25)
@@ -147,7 +155,8 @@ def main():
     parser.add_argument("contact", type=pathlib.Path)
     options = parser.parse_args()
     binary = options.contact.resolve()
-    kinds = options.kind.split(",")
+    kinds = (options.kind.split(",") if options.kind else
+             list(SPACE if options.space else KINDS))
     todo = [(kinds[k % len(kinds)], options.seed + k // len(kinds))
             for k in range(options.count)]
     outcomes = []
@@ -167,7 +176,7 @@ def main():
                 shutil.copytree(directory, kept)
                 report(outcome, options.keep.resolve(), binary)
             shutil.rmtree(directory)
-    print(table(outcomes))
+    print(table(kinds, outcomes))
     return any(o.column in ("wrong", "crash") or options.strict and
                is_failure(o) and o.column != "differs" for o in outcomes)
 

@@ -74,11 +74,11 @@ def run(binary, directory, ranks=1):
     return Run(status, said, time.monotonic() - start, directory)
 
 
-def vertex_displacements(increment, n):
-    u = np.full((n, 2), np.nan)
+def vertex_displacements(increment, n, axes="xy"):
+    u = np.full((n, len(axes)), np.nan)
     for k in range(n):
-        for d in range(2):
-            value = increment["probes"].get("%s%d" % ("xy"[d], k))
+        for d, axis in enumerate(axes):
+            value = increment["probes"].get("%s%d" % (axis, k))
             u[k, d] = np.nan if value is None else value
     return u
 
@@ -94,6 +94,25 @@ def profile(directory):
     except OSError:
         pass
     return surfaces
+
+
+class Nodes:
+    """The rows of nodes.csv in space: body, place, displacement and force of
+    contact."""
+
+    def __init__(self, directory):
+        with open(directory / "nodes.csv", newline="") as file:
+            rows = list(csv.reader(file))[1:]
+        self.body = np.array([row[0] for row in rows])
+        self.X, self.u, self.force = np.array(
+            [row[2:] for row in rows], float).reshape(-1, 3, 3).transpose(
+                1, 0, 2)
+
+    def rows_of(self, body, X):
+        """The row of each place in a body, and how far off it is."""
+        here = np.flatnonzero(self.body == body)
+        distance, nearest = cKDTree(self.X[here]).query(X)
+        return here[nearest], distance
 
 
 TYPES = {"Float32": "f4", "Float64": "f8", "Int32": "i4", "Int64": "i8",

@@ -4,6 +4,8 @@ import copy
 
 import numpy as np
 
+from grids import Mesh
+
 
 class Formula:
     """The same function as text for the program and as code for the oracle."""
@@ -29,7 +31,7 @@ def number(value):
 
 class Zone:
     def __init__(self, slave, master=None, mu=0.0, name="", rule=None,
-                 obstacle=None):
+                 obstacle=None, tied=False):
         self.slave = slave
         self.master = master
         self.mu = mu
@@ -37,6 +39,7 @@ class Zone:
         self.rule = rule
         # 'half plane: x, y, nx, ny' or 'circle: x, y, radius'
         self.obstacle = obstacle
+        self.tied = tied
 
 
 # The ends that a scene may have.
@@ -47,13 +50,15 @@ EITHER = "either"  # results, or exit status 2 or 3
 
 
 class Scene:
+    axes = "xy"
+    mesh_of = Mesh
+
     def __init__(self, kind, seed, bodies, materials, rule="mortar",
                  arcs=None):
-        from grids import Mesh
         self.kind = kind
         self.seed = seed
         self.name = "%s_%d" % (kind, seed)
-        self.mesh = Mesh(bodies, arcs)
+        self.mesh = self.mesh_of(bodies, arcs)
         self.materials = materials
         self.rule = rule
         self.boundary = {}
@@ -93,10 +98,10 @@ class Scene:
     def factor(self, entry, t):
         return self.histories[entry](t) if entry in self.histories else t
 
-    def hold(self, groups, x=None, y=None):
-        """Prescribe the displacements of boundaries or points."""
+    def hold(self, groups, *values):
+        """Prescribe the displacements of boundaries or points; None: not."""
         for name in groups.split():
-            for axis, value in (("x", x), ("y", y)):
+            for axis, value in zip(self.axes, values):
                 if value is not None:
                     self.boundary.setdefault("Displacement " + axis,
                                              {})[name] = value
@@ -122,10 +127,7 @@ class Scene:
                                              self.materials.items()}),
             "Poisson's ratio": self.listing({k: v[1] for k, v in
                                              self.materials.items()})}}
-        if self.mesh.arcs:
-            sections["Mesh"]["Arcs"] = "; ".join(
-                "%s: %s" % (name, ", ".join(map(number, arc)))
-                for name, arc in self.mesh.arcs.items())
+        sections["Mesh"].update(self.round_entries())
         conditions = sections["Boundary conditions"] = {
             entry: self.listing(items, "; " if entry.split()[0] in (
                 "Pressure", "Traction", "Body") else ", ")
@@ -139,14 +141,26 @@ class Scene:
         for entry, value in self.entries.items():
             section, name = entry.split("/", 1)
             sections.setdefault(section, {})[name] = value
+        probed = range(len(self.mesh.X) if self.is_probed else 0)
         sections["Probes"] = {"Probes": "; ".join(
             "%s%d: displacement %s, n%d" % (d, k, d, k)
-            for k in range(len(self.mesh.X)) for d in "xy")}
-        sections["Output"] = {"Screen": "none", "Profile": "true",
-                              "VTU": "true" if self.degree == 2 else "false"}
+            for k in probed for d in self.axes)}
+        sections["Output"] = dict(Screen="none", Profile="true", **self.files())
         return "".join("subsection %s\n%send\n" % (name, "".join(
             "  set %s = %s\n" % item for item in section.items()))
             for name, section in sections.items())
+
+    # Whether the displacements of all vertices are in the summary.
+    is_probed = True
+
+    def files(self):
+        return {"VTU": "true" if self.degree == 2 else "false"}
+
+    def round_entries(self):
+        if not self.mesh.arcs:
+            return {}
+        return {"Arcs": "; ".join("%s: %s" % (name, ", ".join(map(number, arc)))
+                                  for name, arc in self.mesh.arcs.items())}
 
     def entries_of(self, zone):
         entries = {"Slave": zone.slave}
@@ -156,6 +170,8 @@ class Scene:
             entries["Master"] = zone.master
         entries["Discretization"] = self.rule_of(zone)
         entries["Friction coefficient"] = number(zone.mu)
+        if zone.tied:
+            entries["Tied"] = "true"
         return entries
 
     @staticmethod

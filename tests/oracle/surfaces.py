@@ -53,44 +53,65 @@ class Polyline:
         return (straddles & (x < cut)).sum(1) % 2 == 1
 
 
-class HalfPlane:
-    def __init__(self, x, y, nx, ny):
-        self.point = np.array([x, y])
-        self.n = np.array([nx, ny]) / np.hypot(nx, ny)
-
-    def gap(self, points):
-        return (points - self.point) @ self.n
+class Obstacle:
+    """A rigid body, which faces every point."""
 
     def faces(self, points):
         return np.ones(len(points), bool)
+
+
+class Half(Obstacle):
+    """Of the plane or of space: a point of its boundary, the normal."""
+
+    def __init__(self, *numbers):
+        self.point, n = np.reshape(numbers, (2, -1))
+        self.n = n / np.linalg.norm(n)
+
+    def gap(self, points):
+        return (points - self.point) @ self.n
 
     def normals(self, points):
         return np.broadcast_to(self.n, points.shape)
 
 
-class Circle:
-    """A rigid disk; a hole in a rigid body if the radius is negative."""
+class Round(Obstacle):
+    """A rigid disk or ball; a hole in a rigid body if the radius is
+    negative."""
 
-    def __init__(self, x, y, radius):
-        self.centre = np.array([x, y])
-        self.radius = abs(radius)
-        self.sign = 1 if radius > 0 else -1
+    def __init__(self, *numbers):
+        self.centre = np.array(numbers[:-1])
+        self.radius = abs(numbers[-1])
+        self.sign = 1 if numbers[-1] > 0 else -1
+
+    def arm(self, points):
+        return points - self.centre
 
     def gap(self, points):
-        return self.sign * (np.hypot(*(points - self.centre).T) - self.radius)
-
-    def faces(self, points):
-        return np.ones(len(points), bool)
+        return self.sign * (np.linalg.norm(self.arm(points), axis=1) -
+                            self.radius)
 
     def normals(self, points):
+        r = self.arm(points)
+        return self.sign * r / np.linalg.norm(r, axis=1)[:, None]
+
+
+class Cylinder(Round):
+    """A point of the axis, its direction, the radius."""
+
+    def __init__(self, *numbers):
+        super().__init__(*numbers[:3], numbers[6])
+        self.axis = np.array(numbers[3:6]) / np.linalg.norm(numbers[3:6])
+
+    def arm(self, points):
         r = points - self.centre
-        return self.sign * r / np.hypot(*r.T)[:, None]
+        return r - np.outer(r @ self.axis, self.axis)
 
 
 def obstacle(text):
     kind, numbers = text.split(": ")
-    values = [float(v) for v in numbers.split(",")]
-    return HalfPlane(*values) if kind == "half plane" else Circle(*values)
+    shape = {"half plane": Half, "half space": Half, "circle": Round,
+             "sphere": Round, "cylinder": Cylinder}[kind]
+    return shape(*(float(v) for v in numbers.split(",")))
 
 
 def outlines(model, lines, x):

@@ -1,0 +1,121 @@
+"""What is special in space of the judgement in check.py: where displacements
+come from, and what the program says about forces of contact."""
+# SPDX-License-Identifier: LGPL-2.1-or-later
+import numpy as np
+
+import check
+import results
+import space_zone
+import surfaces
+from check import EQUILIBRIUM, State, Tools
+from space_fem import SpaceModel
+from zone_check import Problem
+
+# Of a straight body's size: where nodes are.
+STRAIGHT = 1e-8
+# Of an edge: how far the middles of round bodies may be from where we guess.
+ROUND = 0.3
+
+
+class ReportedModel(SpaceModel):
+    """On the mesh that the results are of. The middles inside of a round body
+    are where the program says, those of its round surfaces on these."""
+
+    def __init__(self, scene, run):
+        self.nodes = results.Nodes(run.directory)
+        super().__init__(scene.judged())
+
+    def add_middles(self, mesh, cells):
+        complete = super().add_middles(mesh, cells)
+        size = self.scene.size
+        for name, (entry, numbers) in mesh.arcs.items():
+            surface = surfaces.obstacle("%s: %s" % (
+                entry.lower()[:-1], ", ".join("%.17g" % v for v in numbers)))
+            on = np.unique(self.complete(mesh.lines[name]))
+            on = on[on >= self.n_vertices]
+            self.X[on] -= (surface.gap(self.X[on])[:, None] *
+                           surface.normals(self.X[on]))
+        if mesh.arcs:
+            for (body, _), array in complete.items():
+                edge = np.ptp(self.X[array], axis=1).max(1)
+                for cell, h in zip(array, edge):
+                    middles = cell[cell >= self.n_vertices]
+                    rows, off = self.nodes.rows_of(body, self.X[middles])
+                    if off.max() > ROUND * h:
+                        raise ValueError("a middle is %.3g mm away" % off.max())
+                    fixed = np.isin(middles, self.on_round(mesh))
+                    if (off[fixed] > 1e-6 * size).any():
+                        raise ValueError("a node is beside its round surface")
+                    self.X[middles] = self.nodes.X[rows]
+        return complete
+
+    def on_round(self, mesh):
+        if not hasattr(self, "round_nodes"):
+            self.round_nodes = np.unique(np.concatenate([
+                self.complete(mesh.lines[name]).ravel() for name in mesh.arcs]))
+        return self.round_nodes
+
+    def reported(self):
+        """The rows of our nodes; None if one is missing."""
+        rows = np.zeros(len(self.X), int)
+        for b, body in enumerate(self.scene.mesh.bodies):
+            nodes = np.flatnonzero(self.body_of == b)
+            rows[nodes], off = self.nodes.rows_of(body, self.X[nodes])
+            if off.max() > STRAIGHT * self.scene.size:
+                return None
+        if len(np.unique(rows)) < len(rows) or len(rows) != len(self.nodes.X):
+            return None
+        return rows
+
+
+def states_of(scene, model, run):
+    """The states of all increments; of degree 2 and of levels the last one."""
+    increments = [i for i in run.summary["increments"] if i["converged"]]
+    rows = model.reported()
+    if rows is None:
+        return None
+    fields = [(model.nodes.u[rows], increments[-1]["load_factor"])]
+    if scene.is_probed:
+        fields = [(results.vertex_displacements(i, len(model.X), "xyz"),
+                   i["load_factor"]) for i in increments]
+    found, so_far = [], 0.0
+    for u, t in fields:
+        size = np.abs(u).max() + np.abs(model.X).max()
+        error = np.full(len(u), 32 * np.finfo(float).eps * size)
+        found.append(State(model, u, t, error))
+        found[-1].scale = so_far = max(so_far, found[-1].scale)
+    if not scene.is_probed:
+        found[-1].scale = max([so_far] + [
+            sum(abs(f) for force in i.get("reactions", {}).values()
+                for f in force.values()) for i in increments])
+    return found
+
+
+def check_output(scene, model, state, run):
+    """The forces of contact, and those that follow from the profile."""
+    found = check_following(model, state)
+    said = model.nodes.force[model.reported()]
+    free = ~state.held & state.on_surface[:, None] & ~model.bound
+    ours = np.where(free, state.residual, 0)
+    off = np.where(free, np.abs(said - ours), 0) - 3 * state.error
+    if off.max(initial=0) > EQUILIBRIUM * state.scale:
+        n, d = np.unravel_index(off.argmax(), off.shape)
+        found.append(Problem("contact force", "%.6g N at %s, said to be %.6g" %
+                             (ours[n, d], check.place(model.X[n]),
+                              said[n, d])))
+    beside = np.abs(said[~state.on_surface]).max(initial=0)
+    if beside > EQUILIBRIUM * state.scale:
+        found.append(Problem("contact force", "%.3g N beside the surfaces" %
+                             beside))
+    return found
+
+
+def check_following(model, state):
+    off = np.abs(model.following(state.u) - state.u).max()
+    if off > 1e-9 * np.abs(state.u).max() + 1e-14 * model.scene.size:
+        return [Problem("centre", "a node in the middle is %.3g mm off" % off)]
+    return []
+
+
+TOOLS = Tools(ReportedModel, states_of, space_zone.SpaceZoneCheck,
+              check_output)

@@ -1,0 +1,144 @@
+"""The bodies of a scene in space: hexahedra of 8, 20 and 27 nodes.
+
+A hexahedron of 20 nodes is one of 27 whose centres follow: that of a face half
+the sum of the middles of its edges minus a quarter of the sum of its corners,
+that of the cell a quarter of both sums, the second one subtracted. Forces on
+what follows are handed over. Centres of faces that may touch are free, and
+those of faces that supports hold."""
+# SPDX-License-Identifier: LGPL-2.1-or-later
+import itertools
+
+import numpy as np
+import scipy.sparse as sp
+
+import elements
+import fem
+
+
+def places(dim):
+    """Of the nodes in rows of an element of degree 2: the corners that they are
+    in the middle of."""
+    corners = list(itertools.product((0, 2), repeat=dim))
+    return [[k for k, c in enumerate(corners) if all(
+        a in (1, b) for a, b in zip(place, c))]
+        for place in itertools.product(range(3), repeat=dim)]
+
+
+class SpaceModel(fem.Model):
+    """As in the plane; `lines` are faces here. `middle` knows the nodes of
+    degree 2 by the corners that they are in the middle of."""
+
+    def add_middles(self, mesh, cells):
+        X = list(mesh.X)
+        complete = {}
+        for key, array in cells.items():
+            complete[key] = np.array([
+                [self.node_between(frozenset(cell[k] for k in corners), mesh,
+                                   X) for corners in places(3)]
+                for cell in array.tolist()])
+        self.X = np.array(X)
+        return complete
+
+    def node_between(self, corners, mesh, X):
+        if len(corners) == 1:
+            return next(iter(corners))
+        if corners not in self.middle:
+            self.middle[corners] = len(X)
+            X.append(mesh.X[list(corners)].mean(0))
+        return self.middle[corners]
+
+    def complete(self, faces):
+        if self.degree == 1:
+            return np.array(faces)
+        return np.array([[self.node_between(frozenset(
+            face[k] for k in corners), None, None) for corners in places(2)]
+            for face in np.array(faces).tolist()])
+
+    def edge_load(self, name, traction):
+        total = np.zeros_like(self.X)
+        faces = self.lines[name]
+        for place, w in elements.gauss_cube(self.degree + 1, 2):
+            N, slope = elements.tensor(place, self.degree)
+            tangents = np.einsum("ad,fai->fdi", slope, self.X[faces])
+            normal = np.cross(tangents[:, 0], tangents[:, 1])
+            area = np.linalg.norm(normal, axis=1)
+            for face, X, n, a in zip(faces, N @ self.X[faces], normal, area):
+                total[face] += np.outer(N, w * a * traction(X, n / a))
+        return total
+
+    # What follows other nodes.
+    def make_loads(self):
+        self.follows = None
+        loads = super().make_loads()
+        if self.degree == 2 and self.scene.serendipity:
+            self.bind()
+            loads = {entry: self.hand_over(load)
+                     for entry, load in loads.items()}
+        return loads
+
+    def bind(self):
+        """The matrix of the displacements that follow, by degrees of freedom."""
+        held, _ = self.supports(0.0)
+        free = set()
+        for zone in self.scene.zones:
+            for group in (zone.slave, zone.master):
+                free.update(self.lines[group][:, 4] if group else ())
+        self.bound = np.zeros(self.X.shape, bool)
+        rows, columns, values = [], [], []
+        rule = centres()
+        for cell in np.concatenate(list(self.cells.values())):
+            for centre, middles, factor, corners in rule:
+                node = cell[centre]
+                if node in free:
+                    continue
+                for d in np.flatnonzero(~held[node] & ~self.bound[node]):
+                    self.bound[node, d] = True
+                    leaders = [(n, factor) for n in cell[middles]]
+                    leaders += [(n, -0.25) for n in cell[corners]]
+                    rows += [3 * node + d] * len(leaders)
+                    columns += [3 * n + d for n, _ in leaders]
+                    values += [f for _, f in leaders]
+        own = np.flatnonzero(~self.bound.ravel())
+        size = self.X.size
+        self.follows = sp.csr_matrix(
+            (values + [1.0] * len(own), (rows + list(own),
+                                         columns + list(own))), (size, size))
+
+    def hand_over(self, forces):
+        if self.follows is None:
+            return forces
+        return (self.follows.T @ forces.ravel()).reshape(forces.shape)
+
+    def following(self, u):
+        """The displacements with those that follow put in their places."""
+        if self.follows is None:
+            return u
+        return (self.follows @ u.ravel()).reshape(u.shape)
+
+    def forces(self, u):
+        return self.hand_over(super().forces(u))
+
+    def magnitude(self, u, error):
+        total = super().magnitude(u, error)
+        if self.follows is None:
+            return total
+        return (abs(self.follows).T @ total.ravel()).reshape(total.shape)
+
+    def tangent(self, u):
+        K = super().tangent(u)
+        if self.follows is None:
+            return K
+        return (self.follows.T @ K @ self.follows).tocsc()
+
+
+def centres():
+    """Of a cell: the node that follows, the middles of edges and their factor,
+    the corners (factor -1/4)."""
+    digits = np.array(list(itertools.product(range(3), repeat=3)))[:, ::-1]
+    ones = (digits == 1).sum(1)
+    found = [(13, np.flatnonzero(ones == 1), 0.25, np.flatnonzero(ones == 0))]
+    for d, side in itertools.product(range(3), (0, 2)):
+        on = digits[:, d] == side
+        of = [np.flatnonzero(on & (ones == n)) for n in range(3)]
+        found.append((of[2][0], of[1], 0.5, of[0]))
+    return found

@@ -1,0 +1,182 @@
+"""Deformed surfaces in space as triangles: distances, normals, what lies
+inside."""
+# SPDX-License-Identifier: LGPL-2.1-or-later
+import numpy as np
+from scipy.spatial import cKDTree
+
+import elements
+import surfaces
+
+# Cuts of a face along each side, by degree.
+CUTS = {1: 2, 2: 4}
+# Pairs of points and triangles at a time.
+PAIRS = 200000
+
+
+def grid(n):
+    """Places of a face in rows, and the triangles between them."""
+    axis = np.linspace(-1, 1, n + 1)
+    places = [(x, y) for y in axis for x in axis]
+    at = np.arange((n + 1) ** 2).reshape(n + 1, n + 1)
+    a, b, c, d = at[:-1, :-1], at[:-1, 1:], at[1:, :-1], at[1:, 1:]
+    return places, np.concatenate([np.stack([a, b, d], -1).reshape(-1, 3),
+                                   np.stack([a, d, c], -1).reshape(-1, 3)])
+
+
+def degree_of(faces):
+    return 1 if faces.shape[1] == 4 else 2
+
+
+class Facets:
+    """The faces of a group, each with its normal away from its body."""
+
+    def __init__(self, faces, x, cuts=None):
+        self.faces = faces
+        degree = degree_of(faces)
+        places, triangles = grid(cuts or CUTS[degree])
+        self.shapes = np.array([elements.tensor(p, degree)[0] for p in places])
+        points = np.einsum("ca,fai->fci", self.shapes, x[faces])
+        corners = points[:, triangles].reshape(-1, 3, 3)
+        self.triangles = np.tile(triangles, (len(faces), 1))
+        self.face = np.repeat(np.arange(len(faces)), len(triangles))
+        self.a, self.b, self.c = corners.transpose(1, 0, 2)
+        normal = np.cross(self.b - self.a, self.c - self.a)
+        self.area = np.linalg.norm(normal, axis=1) / 2
+        self.normal = normal / np.maximum(2 * self.area, 1e-300)[:, None]
+        self.middle = corners.mean(1)
+        self.reach = np.linalg.norm(corners - self.middle[:, None],
+                                    axis=2).max()
+        self.tree = cKDTree(self.middle)
+        # Of each face: a length, and the sum of its normals by area.
+        of_face = np.zeros((len(faces), 3))
+        np.add.at(of_face, self.face, self.normal * self.area[:, None])
+        self.face_area = np.linalg.norm(of_face, axis=1)
+        self.face_normal = of_face / np.maximum(self.face_area,
+                                                1e-300)[:, None]
+        self.face_size = np.sqrt(self.face_area)
+
+    def closest(self, points):
+        """For each point: distance, triangle, foot, shape functions of the
+        face there."""
+        nearest, _ = self.tree.query(points)
+        near = self.tree.query_ball_point(points, nearest + 2 * self.reach)
+        count = np.array([len(n) for n in near])
+        pairs = np.concatenate([np.array(n, int) for n in near])
+        of = np.repeat(np.arange(len(points)), count)
+        feet, distance = np.empty((len(of), 3)), np.empty(len(of))
+        weights = np.empty((len(of), 3))
+        for k in range(0, len(of), PAIRS):
+            part = slice(k, k + PAIRS)
+            t = pairs[part]
+            weights[part] = barycentric(points[of[part]], self.a[t],
+                                        self.b[t], self.c[t])
+            feet[part] = (weights[part, :1] * self.a[t] +
+                          weights[part, 1:2] * self.b[t] +
+                          weights[part, 2:] * self.c[t])
+            distance[part] = np.linalg.norm(points[of[part]] - feet[part],
+                                            axis=1)
+        order = np.lexsort((distance, of))
+        first = order[np.searchsorted(of[order], np.arange(len(points)))]
+        t = pairs[first]
+        shapes = np.einsum("pk,pka->pa", weights[first],
+                           self.shapes[self.triangles[t]])
+        return distance[first], t, feet[first], shapes
+
+    def contains(self, points):
+        """Of closed surfaces: what is inside (the solid angle)."""
+        total = np.zeros(len(points))
+        step = max(1, PAIRS // len(self.a))
+        for k in range(0, len(points), step):
+            p = points[k:k + step, None]
+            r = [corner[None] - p for corner in (self.a, self.b, self.c)]
+            n = [np.linalg.norm(v, axis=2) for v in r]
+            volume = np.einsum("pti,pti->pt", r[0], np.cross(r[1], r[2]))
+            rest = n[0] * n[1] * n[2]
+            for i in range(3):
+                rest += np.einsum("pti,pti->pt", r[i], r[i - 1]) * n[i - 2]
+            total[k:k + step] = 2 * np.arctan2(volume, rest).sum(1)
+        return total > 2 * np.pi
+
+
+def barycentric(p, a, b, c):
+    """Of the point of each triangle that is closest."""
+    u, v, r = b - a, c - a, p - a
+    dot = lambda x, y: np.einsum("ki,ki->k", x, y)
+    uu, uv, vv = dot(u, u), dot(u, v), dot(v, v)
+    ru, rv = dot(r, u), dot(r, v)
+    det = np.maximum(uu * vv - uv * uv, 1e-300)
+    s, t = (vv * ru - uv * rv) / det, (uu * rv - uv * ru) / det
+    inside = (s >= 0) & (t >= 0) & (s + t <= 1)
+    best = np.stack([1 - s - t, s, t], 1)
+    least = np.where(inside, -1.0, np.inf)
+    for i, (begin, end) in enumerate(((a, b), (b, c), (c, a))):
+        along = end - begin
+        k = np.clip(dot(p - begin, along) / np.maximum(dot(along, along),
+                                                       1e-300), 0, 1)
+        off = dot(*(2 * [p - begin - k[:, None] * along]))
+        closer = ~inside & (off < least)
+        least = np.where(closer, off, least)
+        other = np.zeros_like(best)
+        other[:, i], other[:, (i + 1) % 3] = 1 - k, k
+        best[closer] = other[closer]
+    return best
+
+
+def outlines(model, faces, x):
+    """The closed boundaries of the bodies that faces of a group belong to."""
+    mesh = model.scene.mesh
+    return [Facets(model.complete(mesh.boundary[mesh.bodies[body]]), x)
+            for body in np.unique(model.body_of[faces[:, 0]])]
+
+
+class DeformedBody:
+    """The master of a zone: its group, and the whole outline of its bodies."""
+
+    def __init__(self, model, zone, x):
+        self.group = Facets(model.lines[zone.master], x)
+        self.outlines = outlines(model, model.lines[zone.master], x)
+
+    def gap(self, points):
+        """The distance to the group; minus the depth inside of the body."""
+        gap = self.group.closest(points)[0]
+        for outline in self.outlines:
+            depth = depths(outline, points)
+            gap = np.where(depth > 0, -depth, gap)
+        return gap
+
+    def faces(self, points):
+        """Whether the closest place of the group is straight ahead."""
+        distance, triangle, foot, _ = self.group.closest(points)
+        ahead = np.abs(np.einsum("ki,ki->k", points - foot,
+                                 self.group.normal[triangle]))
+        beside = np.sqrt(np.maximum(distance ** 2 - ahead ** 2, 0))
+        return beside <= surfaces.BESIDE * distance
+
+    def normals(self, points):
+        return self.group.normal[self.group.closest(points)[1]]
+
+
+def depths(outline, points):
+    """How deep points are inside of a closed surface; zero outside."""
+    low, high = (f(np.concatenate([outline.a, outline.b, outline.c]), axis=0)
+                 for f in (np.min, np.max))
+    near = np.flatnonzero(((points > low) & (points < high)).all(1))
+    depth = np.zeros(len(points))
+    if len(near):
+        near = near[outline.contains(points[near])]
+    if len(near):
+        depth[near] = outline.closest(points[near])[0]
+    return depth
+
+
+def master_of(model, zone, x):
+    if zone.obstacle:
+        return surfaces.obstacle(zone.obstacle)
+    return DeformedBody(model, zone, x)
+
+
+def samples(faces, x, n=4):
+    """Points on each face of a group, (faces, points, 3)."""
+    shapes = np.array([elements.tensor(p, degree_of(faces))[0]
+                       for p in grid(n)[0]])
+    return np.einsum("ca,fai->fci", shapes, x[faces])

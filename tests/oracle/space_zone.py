@@ -1,0 +1,301 @@
+"""Forces and gaps of a contact zone in space, seen on the deformed surfaces."""
+# SPDX-License-Identifier: LGPL-2.1-or-later
+import itertools
+
+import numpy as np
+from scipy.optimize import nnls
+
+import space_surfaces
+from zone_check import (ANGLE, APART, COUNTS, PENETRATION, PLACES, Problem,
+                        ROUND, SLIPS)
+
+# Of mu N times the slip: what friction may dissipate less, since forces are
+# those of the end of an increment, and slips and pressures those of nodes.
+DISSIPATION = 0.1
+# Of the largest displacement: by how much glued surfaces may part in places.
+GLUE = 0.05
+# Of the forces times the largest displacement: what feet of points may be off.
+LEVER = 0.01
+
+
+def cone_angle(force, directions):
+    """The angle between a force and the convex cone of some directions."""
+    directions = np.array(directions)
+    size = np.linalg.norm(force)
+    weights, rest = nnls(directions.T, force / size)
+    if weights.any():
+        return np.arcsin(min(1.0, rest))
+    return np.arccos(np.clip((directions @ force).max() / size, -1, 1))
+
+
+def unit(vectors):
+    return vectors / np.maximum(np.linalg.norm(vectors, axis=-1,
+                                               keepdims=True), 1e-300)
+
+
+class SpaceZoneCheck:
+    """Forces and gaps of a zone."""
+
+    def __init__(self, scene, model, state, zone, largest, shared):
+        self.scene, self.model, self.state = scene, model, state
+        self.zone = zone
+        self.rule = scene.rule_of(zone)
+        self.faces = model.lines[zone.slave]
+        self.nodes = np.unique(self.faces)
+        self.master = space_surfaces.master_of(model, zone, state.x)
+        self.largest = largest
+        # The largest displacement, but at least the resolution of the mesh file.
+        self.slack = largest + 1e-9 * scene.size
+        self.points = space_surfaces.samples(self.faces, state.x)
+        flat = self.points.reshape(-1, 3)
+        self.gaps = self.master.gap(flat).reshape(self.points.shape[:2])
+        self.normals = self.master.normals(flat).reshape(self.points.shape)
+        self.own = space_surfaces.Facets(self.faces, state.x)
+        self.shared = shared
+        self.judged = ~shared[self.nodes] & ~state.held[self.nodes].any(1)
+        self.force = state.residual[self.nodes]
+        self.touching = self.gaps <= APART * self.slack
+        self.lying = self.touching.sum(1) > 3
+        self.around = [np.flatnonzero((self.faces == n).any(1))
+                       for n in self.nodes]
+        self.size = np.linalg.norm(self.force, axis=1)
+        noise = 10 * np.linalg.norm(state.error[self.nodes], axis=1)
+        self.counts = self.judged & (self.size > np.maximum(
+            noise, COUNTS * max(self.size.max(), 1e-4 * state.scale)))
+
+    def problems(self, before):
+        found = self.check_moments()
+        if self.zone.tied:
+            return found + self.check_glue()
+        found += self.check_penetration()
+        for k in np.flatnonzero(self.counts):
+            problem = self.check_force(k)
+            if problem:
+                found.append(problem)
+                break
+        if not found:
+            found += self.check_resultant()
+        if not found:
+            found += self.check_friction(before)
+        return found
+
+    def check_moments(self):
+        """What the surfaces exert on each other turns nothing."""
+        if self.zone.obstacle:
+            return []
+        nodes = np.union1d(self.nodes, self.model.lines[self.zone.master])
+        if self.shared[nodes].any() or self.state.held[nodes].any():
+            return []
+        f = self.state.residual[nodes]
+        arm = self.state.x[nodes] - self.state.x[nodes].mean(0)
+        total = np.linalg.norm(f, axis=1).sum()
+        moment = np.linalg.norm(np.cross(arm, f).sum(0))
+        noise = (np.linalg.norm(arm, axis=1) * np.linalg.norm(
+            self.state.error[nodes], axis=1)).sum()
+        allowed = LEVER * self.slack * total + 3 * noise + 1e-6 * (
+            max(total, 1e-2 * self.state.scale) * np.ptp(arm))
+        if moment <= allowed:
+            return []
+        return [Problem("moment", "%.3g N mm of %.3g N on arms up to %.3g mm" %
+                        (moment, total, np.ptp(arm)))]
+
+    def check_glue(self):
+        """Places of the slave go where those of the master go that they face
+        undeformed."""
+        X, u = self.model.X, self.state.u
+        lines = self.model.lines[self.zone.master]
+        drawn = space_surfaces.Facets(lines, X)
+        distance, triangle, _, shapes = drawn.closest(X[self.nodes])
+        of_master = np.einsum("pa,pai->pi", shapes,
+                              u[lines[drawn.face[triangle]]])
+        off = np.linalg.norm(u[self.nodes] - of_master, axis=1)
+        off[distance > 1e-9 * self.scene.size] = 0
+        if off.max() <= GLUE * self.slack:
+            return []
+        return [Problem("glue", "parts by %.3g mm, displacements %.3g mm" % (
+            off.max(), self.largest))]
+
+    def check_penetration(self):
+        allowed = PENETRATION[self.rule] * self.slack + self.sagitta()
+        if self.rule == "nodal":
+            n = self.nodes[self.state.held[self.nodes].sum(1) < 3]
+            lowest = self.master.gap(self.state.x[n]).min(initial=0)
+        else:
+            # In the mean over a face, and at single places of it.
+            deepest = min(self.gaps.min(), -self.depth_of_master())
+            lowest = min(self.gaps.mean(1).min(),
+                         deepest * PENETRATION[self.rule] / PLACES)
+            allowed += self.facets()
+        if lowest >= -allowed:
+            return []
+        return [Problem("penetration", "%.3g mm, displacements %.3g mm, "
+                        "rule %s" % (-lowest, self.largest, self.rule))]
+
+    def depth_of_master(self):
+        """How deep nodes of the master are inside of the slave's bodies."""
+        if self.zone.obstacle:
+            return 0.0
+        nodes = np.unique(self.model.lines[self.zone.master])
+        return max(space_surfaces.depths(outline, self.state.x[nodes]).max()
+                   for outline in space_surfaces.outlines(
+                       self.model, self.faces, self.state.x))
+
+    def surfaces(self):
+        return [self.own] + ([self.master.group] if hasattr(
+            self.master, "group") else [])
+
+    def facets(self):
+        """By how much the corners of facets overlap where round surfaces touch:
+        edge^2 / 8 R of either side, R from the turns between neighbors."""
+        deepest = 0.0
+        for group in self.surfaces():
+            at = {}
+            corners = [0, 1, 3, 2] if group.faces.shape[1] == 4 else [0, 2, 8,
+                                                                      6]
+            for f, face in enumerate(group.faces[:, corners].tolist()):
+                for a, b in zip(face, face[1:] + face[:1]):
+                    at.setdefault(frozenset((a, b)), []).append(f)
+            for pair in at.values():
+                turn = np.linalg.norm(np.cross(*group.face_normal[
+                    [pair[0], pair[-1]]]))
+                if turn < ROUND:
+                    deepest = max(deepest, turn / 4 * group.face_size[
+                        pair].max())
+        return deepest
+
+    def sagitta(self):
+        """Of the triangles that a face which is not flat is cut into."""
+        deepest = 0.0
+        for group in self.surfaces():
+            turn = np.linalg.norm(np.cross(group.normal, group.face_normal[
+                group.face]), axis=1)
+            cuts = space_surfaces.CUTS[space_surfaces.degree_of(group.faces)]
+            deepest = max(deepest, (turn * group.face_size[
+                group.face]).max() / (4 * cuts ** 2))
+        return deepest
+
+    def check_force(self, k):
+        """The force on a slave node: where there is contact, into the body,
+        inside of the cone."""
+        where = self.around[k]
+        gap = min(self.gaps[where].min(), self.distance_of_master(where))
+        if gap > APART * self.slack + self.facets():
+            return self.problem("force without contact", k, "gap %.3g mm" % gap)
+        directions, reference = self.directions(k, where)
+        angle = cone_angle(self.force[k], directions)
+        friction = np.arctan(self.zone.mu)
+        if angle <= friction + ANGLE:
+            return None
+        inward = self.force[k] @ reference
+        return self.problem("tension" if inward < 0 else "cone", k,
+                            "%.3g rad outside of the cone, mu %.3g" % (
+                                angle - friction, self.zone.mu))
+
+    def distance_of_master(self, where):
+        """Of the master's nodes from faces of the slave: a corner may lie
+        between the places on these."""
+        if self.zone.obstacle:
+            return np.inf
+        part = space_surfaces.Facets(self.faces[where], self.state.x)
+        nodes = np.unique(self.model.lines[self.zone.master])
+        return part.closest(self.state.x[nodes])[0].min()
+
+    def directions(self, k, where):
+        """In which the master may push here: its normals where the slave's
+        faces face it, the slave's own, turned round, where those lie on it,
+        and those around corners of the master that touch them."""
+        normals = self.normals[where].reshape(-1, 3)
+        gaps = self.gaps[where].ravel()
+        near = gaps <= gaps.min() + 0.5 * self.own.face_size[where].max()
+        found = list(normals[near])
+        reference = normals[gaps.argmin()]
+        lying = where[self.lying[where]]
+        own = list(-self.own.normal[np.isin(self.own.face, lying)])
+        if self.rule == "mortar":
+            # The normal of a node is the mean of its faces.
+            own += list(-unit(self.own.face_normal[where].sum(0))[None])
+        own += self.around_master(where)
+        found += [n for n in own if n @ reference > 0]
+        return found, reference
+
+    def around_master(self, where):
+        if self.zone.obstacle:
+            return []
+        lines = self.model.lines[self.zone.master]
+        nodes = np.unique(lines)
+        part = space_surfaces.Facets(self.faces[where], self.state.x)
+        touch = nodes[part.closest(self.state.x[nodes])[0] <=
+                      APART * self.slack]
+        faces = np.flatnonzero(np.isin(lines, touch).any(1))
+        return list(self.master.group.face_normal[faces])
+
+    def problem(self, reason, k, detail):
+        return Problem(reason, "%s; %.3g N, largest %.3g N at (%s)" % (
+            detail, self.size[k], self.size.max(), ", ".join(
+                "%.5g" % x for x in self.model.X[self.nodes[k]])))
+
+    def is_flat(self):
+        if self.zone.obstacle:
+            return self.zone.obstacle.startswith("half")
+        drawn = space_surfaces.Facets(self.model.lines[self.zone.master],
+                                      self.model.X).normal
+        return np.abs(drawn - drawn[0]).max() < 1e-9
+
+    def check_resultant(self):
+        """A flat master pushes along its own normal."""
+        faces = self.touching.any(1)
+        of_contact = np.isin(self.nodes, self.faces[faces])
+        if not (self.counts & of_contact).any() or not self.is_flat() or (
+                not self.judged[of_contact].all()):
+            return []
+        # The slave's own normal, for a face that lies on an end of the master.
+        directions = np.concatenate([
+            self.normals[self.touching],
+            -self.own.normal[np.isin(self.own.face,
+                                     np.flatnonzero(self.lying))]])
+        total = self.force[self.judged].sum(0)
+        angle = cone_angle(total, directions)
+        if angle <= np.arctan(self.zone.mu) + 0.02:
+            return []
+        return [Problem("resultant", "%.3g rad outside of the master's normals,"
+                        " mu %.3g, %.3g N" % (angle, self.zone.mu,
+                                              np.linalg.norm(total)))]
+
+    def slip(self, step):
+        """Of the slave's nodes along the master, and its normals there."""
+        x = self.state.x[self.nodes]
+        if self.zone.obstacle:
+            n = self.master.normals(x)
+            relative = step[self.nodes]
+        else:
+            group = self.master.group
+            _, triangle, _, shapes = group.closest(x)
+            of_master = np.einsum("pa,pai->pi", shapes, step[
+                group.faces[group.face[triangle]]])
+            n = group.normal[triangle]
+            relative = step[self.nodes] - of_master
+        return relative - np.einsum("ki,ki->k", relative, n)[:, None] * n, n
+
+    def check_friction(self, before):
+        """Friction acts against the slip, and what slips is under mu p."""
+        first = int(self.scene.entries.get("Solution/Increments", 2)) == 1
+        if self.zone.mu == 0 or before is None and not first:
+            return []
+        step = self.state.u - (before.u if before is not None else 0)
+        slip, n = self.slip(step)
+        push = np.einsum("ki,ki->k", self.force, n)
+        shear = self.force - push[:, None] * n
+        judged = self.counts & (push > 0)
+        length = np.linalg.norm(slip, axis=1)
+        work = np.einsum("ki,ki->k", shear, slip)[judged].sum()
+        most = self.zone.mu * (push * length)[judged].sum()
+        moved = max(np.abs(step).max(), 1e-6 * self.largest)
+        small = 1e-2 * self.zone.mu * push[judged].sum() * moved
+        if work > DISSIPATION * most + small:
+            return [Problem("friction", "does work: %.3g of %.3g N mm" % (
+                work, most))]
+        if self.is_flat() and self.judged[push > 0].all() and (
+                work > -(1 - DISSIPATION) * most + small):
+            return [Problem("friction", "dissipates %.4g N mm, mu N times the "
+                            "slip is %.4g" % (-work, most))]
+        return []

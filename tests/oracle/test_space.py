@@ -1,0 +1,347 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The oracle in space, tested without the program.
+
+- Forces are the derivatives of an energy, tangents those of the forces, of
+  hexahedra of 8, 20 and 27 nodes.
+- A patch of skewed elements carries a uniform stress; a rotation costs nothing;
+  a bar stretches and a cantilever bends as beams do, also where it hardly
+  changes its volume.
+- Closest places, what is inside, and angles to cones are those of closed forms.
+- A right result passes the checks, and each kind of damage to it is found."""
+import csv
+import json
+import math
+import pathlib
+import random
+import sys
+import tempfile
+
+import numpy as np
+import scipy.sparse as sp
+import scipy.sparse.linalg as spl
+
+import check
+import oracle
+import space_surfaces
+import test_fem
+from results import Run
+from space_fem import SpaceModel
+from space_grids import brick
+from space_scene import SpaceScene, rotation
+from space_zone import cone_angle
+from test_fem import energy, expect
+
+ELEMENTS = ((1, None), (2, "serendipity"), (2, "free"))
+
+
+def body(degree, centre, kinematics, poisson=0.3, bend=0.0):
+    scene = SpaceScene("test", 0, [brick(
+        "B", (0, 0, 0), (2, 1, 1), (3, 2, 2), shape=lambda x, y, z: (
+            x + bend * y * math.sin(3 * x), y + bend * math.sin(x * z + x),
+            z + bend * x * y))], {"B": (100.0, poisson)})
+    scene.entries.update({"Element/Degree": degree,
+                          "Solids/Kinematics": kinematics})
+    if centre:
+        scene.entries["Element/Centre node"] = centre
+    return scene
+
+
+def ways():
+    for degree, centre in ELEMENTS:
+        for kinematics in ("small strain", "large displacement"):
+            yield degree, centre, kinematics
+
+
+def derivatives():
+    rng = np.random.default_rng(1)
+    worst = [0.0, 0.0]
+    for way in ways():
+        for poisson in (0.3, 0.4999):
+            model = SpaceModel(body(*way, poisson, 0.1))
+            u, du = (model.following(a * rng.standard_normal(model.X.shape))
+                     for a in (0.03, 1.0))
+            h = 1e-5
+            slope = (energy(model, u + h * du) - energy(model, u - h * du)
+                     ) / (2 * h)
+            worst[0] = max(worst[0], abs((model.forces(u) * du).sum() / slope
+                                         - 1))
+            change = (model.forces(u + h * du) - model.forces(u - h * du)
+                      ) / (2 * h)
+            tangent = (model.tangent(u) @ du.ravel()).reshape(-1, 3)
+            worst[1] = max(worst[1], np.abs(change - tangent).max() /
+                           np.abs(change).max())
+    expect("forces are derivatives of the energy", worst[0] < 1e-6,
+           "%.1e" % worst[0])
+    expect("tangents are derivatives of the forces", worst[1] < 1e-6,
+           "%.1e" % worst[1])
+
+
+def patch():
+    worst = 0.0
+    for way in ways():
+        model = SpaceModel(body(*way, 0.3, 0.1))
+        u = model.X @ np.array([[0.02, 0.3, 0.1], [-0.28, 0.01, 0],
+                                [0.05, -0.1, -0.03]])
+        inside = np.ones(len(model.X), bool)
+        for faces in model.lines.values():
+            inside[faces] = False
+        f = model.forces(u)
+        worst = max(worst, np.abs(f[inside]).max() / np.abs(f).max())
+    expect("patch", worst < 1e-12, "%.1e" % worst)
+
+
+def rigid():
+    worst = 0.0
+    turn = rotation(random.Random(5))
+    for degree, centre in ELEMENTS:
+        model = SpaceModel(body(degree, centre, "large displacement", 0.4999,
+                                0.1))
+        worst = max(worst, np.abs(model.forces(model.X @ turn.T - model.X)
+                                  ).max() / 100 / 5000)
+    expect("a rotation costs nothing", worst < 1e-14, "%.1e" % worst)
+
+
+def bar():
+    """By a traction; and by a weight, whose sum the support carries."""
+    worst = 0.0
+    for degree, centre in ELEMENTS:
+        scene = body(degree, centre, "small strain")
+        scene.hold("B_left", 0).hold("B_front", None, 0)
+        scene.hold("B_below", None, None, 0)
+        scene.load("Traction x", "B_right", 2.0)
+        u = SpaceModel(scene).solve()
+        worst = max(worst, abs(u[:, 0].max() / (2 * 2.0 / 100) - 1),
+                    abs(u[:, 1].min() / (-0.3 * 2.0 / 100) - 1))
+    expect("bar", worst < 1e-12, "%.1e" % worst)
+    scene = body(2, "serendipity", "small strain")
+    scene.hold("B_below", 0, 0, 0).load("Body force z", "B", -3.0)
+    scene.load("Pressure", "B_above", 1.0)
+    model = SpaceModel(scene)
+    force = (model.forces(model.solve()) - model.external(1))[
+        model.nodes_of("B_below"), 2].sum()
+    expect("weight and pressure", abs(force / (2 * 3.0 + 2 * 1.0) - 1) < 1e-12)
+
+
+def cantilever():
+    """Timoshenko's beam of square section."""
+    for nu in (0.0, 0.4999):
+        L, E, F = 20.0, 100.0, 1e-3
+        scene = SpaceScene("beam", 0, [brick("B", (0, 0, 0), (L, 1, 1), (
+            20, 1, 2)).point("middle", 0, 0, 1)], {"B": (E, nu)})
+        scene.entries.update({"Element/Degree": 2,
+                              "Solids/Kinematics": "small strain"})
+        scene.hold("B_left", 0).hold("middle", None, None, 0)
+        scene.hold("B_front B_back" if nu == 0 else "middle", None, 0)
+        scene.load("Resultant force z", "B_right", -F)
+        scene.load("Displacement y", "B_front", 0)
+        u = SpaceModel(scene).solve()
+        exact = -F * (4 * L ** 3 / E + 6 * L / 5 / (E / 2 / (1 + nu)))
+        # A fine cross section would take more elements where nu is not 0.
+        off = abs(u[:, 2].min() / exact - 1)
+        expect("cantilever, nu %g" % nu, off < 0.01, "%.1e" % off)
+
+
+def geometry():
+    sides = brick("B", (0, 0, 0), (1, 1, 1), (2, 3, 2))
+    model = SpaceModel(SpaceScene("cube", 0, [sides], {"B": (1.0, 0.0)}))
+    cube = space_surfaces.Facets(model.complete(
+        model.scene.mesh.boundary["B"]), model.X)
+    p = np.random.default_rng(3).uniform(-0.5, 1.5, (400, 3))
+    inside = ((p > 0) & (p < 1)).all(1)
+    expect("inside", (cube.contains(p) == inside).all())
+    depth = np.minimum(p, 1 - p).min(1)
+    outside = np.linalg.norm(p - np.clip(p, 0, 1), axis=1)
+    off = np.abs(cube.closest(p)[0] - np.where(inside, depth, outside)).max()
+    expect("distance", off < 1e-12, "%.1e" % off)
+    above = space_surfaces.Facets(model.lines["B_above"], model.X)
+    expect("normals", np.allclose(above.normal, (0, 0, 1)))
+    _, triangle, foot, shapes = above.closest(p)
+    places = np.einsum("pa,pai->pi", shapes, model.X[
+        above.faces[above.face[triangle]]])
+    expect("places on a face", np.allclose(places, foot))
+    cone = [(1, 0, 0), (0, 1, 0)]
+    angles = [cone_angle(np.array(f, float), cone) for f in (
+        (3, 1, 0), (1, 1, math.sqrt(2)), (-1, 0, 0), (1, -1, 0))]
+    exact = [0, math.pi / 4, math.pi / 2, math.pi / 4]
+    expect("angles to a cone", np.allclose(angles, exact, atol=1e-7),
+           str(angles))
+
+
+# Damage.
+def pressed_block(mu=0.0, shift=0.0):
+    low = brick("Low", (0, 0, 0), (4, 4, 1), (4, 4, 2))
+    up = brick("Up", (1 - shift, 1, 1), (3 - shift, 3, 2), (2, 2, 2))
+    scene = SpaceScene("damage", 0, [low, up], {"Low": (100.0, 0.3),
+                                                "Up": (100.0, 0.3)},
+                       rule="nodal")
+    scene.entries.update({"Solids/Kinematics": "small strain",
+                          "Solution/Increments": 1})
+    scene.hold("Low_below", 0, 0, 0).hold("Up_above", 0, 0, -0.02)
+    return scene.contact("Up_below", "Low_above", mu)
+
+
+def pairs(model):
+    """The nodes of the sole and those of the ground below them."""
+    ground = model.nodes_of("Low_above")
+    return [(s, ground[np.abs(model.X[ground] - model.X[s]).max(1) < 0.01][0])
+            for s in model.nodes_of("Up_below")]
+
+
+def tied(scene, axes, jump=None):
+    """The sole moves with the ground along these axes, the first ones by a jump
+    more: linear, so by elimination."""
+    model = SpaceModel(scene)
+    held, value = model.supports(1.0)
+    n = model.X.size
+    master, fixed = {}, (value * held).ravel()
+    for s, m in pairs(model):
+        for d in axes:
+            master[3 * s + d] = 3 * m + d
+            fixed[3 * s + d] = (jump or {}).get(d, 0.0)
+    free = [k for k in range(n) if not held.ravel()[k] and k not in master]
+    number = {k: i for i, k in enumerate(free)}
+    entries = [(k, number[master.get(k, k)]) for k in range(n)
+               if master.get(k, k) in number]
+    rows, columns = zip(*entries)
+    T = sp.csc_matrix((np.ones(len(rows)), (rows, columns)), (n, len(free)))
+    K = model.tangent(np.zeros_like(model.X))
+    x = spl.spsolve((T.T @ K @ T).tocsc(), -(T.T @ (K @ fixed)))
+    return model, (T @ x + fixed).reshape(-1, 3)
+
+
+def run_with(model, u, directory):
+    """What a run of the program with these displacements would have left."""
+    state = check.State(model, u, 1.0, np.full(len(u), 1e-16))
+    output = directory / "output" / "case"
+    output.mkdir(parents=True, exist_ok=True)
+    force = np.where(state.on_surface[:, None] & ~state.held, state.residual, 0)
+    with open(output / "nodes.csv", "w", newline="") as file:
+        rows = csv.writer(file)
+        rows.writerow(["body", "piece"] + list("XYZxyzabc"))
+        for n, X in enumerate(model.X):
+            rows.writerow([model.scene.mesh.bodies[model.body_of[n]], 0] + [
+                repr(float(v)) for v in (*X, *u[n], *force[n])])
+    probes = {"%s%d" % ("xyz"[d], k): u[k, d] for k in range(len(u))
+              for d in range(3)}
+    reactions = {g: {axis: state.residual[model.nodes_of(g), d].sum()
+                     for d, axis in enumerate("xyz")}
+                 for g in ("Low_below", "Up_above")}
+    (output / "summary.json").write_text(json.dumps({
+        "converged": True, "increments": [{
+            "converged": True, "load_factor": 1.0, "probes": probes,
+            "reactions": reactions}]}))
+    return Run(0, "", 0.0, directory)
+
+
+def reasons(scene, u, directory, change=None):
+    run = run_with(SpaceModel(scene), u, directory)
+    if change:
+        change(run)
+    return [p.reason for p in check.problems(scene, run)]
+
+
+def damage():
+    scene = pressed_block()
+    model, u = tied(scene, [2])
+    sole = model.nodes_of("Up_below")
+    above = np.flatnonzero(model.body_of == 1)
+    inner = np.flatnonzero((model.X == (2, 2, 1.5)).all(1))
+    with tempfile.TemporaryDirectory() as place:
+        place = pathlib.Path(place)
+
+        def expect_reason(what, reason, v, scene=scene, change=None):
+            found = reasons(scene, v, place, change)
+            expect("found: " + what, reason in found, str(found))
+        found = reasons(scene, u, place)
+        expect("a right result passes", not found, str(found))
+        v = u.copy()
+        v[inner] += 1e-6
+        expect_reason("a node that is not in equilibrium", "equilibrium", v)
+        v = u.copy()
+        v[above] += (0, 0, 1e13)
+        expect_reason("a body that has flown away", "flown away", v)
+        v = u.copy()
+        v[model.nodes_of("Up_above"), 0] += 1e-4
+        expect_reason("a wrong support", "support", v)
+        v = u.copy()
+        v[inner] = np.nan
+        expect_reason("not a number", "not a number", v)
+        pulled = pressed_block()
+        pulled.boundary["Displacement z"]["Up_above"] = 0.02
+        expect_reason("tension", "tension", -u, pulled)
+        fixed = np.zeros(model.X.shape, bool)
+        fixed[sole] = True
+        v = u.copy()
+        v[sole, 2] -= 0.003
+        v = model.solve(fixed=fixed, u=v)
+        expect_reason("unequal forces", "balance", v)
+        expect_reason("penetration", "penetration", v)
+
+        def other_force(run):
+            file = run.directory / "nodes.csv"
+            lines = file.read_text().split("\n")
+            for k, line in enumerate(lines):
+                if line.startswith("Up,0,2.0,2.0,1.0,"):
+                    lines[k] = line.rstrip("\r").rsplit(",", 1)[0] + ",-1.0"
+            file.write_text("\n".join(lines))
+        expect_reason("a wrong force of contact", "contact force", u,
+                      change=other_force)
+        expect_reason("a wrong reaction", "reaction", u, change=lambda run: run
+                      .summary["increments"][0]["reactions"]["Up_above"].update(
+                          z=-1.0))
+        _, v = tied(scene, [0, 1, 2])
+        expect_reason("shear without friction", "cone", v)
+        stuck = [p for p in reasons(pressed_block(1.0), v, place)]
+        expect("what sticks passes", not stuck, str(stuck))
+        friction_damage(place)
+
+
+def friction_damage(place):
+    """Shears of equal and opposite size that drive the slip, and that are less
+    than mu p where all slips."""
+    for along, jump, what in ((0.01, -0.002, "friction that does work"),
+                              (0.0, 0.0005, "friction less than mu p")):
+        scene = pressed_block(1.0, jump)
+        scene.hold("Up_above", along)
+        _, u = tied(scene, [0, 1, 2], {0: jump})
+        found = reasons(scene, u, place)
+        expect("found: " + what, found == ["friction"], str(found))
+
+
+def turned():
+    """Turned scenes: the energy of a field that is turned along is the same."""
+    rng = random.Random(2)
+    scene = oracle.make("space_glued", 1)
+    scene.entries["Element/Degree"] = 1
+    R = rotation(rng)
+    other = scene.turned(R)
+    u = 1e-3 * np.random.default_rng(2).standard_normal(scene.mesh.X.shape)
+    if other is None:
+        expect("turned", False)
+        return
+    ratio = energy(SpaceModel(other), u @ R.T) / energy(SpaceModel(scene), u)
+    expect("turned", abs(ratio - 1) < 1e-12, "%.1e" % (ratio - 1))
+    renumbered = scene.renumbered(rng)
+    v = np.empty_like(u)
+    v[renumbered.mesh.order] = u
+    ratio = energy(SpaceModel(renumbered), v) / energy(SpaceModel(scene), u)
+    expect("renumbered", abs(ratio - 1) < 1e-12, "%.1e" % (ratio - 1))
+
+
+def scenes():
+    """Every kind makes scenes, the same ones each time, whose mesh is whole."""
+    for kind in oracle.SPACE:
+        texts = []
+        for _ in range(2):
+            scene = oracle.make(kind, 3)
+            SpaceModel(scene.judged())
+            texts.append(scene.mesh.text() + scene.parameters())
+        expect("scenes of the kind " + kind, texts[0] == texts[1])
+
+
+if __name__ == "__main__":
+    for test in (derivatives, patch, rigid, bar, cantilever, geometry, damage,
+                 turned, scenes):
+        test()
+    sys.exit(test_fem.failures > 0)
