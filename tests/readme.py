@@ -93,7 +93,9 @@ ELSEWHERE = {
     "tests/fuzz/damaged.py --json build/contact": "its run with --number 220",
     "./run oracle": "program/oracle_quick",
     "./run oracle --count 68 --kind stack,carried": "program/oracle_quick",
+    "./run oracle --space --count 200": "program/oracle_quick",
     "tests/oracle/test_fem.py": "program/oracle_quick",
+    "tests/oracle/test_space.py": "program/oracle_quick",
     "cmake --build build --target mesh": "nothing: it writes into meshes",
     "cmake -S . -B build/sanitize -G Ninja -DCMAKE_BUILD_TYPE=Release "
     '"-DCMAKE_CXX_FLAGS_RELEASE=-O1 -g1 -fno-omit-frame-pointer" '

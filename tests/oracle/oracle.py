@@ -11,6 +11,7 @@ hung or took too much memory; with --strict also if a scene that has to converge
 at default settings does not."""
 import argparse
 import concurrent.futures
+import os
 import pathlib
 import random
 import shutil
@@ -18,6 +19,9 @@ import sys
 import tempfile
 import time
 import traceback
+
+# OpenBLAS called by several threads gave wrong numbers with threads of its own.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import check
 import kinds_blocks

@@ -1,6 +1,7 @@
 #!/bin/sh
-# The oracle against closed forms and damaged results, then 40 of its scenes, and
-# those that were once called converged and wrong, or did not converge.
+# The oracle against closed forms and damaged results, then 40 of its scenes and
+# 15 in space, and those that were once called converged and wrong, or did not
+# converge.
 #   oracle_quick.sh CONTACT PARAMETERS MESHES
 # SPDX-License-Identifier: LGPL-2.1-or-later
 set -eu
@@ -12,8 +13,12 @@ here=$(dirname -- "$0")
   echo "skipped: apt-get install python3-numpy python3-scipy"
   exit 0
 }
+space=space_blocks,space_reversal,space_overlap,space_corner,space_sphere
 "$here/test_fem.py"
+"$here/test_space.py"
 "$here/oracle.py" --count 40 --seed 100 --variants 1 --keep oracle "$1"
+"$here/oracle.py" --count 15 --seed 100 --variants 0.5 --keep oracle \
+  --kind "$space" "$1"
 
 # A node unseen between two edges; a node paired with the far side of a body;
 # forces on surfaces apart; a point far beyond an end; a held node without

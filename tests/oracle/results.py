@@ -6,6 +6,7 @@ import json
 import os
 import re
 import resource
+import signal
 import struct
 import subprocess
 import time
@@ -15,7 +16,9 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 MEMORY = 1500 << 20
+# Of CPU time; of the clock where the machine is busy.
 SECONDS = 60
+PATIENCE = 900
 SINGLE = 1.2e-7
 
 
@@ -61,16 +64,19 @@ def run(binary, directory, ranks=1):
 
     def limits():
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
         if ranks == 1:
             resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     start = time.monotonic()
     try:
         done = subprocess.run(command, cwd=directory, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, timeout=SECONDS,
+                              stderr=subprocess.STDOUT, timeout=PATIENCE,
                               preexec_fn=limits, env=environment)
         status, said = done.returncode, done.stdout.decode("utf-8", "replace")
+        if status in (-signal.SIGXCPU, -signal.SIGKILL):
+            status, said = None, "more than %d s of CPU time" % SECONDS
     except subprocess.TimeoutExpired:
-        status, said = None, "more than %d s" % SECONDS
+        status, said = None, "more than %d s" % PATIENCE
     return Run(status, said, time.monotonic() - start, directory)
 
 

@@ -27,33 +27,25 @@ class ReportedModel(SpaceModel):
 
     def add_middles(self, mesh, cells):
         complete = super().add_middles(mesh, cells)
-        size = self.scene.size
-        for name, (entry, numbers) in mesh.arcs.items():
-            surface = surfaces.obstacle("%s: %s" % (
-                entry.lower()[:-1], ", ".join("%.17g" % v for v in numbers)))
-            on = np.unique(self.complete(mesh.lines[name]))
-            on = on[on >= self.n_vertices]
+        round_ = [(surfaces.obstacle("%s: %s" % (entry.lower()[:-1], ", ".join(
+            "%.17g" % v for v in numbers))),
+            np.unique(self.complete(mesh.lines[name])))
+            for name, (entry, numbers) in mesh.arcs.items()]
+        for surface, nodes in round_:
+            on = nodes[nodes >= self.n_vertices]
             self.X[on] -= (surface.gap(self.X[on])[:, None] *
                            surface.normals(self.X[on]))
-        if mesh.arcs:
-            for (body, _), array in complete.items():
-                edge = np.ptp(self.X[array], axis=1).max(1)
-                for cell, h in zip(array, edge):
-                    middles = cell[cell >= self.n_vertices]
-                    rows, off = self.nodes.rows_of(body, self.X[middles])
-                    if off.max() > ROUND * h:
-                        raise ValueError("a middle is %.3g mm away" % off.max())
-                    fixed = np.isin(middles, self.on_round(mesh))
-                    if (off[fixed] > 1e-6 * size).any():
-                        raise ValueError("a node is beside its round surface")
-                    self.X[middles] = self.nodes.X[rows]
+        for (body, _), array in complete.items() if round_ else ():
+            middles = np.unique(array[array >= self.n_vertices])
+            rows, off = self.nodes.rows_of(body, self.X[middles])
+            if off.max() > ROUND * np.ptp(self.X[array], axis=1).max():
+                raise ValueError("a middle is %.3g mm away" % off.max())
+            self.X[middles] = self.nodes.X[rows]
+        for surface, nodes in round_:
+            off = np.abs(surface.gap(self.X[nodes])).max()
+            if off > STRAIGHT * self.scene.size:
+                raise ValueError("a node is %.3g mm off its surface" % off)
         return complete
-
-    def on_round(self, mesh):
-        if not hasattr(self, "round_nodes"):
-            self.round_nodes = np.unique(np.concatenate([
-                self.complete(mesh.lines[name]).ravel() for name in mesh.arcs]))
-        return self.round_nodes
 
     def reported(self):
         """The rows of our nodes; None if one is missing."""

@@ -29,7 +29,7 @@ def direction(rng, length):
             draw.round_to(length * math.sin(angle)))
 
 
-def two_blocks(rng, kind, seed, gap=0.0, most=7):
+def two_blocks(rng, kind, seed, gap=0.0, most=6):
     """A block on a wider one."""
     s = draw.size(rng)
     width, depth = (draw.uniform(rng, 0.4, 0.9) * s for _ in range(2))
@@ -56,11 +56,11 @@ def settle(rng, scene, increments=(1, 2, 4), large=None, levels=True):
     if not large:
         entries["Solids/Kinematics"] = "small strain"
     cells = sum(map(len, scene.mesh.cells.values()))
-    if rng.random() < 0.3 and cells < 350:
+    if rng.random() < 0.3 and cells < 100:
         entries["Element/Degree"] = 2
         if rng.random() < 0.5:
             entries["Element/Centre node"] = "free"
-    elif levels and rng.random() < 0.15 and cells < 150 and (
+    elif levels and rng.random() < 0.15 and cells < 60 and (
             not scene.mesh.arcs):
         entries["Refinement/Levels"] = 1
     entries["Solution/Increments"] = rng.choice(increments)

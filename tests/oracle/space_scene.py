@@ -6,6 +6,10 @@ from scene import Formula, Scene, number
 from space_grids import SpaceMesh
 
 
+# A third of a turn about (1, 1, 1): x becomes y, y becomes z.
+THIRD = np.array([[0.0, 0, 1], [1, 0, 0], [0, 1, 0]])
+
+
 class SpaceScene(Scene):
     axes = "xyz"
     mesh_of = SpaceMesh

@@ -134,6 +134,7 @@ class DeformedBody:
 
     def __init__(self, model, zone, x):
         self.group = Facets(model.lines[zone.master], x)
+        self.size = model.scene.size
         self.outlines = outlines(model, model.lines[zone.master], x)
 
     def gap(self, points):
@@ -144,13 +145,13 @@ class DeformedBody:
             gap = np.where(depth > 0, -depth, gap)
         return gap
 
-    def faces(self, points):
+    def covers(self, points):
         """Whether the closest place of the group is straight ahead."""
         distance, triangle, foot, _ = self.group.closest(points)
         ahead = np.abs(np.einsum("ki,ki->k", points - foot,
                                  self.group.normal[triangle]))
         beside = np.sqrt(np.maximum(distance ** 2 - ahead ** 2, 0))
-        return beside <= surfaces.BESIDE * distance
+        return beside <= surfaces.BESIDE * distance + 1e-9 * self.size
 
     def normals(self, points):
         return self.group.normal[self.group.closest(points)[1]]

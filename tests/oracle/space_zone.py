@@ -5,6 +5,7 @@ import itertools
 import numpy as np
 from scipy.optimize import nnls
 
+import elements
 import space_surfaces
 from zone_check import (ANGLE, APART, COUNTS, PENETRATION, PLACES, Problem,
                         ROUND, SLIPS)
@@ -14,6 +15,11 @@ from zone_check import (ANGLE, APART, COUNTS, PENETRATION, PLACES, Problem,
 DISSIPATION = 0.1
 # Of the largest displacement: by how much glued surfaces may part in places.
 GLUE = 0.05
+# Points of a face along each side, and the share of it that is too little.
+POINTS = 6
+SLIVER = 0.05
+# Of the largest displacement: the gaps of nodes as the discretization has them.
+WEIGHTED = 0.05
 # Of the forces times the largest displacement: what feet of points may be off.
 LEVER = 0.01
 
@@ -31,6 +37,48 @@ def cone_angle(force, directions):
 def unit(vectors):
     return vectors / np.maximum(np.linalg.norm(vectors, axis=-1,
                                                keepdims=True), 1e-300)
+
+
+class DualWeights:
+    """The dual functions of the nodes of a slave, of what the master covers of
+    each face: combinations of its shape functions, by D M^-1."""
+
+    def __init__(self, check):
+        self.nodes, self.faces = check.nodes, check.faces
+        degree = space_surfaces.degree_of(self.faces)
+        rule = elements.gauss_cube(POINTS, 2)
+        tables = [elements.tensor(place, degree) for place, _ in rule]
+        self.shapes = np.array([N for N, _ in tables])
+        x = check.state.x[self.faces]
+        self.points = np.einsum("qa,fai->fqi", self.shapes, x)
+        tangents = np.einsum("qad,fai->fqdi", np.array([s for _, s in tables]),
+                             x)
+        area = np.linalg.norm(np.cross(tangents[:, :, 0], tangents[:, :, 1]),
+                              axis=2) * np.array([w for _, w in rule])
+        covered = check.master.covers(self.points.reshape(-1, 3)).reshape(
+            area.shape)
+        w = area * covered
+        self.share = w.sum(1) / area.sum(1)
+        w[self.share < SLIVER] = 0
+        D = np.einsum("fq,qa->fa", w, self.shapes)
+        M = np.einsum("fq,qa,qb->fab", w, self.shapes, self.shapes)
+        inverse = np.linalg.pinv(M, rcond=1e-8, hermitian=True)
+        dual = np.einsum("fa,fab,qb->fqa", D, inverse, self.shapes)
+        self.w = w[:, :, None] * dual
+        self.number = np.searchsorted(self.nodes, self.faces)
+        self.D = np.zeros(len(self.nodes))
+        np.add.at(self.D, self.number, D)
+        # What all faces around are covered of.
+        self.least = np.ones(len(self.nodes))
+        np.minimum.at(self.least, self.number, self.share[:, None])
+
+    def of_nodes(self, values):
+        values = values.reshape(self.w.shape[:2] + (3,))
+        total = np.zeros((len(self.nodes), 3))
+        np.add.at(total, self.number, np.einsum("fqa,fqi->fai", self.w, values))
+        # Of degree 2 what is covered in part may have no weight, or a negative.
+        has = self.D > 1e-9 * self.D.max()
+        return total * np.where(has, 1 / np.where(has, self.D, 1), 0)[:, None]
 
 
 class SpaceZoneCheck:
@@ -52,6 +100,7 @@ class SpaceZoneCheck:
         self.normals = self.master.normals(flat).reshape(self.points.shape)
         self.own = space_surfaces.Facets(self.faces, state.x)
         self.shared = shared
+        self.weights = None
         self.judged = ~shared[self.nodes] & ~state.held[self.nodes].any(1)
         self.force = state.residual[self.nodes]
         self.touching = self.gaps <= APART * self.slack
@@ -67,7 +116,7 @@ class SpaceZoneCheck:
         found = self.check_moments()
         if self.zone.tied:
             return found + self.check_glue()
-        found += self.check_penetration()
+        found += self.check_penetration() + self.check_weighted()
         for k in np.flatnonzero(self.counts):
             problem = self.check_force(k)
             if problem:
@@ -130,6 +179,28 @@ class SpaceZoneCheck:
             return []
         return [Problem("penetration", "%.3g mm, displacements %.3g mm, "
                         "rule %s" % (-lowest, self.largest, self.rule))]
+
+    def check_weighted(self):
+        """Gaps as the mortar discretization weights them: none is negative, and
+        where a force acts none is open."""
+        if self.rule == "nodal" or self.zone.obstacle:
+            return []
+        jump, n = self.at_nodes(lambda side, nodes: self.state.x[nodes])
+        gaps = np.einsum("ki,ki->k", jump, n)
+        judged = self.judged & (self.weights.least > 1 - SLIVER)
+        # Where the master is round we look for it along other lines.
+        most = np.array([np.abs(self.gaps[where]).max()
+                         for where in self.around])
+        allowed = WEIGHTED * (self.slack + most) + self.sagitta()
+        for bad, reason in ((judged & (gaps < -allowed), "weighted penetration"),
+                            (judged & self.counts & (gaps > allowed),
+                             "force at a gap")):
+            if bad.any():
+                k = np.flatnonzero(bad)[np.abs(gaps[bad]).argmax()]
+                return [self.problem(reason, k, "weighted gap %.3g mm, displace"
+                                     "ments %.3g mm" % (gaps[k],
+                                                        self.largest))]
+        return []
 
     def depth_of_master(self):
         """How deep nodes of the master are inside of the slave's bodies."""
@@ -263,18 +334,33 @@ class SpaceZoneCheck:
 
     def slip(self, step):
         """Of the slave's nodes along the master, and its normals there."""
-        x = self.state.x[self.nodes]
+        relative, n = self.at_nodes(lambda side, nodes: step[nodes])
+        return relative - np.einsum("ki,ki->k", relative, n)[:, None] * n, n
+
+    def at_nodes(self, field):
+        """A field of the slave minus that of the master, and the master's
+        normal: at the nodes, or weighted around them by dual functions."""
+        if self.rule == "nodal" or self.zone.obstacle:
+            x = self.state.x[self.nodes]
+            return self.jump(x, field("slave", self.nodes), field)
+        if self.weights is None:
+            self.weights = DualWeights(self)
+        w = self.weights
+        jump, n = self.jump(w.points.reshape(-1, 3), np.einsum(
+            "qa,fai->fqi", w.shapes, field("slave", self.faces)).reshape(-1, 3),
+            field)
+        return w.of_nodes(jump), unit(w.of_nodes(n))
+
+    def jump(self, x, of_slave, field):
         if self.zone.obstacle:
             n = self.master.normals(x)
-            relative = step[self.nodes]
-        else:
-            group = self.master.group
-            _, triangle, _, shapes = group.closest(x)
-            of_master = np.einsum("pa,pai->pi", shapes, step[
-                group.faces[group.face[triangle]]])
-            n = group.normal[triangle]
-            relative = step[self.nodes] - of_master
-        return relative - np.einsum("ki,ki->k", relative, n)[:, None] * n, n
+            foot = x - self.master.gap(x)[:, None] * n
+            return of_slave - field("obstacle", foot), n
+        group = self.master.group
+        _, triangle, _, shapes = group.closest(x)
+        of_master = np.einsum("pa,pai->pi", shapes, field(
+            "master", group.faces[group.face[triangle]]))
+        return of_slave - of_master, group.normal[triangle]
 
     def check_friction(self, before):
         """Friction acts against the slip, and what slips is under mu p."""
@@ -286,6 +372,8 @@ class SpaceZoneCheck:
         push = np.einsum("ki,ki->k", self.force, n)
         shear = self.force - push[:, None] * n
         judged = self.counts & (push > 0)
+        if self.weights is not None:
+            judged &= self.weights.least > 1 - SLIVER
         length = np.linalg.norm(slip, axis=1)
         work = np.einsum("ki,ki->k", shear, slip)[judged].sum()
         most = self.zone.mu * (push * length)[judged].sum()
@@ -294,7 +382,7 @@ class SpaceZoneCheck:
         if work > DISSIPATION * most + small:
             return [Problem("friction", "does work: %.3g of %.3g N mm" % (
                 work, most))]
-        if self.is_flat() and self.judged[push > 0].all() and (
+        if self.is_flat() and judged[self.counts].all() and (
                 work > -(1 - DISSIPATION) * most + small):
             return [Problem("friction", "dissipates %.4g N mm, mu N times the "
                             "slip is %.4g" % (-work, most))]

@@ -1,5 +1,5 @@
-"""The same scene in other words: mirrored, renumbered, its bodies in another
-order, on two processes. Its results have to be the same."""
+"""The same scene in other words: mirrored (in space turned), renumbered, its
+bodies in another order, on two processes. Its results have to be the same."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import copy
 import random
@@ -8,6 +8,7 @@ import numpy as np
 
 import check
 import results
+import space_scene
 
 # Of the largest displacement of all increments. The program drives residuals to
 # 1e-8 of the load, and pairs once more before each step of Newton's method.
@@ -16,9 +17,16 @@ NAMES = ("mirrored", "renumbered", "reordered", "two ranks")
 
 
 def make(scene, name):
-    """Another scene, what its displacements have to be multiplied with, and
-    the number of processes; None if there is none."""
-    one = np.ones(2)
+    """Another scene, the matrix that its displacements have to be multiplied
+    with (or the factors), and the number of processes; None if there is none."""
+    one = np.ones(len(scene.axes))
+    if name == "mirrored" and len(scene.axes) == 3:
+        turn = space_scene.rotation(random.Random(scene.seed))
+        for R in (turn, space_scene.THIRD):
+            other = scene.turned(R)
+            if other:
+                return other, R, 1
+        return None
     if name == "mirrored":
         other = scene.mirrored()
         sign = np.array([1.0, -1.0] if scene.axisymmetric else [-1.0, 1.0])
@@ -32,6 +40,10 @@ def make(scene, name):
 
 def displacements(scene, run):
     """Those of the last increment, and the largest of all increments."""
+    if len(scene.axes) == 3:
+        model = check.tools_of(scene).model(scene, run)
+        u = model.nodes.u[model.reported()][:len(scene.mesh.X)]
+        return u, np.abs(u).max()
     fields = [results.vertex_displacements(i, len(scene.mesh.X))
               for i in run.summary["increments"] if i["converged"]]
     return fields[-1], max(np.abs(u).max() for u in fields)
@@ -73,7 +85,8 @@ def distance(scene, base, other, run, sign):
     """Of two results, by the largest displacement; by the resolution of the
     mesh file where nothing moves."""
     (u, largest), (v, _) = displacements(scene, base), displacements(other, run)
-    v = v[getattr(other.mesh, "order", slice(None))] * sign
+    v = v[getattr(other.mesh, "order", slice(None))]
+    v = v * sign if sign.ndim == 1 else v @ sign
     return np.abs(u - v).max() / max(largest, 1e-9 * scene.size)
 
 
