@@ -71,7 +71,7 @@ def reversal(rng, seed):
         "table(0 0, 0.25 0, 0.5 1, 1 -1)", lambda t: 0.0 if t < 0.25 else
         4 * t - 1 if t < 0.5 else 3 - 4 * t)
     h["Displacement y"] = HOLD_THEN_RAMP
-    return settle(rng, scene, (4, 8))
+    return settle(rng, scene, (4,))
 
 
 def matching(rng, seed):
@@ -154,10 +154,10 @@ def about(axis, angle):
 
 def standing(rng, kind, seed, turn):
     s = size(rng)
-    n = rng.randint(2, 5)
+    n = rng.randint(2, 4)
     up = tipped("Up", 0.6 * s, turn, (n, n, n), direction(rng, 0.1 * s))
     low = brick("Low", (-s, -s, -0.6 * s), (s, s, 0), (
-        rng.randint(3, 8), rng.randint(3, 8), 2))
+        rng.randint(3, 6), rng.randint(3, 6), 2))
     scene = SpaceScene(kind, seed, [low, up], {
         "Low": material(rng, False), "Up": material(rng, False)})
     scene.hold("Low_below", 0, 0, 0)
@@ -194,16 +194,16 @@ def overlap(rng, seed):
     scene.hold("Low_below", 0, 0, 0)
     scene.hold("Up_above", 0, 0, -uniform(rng, 0.002, 0.02) * s)
     scene.contact(*swap(rng, "Up_below", "Low_above"), friction(rng))
-    increments = (1, 2, 4)
+    increments = (1, 2)
     if rng.random() < 0.3:
         then_drag(scene, rng, "Up_above", uniform(rng, 0.02, 0.2) * s)
-        increments = (4, 8)
+        increments = (2, 4)
     return settle(rng, scene, increments)
 
 
 def ratio(rng, seed):
     """Cells up to eight times as large as those that they touch."""
-    s, k = size(rng), rng.choice([4, 6, 8])
+    s, k = size(rng), rng.choice([4, 8])
     coarse, fine = rng.choice([(1, k), (2, 2 * k)])
     n, m = (coarse, fine) if rng.random() < 0.5 else (fine, coarse)
     low = brick("Low", (0, 0, 0), (s, s, 0.5 * s), (n, n, 1))

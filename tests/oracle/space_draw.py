@@ -29,7 +29,7 @@ def direction(rng, length):
             draw.round_to(length * math.sin(angle)))
 
 
-def two_blocks(rng, kind, seed, gap=0.0, most=6):
+def two_blocks(rng, kind, seed, gap=0.0, most=5):
     """A block on a wider one."""
     s = draw.size(rng)
     width, depth = (draw.uniform(rng, 0.4, 0.9) * s for _ in range(2))
@@ -37,16 +37,16 @@ def two_blocks(rng, kind, seed, gap=0.0, most=6):
     h, top = draw.uniform(rng, 0.3, 0.8) * s, draw.uniform(rng, 0.2, 0.6) * s
     n = [rng.randint(2, most) for _ in range(2)]
     m = [rng.randint(1, most - 2) for _ in range(2)]
-    low = brick("Low", (0, 0, 0), (s, s, h), (*n, rng.randint(1, 3)))
+    low = brick("Low", (0, 0, 0), (s, s, h), (*n, rng.randint(1, 2)))
     up = brick("Up", (x, y, h + gap * s),
                (x + width, y + depth, h + gap * s + top),
-               (*m, rng.randint(1, 3)))
+               (*m, rng.randint(1, 2)))
     scene = SpaceScene(kind, seed, [low, up], {"Low": material(rng),
                                                "Up": material(rng)})
     return scene.hold("Low_below", 0, 0, 0), s
 
 
-def settle(rng, scene, increments=(1, 2, 4), large=None, levels=True):
+def settle(rng, scene, increments=(1, 1, 2), large=None, levels=True):
     """Degree, kinematics, rule and increments; a quarter of the scenes gets
     other loops and solvers than the default; many are turned."""
     entries = scene.entries
@@ -56,11 +56,11 @@ def settle(rng, scene, increments=(1, 2, 4), large=None, levels=True):
     if not large:
         entries["Solids/Kinematics"] = "small strain"
     cells = sum(map(len, scene.mesh.cells.values()))
-    if rng.random() < 0.3 and cells < 100:
+    if rng.random() < 0.3 and cells < 50:
         entries["Element/Degree"] = 2
         if rng.random() < 0.5:
             entries["Element/Centre node"] = "free"
-    elif levels and rng.random() < 0.15 and cells < 60 and (
+    elif levels and rng.random() < 0.15 and cells < 30 and (
             not scene.mesh.arcs):
         entries["Refinement/Levels"] = 1
     entries["Solution/Increments"] = rng.choice(increments)

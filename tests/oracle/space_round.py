@@ -61,14 +61,14 @@ def press(rng, scene, name, s, depth=(0.002, 0.02)):
 
 def flat(rng, s, width=1.0):
     return brick("Low", (-width * s, -width * s, -0.6 * s),
-                 (width * s, width * s, 0), (rng.randint(3, 8),
-                                             rng.randint(3, 8), 2))
+                 (width * s, width * s, 0), (rng.randint(3, 6),
+                                             rng.randint(3, 6), 2))
 
 
 def sphere(rng, seed):
     """A ball on a block."""
     s = size(rng)
-    ball = cap("Up", (0, 0, s), s, rng.randint(3, 8), 2)
+    ball = cap("Up", (0, 0, s), s, rng.randint(3, 6), 2)
     scene = SpaceScene("sphere", seed, [flat(rng, s), ball], {
         "Low": material(rng, False), "Up": material(rng)},
         arcs={"Up_skin": ("Spheres", (0, 0, s, s))})
@@ -97,7 +97,7 @@ def balls(rng, seed):
 def roller(rng, seed):
     """A cylinder lying on a block."""
     s = size(rng)
-    n = (rng.randint(4, 8), rng.randint(2, 5))
+    n = (rng.randint(4, 6), rng.randint(2, 4))
     up = trough("Up", (0, 0, s), s, uniform(rng, 0.5, 2.5) * s, n, 2)
     scene = SpaceScene("roller", seed, [flat(rng, s), up], {
         "Low": material(rng, False), "Up": material(rng)},
@@ -126,7 +126,7 @@ def pin(rng, seed):
     """A hollow pin in a hole, with play or tight, pressed to one side and
     perhaps drawn along."""
     s = size(rng)
-    n = rng.choice([8, 12, 16])
+    n = rng.choice([8, 12])
     play = rng.choice([0.0, 0.001, 0.01, 0.05]) * s
     hub = ring("Hub", s, 2 * s, s, rng.choice([n, n + 4]), (2, 2))
     bolt = ring("Pin", 0.4 * s, s - play, 1.3 * s, n, (2, rng.randint(2, 3)))
@@ -138,12 +138,12 @@ def pin(rng, seed):
     a, b = direction(rng, play + uniform(rng, 0.001, 0.01) * s)
     scene.hold("Pin_front", a, b, rng.choice([0, uniform(rng, 0, 0.02) * s]))
     scene.contact(*swap(rng, "Pin_back", "Hub_front"), friction(rng))
-    return settle(rng, scene, (2, 4), levels=False)
+    return settle(rng, scene, (1, 2), levels=False)
 
 
 def shrink(rng, seed):
     """A ring that is too narrow for what is in it."""
-    s, n = size(rng), rng.choice([8, 12, 16])
+    s, n = size(rng), rng.choice([8, 12])
     over = uniform(rng, 0.0005, 0.005) * s
     hub = ring("Hub", s, 1.5 * s, 0.6 * s, n, (2, 2))
     tube = ring("Tube", 0.6 * s, s + over, 1.0 * s, n, (2, 3))
@@ -165,7 +165,7 @@ def obstacle(rng, seed):
             n, rng.randint(2, 7), 3))
         sole, top, arcs = "Up_below", "Up_above", {}
     else:
-        body = cap("Up", (0, 0, s), s, rng.randint(3, 8), 2)
+        body = cap("Up", (0, 0, s), s, rng.randint(3, 6), 2)
         sole, top = "Up_skin", "Up_hub"
         arcs = {"Up_skin": ("Spheres", (0, 0, s, s))}
     scene = SpaceScene("obstacle", seed, [body], {"Up": material(rng)},

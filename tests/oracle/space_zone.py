@@ -189,9 +189,10 @@ class SpaceZoneCheck:
         gaps = np.einsum("ki,ki->k", jump, n)
         judged = self.judged & (self.weights.least > 1 - SLIVER)
         # Where the master is round we look for it along other lines.
-        most = np.array([np.abs(self.gaps[where]).max()
+        near = np.array([np.abs(self.gaps[where]).max() <= self.slack
                          for where in self.around])
-        allowed = WEIGHTED * (self.slack + most) + self.sagitta()
+        judged &= near
+        allowed = WEIGHTED * self.slack + self.sagitta()
         for bad, reason in ((judged & (gaps < -allowed), "weighted penetration"),
                             (judged & self.counts & (gaps > allowed),
                              "force at a gap")):
