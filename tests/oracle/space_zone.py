@@ -1,14 +1,12 @@
 """Forces and gaps of a contact zone in space, seen on the deformed surfaces."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
-import itertools
-
 import numpy as np
 from scipy.optimize import nnls
 
 import elements
 import space_surfaces
 from zone_check import (ANGLE, APART, COUNTS, PENETRATION, PLACES, Problem,
-                        ROUND, SLIPS)
+                        ROUND, connected)
 
 # Of mu N times the slip: what friction may dissipate less, since forces are
 # those of the end of an increment, and slips and pressures those of nodes.
@@ -112,6 +110,28 @@ class SpaceZoneCheck:
         self.counts = self.judged & (self.size > np.maximum(
             noise, COUNTS * max(self.size.max(), 1e-4 * state.scale)))
 
+        # What acts on a node, or on several together.
+        self.acting = self.force.copy()
+        if self.rule == "mortar" and model.degree == 2 and not zone.obstacle:
+            self.take_together()
+
+    def take_together(self):
+        """Of degree 2 what acts on a part of a face goes to all of its nodes
+        with the signs of the shape functions there: the nodes of faces that the
+        master covers in part are judged by their sum."""
+        self.weights = DualWeights(self)
+        share = self.weights.share
+        partly = (share > 0) & (share < 1)
+        for nodes in connected(self.faces[partly]):
+            together = np.isin(self.nodes, list(nodes))
+            self.acting[together] = self.force[together].sum(0)
+            self.counts[together] &= self.judged[together].all() and (
+                np.linalg.norm(self.force[together].sum(0)) >
+                COUNTS * self.size.max())
+            around = np.flatnonzero(np.isin(self.faces, list(nodes)).any(1))
+            for k in np.flatnonzero(together):
+                self.around[k] = around
+
     def problems(self, before):
         found = self.check_moments()
         if self.zone.tied:
@@ -185,7 +205,7 @@ class SpaceZoneCheck:
         where a force acts none is open."""
         if self.rule == "nodal" or self.zone.obstacle:
             return []
-        jump, n = self.at_nodes(lambda side, nodes: self.state.x[nodes])
+        jump, n = self.at_nodes(lambda nodes: self.state.x[nodes])
         gaps = np.einsum("ki,ki->k", jump, n)
         judged = self.judged & (self.weights.least > 1 - SLIVER)
         # Where the master is round we look for it along other lines.
@@ -254,11 +274,11 @@ class SpaceZoneCheck:
         if gap > APART * self.slack + self.facets():
             return self.problem("force without contact", k, "gap %.3g mm" % gap)
         directions, reference = self.directions(k, where)
-        angle = cone_angle(self.force[k], directions)
+        angle = cone_angle(self.acting[k], directions)
         friction = np.arctan(self.zone.mu)
         if angle <= friction + ANGLE:
             return None
-        inward = self.force[k] @ reference
+        inward = self.acting[k] @ reference
         return self.problem("tension" if inward < 0 else "cone", k,
                             "%.3g rad outside of the cone, mu %.3g" % (
                                 angle - friction, self.zone.mu))
@@ -335,32 +355,31 @@ class SpaceZoneCheck:
 
     def slip(self, step):
         """Of the slave's nodes along the master, and its normals there."""
-        relative, n = self.at_nodes(lambda side, nodes: step[nodes])
+        relative, n = self.at_nodes(lambda nodes: step[nodes])
         return relative - np.einsum("ki,ki->k", relative, n)[:, None] * n, n
 
     def at_nodes(self, field):
-        """A field of the slave minus that of the master, and the master's
-        normal: at the nodes, or weighted around them by dual functions."""
+        """A field of the slave minus that of the master (none of what is rigid),
+        and the master's normal: at the nodes, or weighted around them by dual
+        functions."""
         if self.rule == "nodal" or self.zone.obstacle:
             x = self.state.x[self.nodes]
-            return self.jump(x, field("slave", self.nodes), field)
+            return self.jump(x, field(self.nodes), field)
         if self.weights is None:
             self.weights = DualWeights(self)
         w = self.weights
         jump, n = self.jump(w.points.reshape(-1, 3), np.einsum(
-            "qa,fai->fqi", w.shapes, field("slave", self.faces)).reshape(-1, 3),
+            "qa,fai->fqi", w.shapes, field(self.faces)).reshape(-1, 3),
             field)
         return w.of_nodes(jump), unit(w.of_nodes(n))
 
     def jump(self, x, of_slave, field):
         if self.zone.obstacle:
-            n = self.master.normals(x)
-            foot = x - self.master.gap(x)[:, None] * n
-            return of_slave - field("obstacle", foot), n
+            return of_slave, self.master.normals(x)
         group = self.master.group
         _, triangle, _, shapes = group.closest(x)
         of_master = np.einsum("pa,pai->pi", shapes, field(
-            "master", group.faces[group.face[triangle]]))
+            group.faces[group.face[triangle]]))
         return of_slave - of_master, group.normal[triangle]
 
     def check_friction(self, before):
