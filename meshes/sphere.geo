@@ -13,14 +13,17 @@
 
 // ---------------------------------------------------------------- parameters
 
-R     = 30;  // of the sphere
-a     = Sqrt(R * 0.1); // radius of contact at an approach of 0.1
+DefineConstant[
+  R = 30,         // of the sphere
+  approach = 0.1, // for the radius of contact
+  depth = 15,     // where the outer block ends on the plane through the centre
+  m = 14,         // edges from the fine block to the plane through the centre
+  q = 1.2         // how these grow
+]; // unless set before
+a     = Sqrt(R * approach);
 s     = 2 * a;         // size of the fine block at the contact
-depth = 15;  // where the outer block ends on the plane through the centre
 nx    = 20;  // edges of the fine block along the surface, two in a/5
 ny    = 14;  // and into the depth
-m     = 14;  // from there to the plane through the centre
-q     = 1.2; // how these grow
 
 // -------------------------------------------------------------------- sphere
 
