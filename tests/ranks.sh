@@ -9,9 +9,10 @@ set -eu
 contact=$1
 parameters=$2
 
-# values FILE: the probes of a summary, and the reactions in y, one a line
+# values FILE: the probes of a summary, and the reactions in y, one a line; in
+# space the probes alone, for the other reactions are zero
 values() {
-  awk -F'[:,]' '/"(value|y)":/ { print $2 }' "$1"
+  awk -F'[:,]' -v values="$values" '$1 ~ "\"(" values ")\"" { print $2 }' "$1"
 }
 
 # decisions DIRECTORY: what the points do, counted in all increments, and one by
@@ -78,6 +79,11 @@ compare() {
 
 # More than there are cores is slow, and the same for all cases with levels.
 solver=AMG
+values=value
+processes='1 2 4'
+compare "levels in space, friction" nested_space_friction.prm \
+  --set Refinement/Levels=1
+values='value|y'
 processes='1 2 3'
 compare "uniform levels, friction" nested_friction.prm \
   --set Refinement/Levels=2 --set Element/Degree=1 \

@@ -51,6 +51,7 @@ SHORT = {
     "./run yardstick":
         "./run yardstick CHOLMOD --repetitions 1 --refinements 2",
     "./run scaling": "./run scaling 2000",
+    "./run scaling space": "./run scaling space --levels 0 --ranks ''",
     "./run adaptive": "./run adaptive 2000",
     "./run oscillation": "./run oscillation mortar block",
     "./run gallery": "./run gallery --pictures $SCRATCH",
@@ -108,6 +109,7 @@ ELSEWHERE = {
     "./run study": "program/quick_study",
     "./run study --peers": "nothing: it installs other programs",
     "./run study --peers --quick": "nothing: it installs other programs",
+    "./run study --peers-in-space": "nothing: it installs other programs",
     "./run study --quick": "program/quick_study",
     "./run study --problem hertz": "program/quick_study",
     "meshes/convert.py [--bodies NAME,NAME] IN OUT.msh": "program/convert",

@@ -5,12 +5,17 @@
 # and on two ranks. A Markdown table, and the exponent of the unknowns in the
 # wall time, from 80000 unknowns on.
 #   scaling.sh CONTACT [MAX_UNKNOWNS [OPTION...]]
+#   scaling.sh CONTACT space [OPTION...]   in space, see scaling_space.py
 # MAX_UNKNOWNS is 1400000 by default; 5300000 takes 10 GB. Not a test: nothing
 # is asserted but convergence. Results go to a scratch directory.
 # SPDX-License-Identifier: LGPL-2.1-or-later
 set -eu
 
 contact=$1
+if [ "${2-}" = space ]; then
+  shift 2
+  exec "$(dirname -- "$0")/scaling_space.py" "$contact" "$@"
+fi
 max_unknowns=${2-1400000}
 shift $(($# < 2 ? $# : 2))
 parameters=$(CDPATH='' cd -- "$(dirname -- "$0")/../parameters" && pwd)

@@ -269,25 +269,28 @@ namespace Contact
 
     /**
      * Conjugate gradients, or GMRES where the matrix is unsymmetric, with
-     * smoothed aggregation. A hierarchy is kept, also
-     * for a matrix with other values, until it has become clearly worse than
-     * it was when it was new: a constraint more or less costs the conjugate
-     * gradients about one iteration.
+     * smoothed aggregation. A hierarchy is kept, also for a matrix with other
+     * values, until it has become clearly worse than it was when it was new and
+     * has cost more iterations than a new one would: a constraint more or less
+     * costs the conjugate gradients about one iteration.
      */
     class Multigrid : public DefiniteSolver
     {
     public:
       Multigrid(const Modes &modes, const bool symmetric, Counters &counters)
         : DefiniteSolver(counters)
-        , modes(modes)
+        , n_modes(modes.size())
         , symmetric(symmetric)
       {
+        for (const auto &mode : modes)
+          null_space.insert(null_space.end(), mode.begin(), mode.end());
       }
 
       void set_matrix(const Matrix &matrix, const bool new_pattern) override
       {
         this->matrix = &matrix;
-        if (new_pattern || per_digit > 1.3 * per_digit_when_new)
+        if (new_pattern || (per_digit > 1.3 * per_digit_when_new &&
+                            excess >= price_of_hierarchy()))
           build();
       }
 
@@ -327,12 +330,29 @@ namespace Contact
           std::log10(control.initial_value() / control.last_value());
         per_digit = digits > 0 ? control.last_step() / digits : 0.;
         if (is_new)
-          per_digit_when_new = per_digit;
+          {
+            per_digit_when_new = per_digit;
+            excess             = 0;
+          }
+        excess +=
+          std::max(0., control.last_step() - digits * per_digit_when_new);
         is_new = false;
         return control.last_step();
       }
 
     private:
+      /// The displacements of a node.
+      int n_components() const
+      {
+        return n_modes == 3 ? 2 : 3; // of as many rigid motions
+      }
+
+      /// In iterations, roughly. In the plane one of them is soon paid.
+      double price_of_hierarchy() const
+      {
+        return n_components() == 2 ? 0. : 30.;
+      }
+
       void iterate(SolverControl &control, const Vector &b, Vector &x) const
       {
         ++counters.linear_solves;
@@ -360,13 +380,10 @@ namespace Contact
         std::unique_ptr<Epetra_MultiVector> no_modes;
         data.set_parameters(parameters, no_modes, *matrix);
 
-        null_space.clear();
-        for (const auto &mode : modes)
-          null_space.insert(null_space.end(), mode.begin(), mode.end());
-        parameters.set("PDE equations", 2);
+        parameters.set("PDE equations", n_components());
         parameters.set("null space: type", "pre-computed");
         parameters.set("null space: add default vectors", false);
-        parameters.set("null space: dimension", static_cast<int>(modes.size()));
+        parameters.set("null space: dimension", n_modes);
         parameters.set("null space: vectors", null_space.data());
         preconditioner.initialize(*matrix, parameters);
         is_new = true;
@@ -374,13 +391,16 @@ namespace Contact
 
       static constexpr unsigned int max_iterations = 500;
 
-      const Modes                       modes;
+      const int                         n_modes;
       const bool                        symmetric;
-      std::vector<double>               null_space;
+      std::vector<double>               null_space; // one mode after the other
       const Matrix                     *matrix = nullptr;
       TrilinosWrappers::PreconditionAMG preconditioner;
       bool                              is_new    = false;
       double                            per_digit = 0, per_digit_when_new = 0;
+
+      /// Iterations beyond those that the hierarchy took when it was new.
+      double excess = 0;
     };
   } // namespace
 

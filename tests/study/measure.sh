@@ -40,6 +40,8 @@ record benchmark text ./run benchmark
 record oscillation table ./run oscillation
 record hard table ./run hard --table
 record scaling table ./run scaling
+record scaling_space table ./run scaling space
+record peers_space table ./run study --peers-in-space
 record effects table ./run effects
 record yardstick table ./run yardstick
 tests/study/report.py "$results" --readme .
