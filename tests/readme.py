@@ -54,7 +54,7 @@ SHORT = {
     "./run scaling space": "./run scaling space --levels 0 --ranks ''",
     "./run adaptive": "./run adaptive 2000",
     "./run oscillation": "./run oscillation mortar block",
-    "./run gallery": "./run gallery --pictures $SCRATCH",
+    "./run gallery": "./run gallery --coarse --pictures $SCRATCH",
     "cmake --install build --strip --prefix ~/.local":
         "cmake --install build --strip --prefix $SCRATCH",
     "tests/fuzz/scenes.py --number 600 build/contact":

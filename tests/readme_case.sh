@@ -38,6 +38,18 @@ gmsh -3 -format msh41 -o drag.msh drag.geo >gmsh.log
 grep -q '"stick": [1-9]' output/drag/summary.json
 grep -q '"slip": [1-9]' output/drag/summary.json
 
+# The same with 27 and with 20 nodes in the mesh file, and in either format.
+"$1" drag.prm --set Solution/Increments=1 | grep '^drag' >of_8
+gmsh -3 -order 2 -format msh41 -o drag.msh drag.geo >gmsh.log
+"$1" drag.prm --set Solution/Increments=1 | grep '^drag' >of_27
+gmsh -3 -order 2 -setnumber Mesh.SecondOrderIncomplete 1 -format msh22 \
+  -o drag.msh drag.geo >gmsh.log
+grep -q '^[0-9]* 17 ' drag.msh
+"$1" drag.prm --set Solution/Increments=1 | grep '^drag' >of_20
+[ "$(wc -l <of_8)" -eq 3 ]
+cmp of_8 of_27
+cmp of_8 of_20
+
 # A circle that is no arc is noted; one that is, is not.
 "$1" "$2/ssnp154_b.prm" --set Output/VTU=false >with_arc
 "$1" "$2/ssnp154_b.prm" --set Output/VTU=false --set Mesh/Arcs= \

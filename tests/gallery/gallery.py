@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures of results, drawn without a screen.
 
-    gallery.py [--output DIR] [--pictures DIR] CONTACT
+    gallery.py [--output DIR] [--pictures DIR] [--coarse] CONTACT
 
 CONTACT is the program; it computes the cases into DIR (output/gallery), the
 pictures go to results beside this file. VTK draws the bodies, gnuplot the
 curves; convergence is that of the study, from its results. VTK of Debian
 (python3-vtk9) draws on X only: xvfb-run gallery.py ..., as ./run gallery does.
-Exit status: 0, 1 if a case or a picture has failed.
+With --coarse the scene in space is not refined. Exit status: 0, 1 if a case or a
+picture has failed.
 """
 
 from __future__ import annotations
@@ -38,15 +39,17 @@ PRESSURES = ("ssnp154_a", "ssnp154_c", "ssnp154_d", "nested")
 FRICTION = ("ssnp154_d", "nested_friction")
 CONVERGENCE = "rings_orders"
 IN_SPACE = "sphere_on_block"
+# A symmetric matrix: conjugate gradients with multigrid.
+REFINED = {"Mesh/Refinements": 1, "Solution/Friction": "lagged bound"}
 SETTINGS = {"Output/VTU": "true", "Output/Profile": "true",
             "Output/Screen": "none"}
 
 
-def run_case(contact: Path, name: str, output: Path) -> Path:
+def run_case(contact: Path, name: str, output: Path, more={}) -> Path:
     """The directory with the results of a case."""
     call = [contact, ROOT / "parameters" / f"{name}.prm", "--quiet", "--set",
             f"Output/Directory={output}"]
-    for entry, value in SETTINGS.items():
+    for entry, value in (SETTINGS | more).items():
         call += ["--set", f"{entry}={value}"]
     run = subprocess.run(call)
     # 1: a value outside of its tolerance, which is no picture's business
@@ -208,6 +211,7 @@ def main() -> None:
                         default=ROOT / "output/gallery")
     parser.add_argument("--pictures", type=Path, metavar="DIR",
                         default=HERE / "results")
+    parser.add_argument("--coarse", action="store_true")
     parser.add_argument("contact", type=Path, metavar="CONTACT")
     arguments = parser.parse_args()
     output, pictures = arguments.output.resolve(), arguments.pictures.resolve()
@@ -224,7 +228,8 @@ def main() -> None:
                    pictures / "pressure.png")
     draw_shears([cases[name] for name in FRICTION], pictures / "friction.png")
     draw_convergence(pictures, output)
-    case = run_case(arguments.contact.resolve(), IN_SPACE, output)
+    case = run_case(arguments.contact.resolve(), IN_SPACE, output,
+                    {} if arguments.coarse else REFINED)
     space.draw_cut(case, pictures / "von_mises_space.png")
     space.draw_footprint(case, pictures / "pressure_space.png")
     space.draw_stick_and_slip(case, pictures / "stick_and_slip_space.png")

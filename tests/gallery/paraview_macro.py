@@ -14,6 +14,7 @@ reads output/<case>, and saves a picture or a state that paraview opens.
 """
 
 import csv
+import math
 import os
 import sys
 
@@ -174,8 +175,8 @@ for name in inputs[0].RowData.keys():
 
 def contact_box(directory):
     """Where the slave is in contact, moved: least and largest coordinates; and
-    the largest pressure."""
-    places, pressure = [], []
+    the largest pressure and shear."""
+    places, pressure, shear = [], [], []
     with open(os.path.join(directory, "profile.csv"), newline="") as file:
         for row in csv.DictReader(file):
             if (row["surface"].startswith("slave")
@@ -184,10 +185,13 @@ def contact_box(directory):
                                + float(row["displacement_" + c + "_mm"])
                                for c in "xyz"])
                 pressure.append(float(row["pressure_MPa"]))
+                shear.append(math.hypot(*(float(row["shear_" + c + "_MPa"])
+                                          for c in "xyz")))
     if not places:
         raise RuntimeError("no point of " + directory + " is in contact")
     columns = list(zip(*places))
-    return [min(c) for c in columns], [max(c) for c in columns], max(pressure)
+    return ([min(c) for c in columns], [max(c) for c in columns], max(pressure),
+            max(shear))
 
 
 def look(view, centre, direction, up, half):
@@ -203,7 +207,7 @@ def look(view, centre, direction, up, half):
 def space_views(directory):
     """The layout of a case in space, and the largest pressure."""
     bodies, surface = moved(directory, "bodies"), moved(directory, "contact")
-    low, high, largest = contact_box(directory)
+    low, high, largest, longest = contact_box(directory)
     centre = [(a + b) / 2 for a, b in zip(low, high)]
     half = LARGEST_ZONE / 2 * max(b - a for a, b in zip(low, high))
 
@@ -235,8 +239,6 @@ def space_views(directory):
     arrows.ScaleArray = ["POINTS", "shear"]
     arrows.GlyphMode = "All Points"
     # The longest arrow is a third of the zone.
-    shears = surface.PointData.GetArray("shear")
-    longest = shears.GetRange(-1)[1] if shears else 0
     arrows.ScaleFactor = half / 3 / longest if longest > 0 else 1
     display = pv.Show(arrows, status)
     display.ColorArrayName = ["POINTS", ""]

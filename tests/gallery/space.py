@@ -110,7 +110,7 @@ def space_view(part, towards_viewer, bounds, actors, labels=(),
 def cut_window(surface, part):
     """A window of this part's shape on the cut around the contact."""
     touching = places(surface)[field(surface, "status") > 0]
-    half = 1.9 * numpy.abs(touching[:, 0] - touching[:, 0].mean()).max()
+    half = 1.25 * numpy.abs(touching[:, 0] - touching[:, 0].mean()).max()
     x, z = touching[:, 0].mean(), touching[:, 2].max()
     aspect = ((part[3] - part[1]) * SIZE[1]) / ((part[2] - part[0]) * SIZE[0])
     return x - half, x + half, z - half * aspect, z + half * aspect
@@ -150,7 +150,7 @@ def draw_cut(case: Path, path: Path) -> None:
     save([strip(TITLE, [text_actor(title, 0.02, 0.3)]),
           space_view(left, TOWARDS_VIEWER, bodies.GetBounds(),
                      [shaded(body_actor(bodies, "von_mises", table, False)),
-                      frame], nearer=1.3),
+                      frame], nearer=1.35),
           front_view(right, window,
                      [body_actor(bodies, "von_mises", table, True)]),
           strip(BAR, [bar_actor(table)])], path)
