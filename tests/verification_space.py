@@ -58,7 +58,7 @@ page = []
 def run(case, levels, *settings):
     """Name, summary and rows of the slave of a run; ends the script if it has no
     results."""
-    name = f"{case}, {levels} levels" + \
+    name = f"{case}, levels {levels}" + \
         "".join(f", degree {s[-1]}" for s in settings if "Degree" in s)
     status, said, summary = solve(cases / f"{case}.prm",
                                   f"Refinement/Levels={levels}", *settings)
@@ -346,12 +346,12 @@ def write(path):
                 for case, quantity, value, exact, error, bar in mine])
     title = ("# Contact of round bodies in space against closed forms\n\n"
              "`tests/verification_space.py build/contact parameters meshes "
-             "--full \\\n--write tests/study/results/verification_space.md`"
-             "\n\nThe cases are those of `parameters/verification/3d`, the "
-             "closed forms those of\n`tests/point_contact.py`. Errors are "
-             "relative where nothing else is said; three times refined,\na mesh "
-             "has 3 levels. The radius of contact has three elements on the "
-             "coarsest mesh.\n\n## ")
+             "--full \\\n--write tests/study/results/verification_space.md`, or "
+             "case by case with `--case`\n\nThe cases are those of "
+             "`parameters/verification/3d`, the closed forms those of\n"
+             "`tests/point_contact.py`. Errors are relative where nothing else "
+             "is said; levels are\nrefinements. The radius of contact has three "
+             "elements on the coarsest mesh.\n\n## ")
     path.write_text(title + "\n\n## ".join(
         sections[name] for name in PLAN if name in sections) + "\n")
 
