@@ -372,6 +372,19 @@ namespace Contact
                        const Discretization<dim> &discretization,
                        const Vector<double>      &u);
 
+  /**
+   * Across a plane of symmetry of both bodies a point does not slip, and its
+   * normal is along the plane: the facets around it are those of one side only,
+   * and their mean with their images is. The plane is one across a coordinate
+   * that supports hold the slave node in, and a node of the master alike that
+   * is in the same place within @p tolerance [mm]. Not of a surface that lies
+   * in the plane.
+   */
+  void make_symmetric(ContactPoint<3>         &point,
+                      const Discretization<3> &discretization,
+                      const Vector<double>    &u,
+                      const double             tolerance);
+
   /// The current position of the place on the slave.
   template<int dim>
   Point<dim> slave_position(const ContactPoint<dim> &point,

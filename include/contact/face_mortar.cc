@@ -14,10 +14,11 @@ namespace Contact
   {
     /// The largest angle between a facet at a node and the mean there.
     std::vector<double> bends(const Surface<3>        &surface,
+                              const SymmetryPlanes    &planes,
                               const Discretization<3> &discretization)
     {
       const Vector<double>   undeformed(discretization.dof_handler.n_dofs());
-      const auto             means = surface.facet_normals(undeformed);
+      const auto             means = planes.facet_normals(surface, undeformed);
       const SurfaceSearch<3> search(surface, undeformed);
       std::vector<double>    bends(surface.nodes.size(), 0.);
       for (unsigned int e = 0; e < surface.facets.size(); ++e)
@@ -43,8 +44,9 @@ namespace Contact
     , discretization(discretization)
     , excluded(excluded)
     , carries(slave.facets.size())
-    , slave_bends(bends(slave, discretization))
-    , master_bends(bends(master, discretization))
+    , planes(slave, master, discretization)
+    , slave_bends(bends(slave, planes, discretization))
+    , master_bends(bends(master, planes, discretization))
   {
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
@@ -77,7 +79,7 @@ namespace Contact
                                      const Vector<double>             &u,
                                      const bool) const
   {
-    const FaceConfiguration    now(slave, master, u);
+    const FaceConfiguration    now(slave, master, planes, u);
     const FaceSegments         segments(slave, master, now);
     std::vector<NodeIntegrals> of_nodes(slave.nodes.size());
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
@@ -205,6 +207,7 @@ namespace Contact
         carriers[k]->master_normal += phi[k] * normal;
         carriers[k]->master_bend += phi[k] * bend;
         carriers[k]->distances.push_back(point.distance);
+        carriers[k]->distances.push_back(point.distance_at_corner);
       }
   }
 
@@ -216,7 +219,49 @@ namespace Contact
                                         const Vector<double>    &u,
                                         ContactPoint<3>         &point) const
   {
-    // The mean of the facets around the node.
+    const double length = slave.reference_length(point.slave_facet);
+    point.keep_nodes(0);
+    point.projection = Point<3>();
+    point.facing     = integrals.weight > 0;
+    point.normal     = normal(integrals, node, now);
+    if (!point.facing)
+      {
+        point.weight = slave.shares_of_nodes(point.slave_facet)[0];
+        point.add_node(slave.nodes[node], 1, 0, 0);
+        point.n_slave_nodes = 1;
+        set_tangents(point);
+        return;
+      }
+
+    point.weight = integrals.weight;
+    add_nodes(integrals, node, point);
+    make_symmetric(point, discretization, u, 1e-6 * length);
+    set_tangents(point);
+    const Tensor<1, 3> r = move_feet(integrals, now, point);
+
+    // A mean with weights of either sign is no less than the least of the
+    // distances, which at a corner of the slave is that of the node itself; a
+    // ten-thousandth of a facet is left to it.
+    double smallest = std::numeric_limits<double>::max();
+    for (const Tensor<1, 3> &distance : integrals.distances)
+      smallest = std::min(smallest, distance * point.normal);
+    const double excess = r * point.normal - smallest + 1e-4 * length;
+    if (excess < 0)
+      point.projection = Point<3>(excess * point.normal);
+    point.tangential_row_is_void =
+      tangential_row_is_void(point, discretization);
+    skip_where_held(point, discretization, u);
+  }
+
+
+
+  // Of the facets around the node, and of the master; which of the two counts
+  // more is the one that bends less.
+  Tensor<1, 3>
+  MortarDiscretization<3>::normal(const NodeIntegrals     &integrals,
+                                  const unsigned int       node,
+                                  const FaceConfiguration &now) const
+  {
     Tensor<1, 3> slave_normal;
     for (const unsigned int e : slave.facets_of_node[node])
       {
@@ -227,52 +272,48 @@ namespace Contact
       }
     slave_normal /= slave_normal.norm();
 
-    point.keep_nodes(0);
-    point.projection = Point<3>();
-    point.normal     = -slave_normal;
-    point.facing     = integrals.weight > 0;
-    point.weight     = point.facing ? integrals.weight
-                                    : slave.shares_of_nodes(point.slave_facet)[0];
-    if (!point.facing)
-      {
-        point.add_node(slave.nodes[node], 1, 0, 0);
-        point.n_slave_nodes = 1;
-        set_tangents(point);
-        return;
-      }
-
     const double of_slave = slave_bends[node];
+    const double flat     = 1e-8;
+    if (integrals.weight <= 0 || of_slave <= flat)
+      return -slave_normal;
     const double of_master =
       std::max(0., integrals.master_bend / integrals.weight);
-    const double least = 1e-8;
-    if (of_slave > least)
-      {
-        const Tensor<1, 3> master_normal =
-          integrals.master_normal / integrals.master_normal.norm();
-        point.normal = -of_master * of_master * slave_normal +
-                       of_slave * of_slave * master_normal;
-        point.normal /= point.normal.norm();
-      }
-    find_void_slip(now, node, integrals, point);
-    make_symmetric(point);
-    set_tangents(point);
+    const Tensor<1, 3> sum = -of_master * of_master * slave_normal +
+                             of_slave * of_slave * integrals.master_normal /
+                               integrals.master_normal.norm();
+    return sum / sum.norm();
+  }
 
-    // Biorthogonality leaves round-off where the coefficient is zero.
+
+
+  // Biorthogonality leaves round-off where the coefficient is zero.
+  void MortarDiscretization<3>::add_nodes(const NodeIntegrals &integrals,
+                                          const unsigned int   node,
+                                          ContactPoint<3>     &point) const
+  {
     const double round_off = 1e-10;
-    const auto   add_slave = [&](const unsigned int a, const double integral) {
-      if (a == node || std::abs(integral) > round_off * integrals.weight)
-        point.add_node(slave.nodes[a], integral / integrals.weight, 0, 0);
+    const auto   add = [&](const SurfaceNode<3> &of, const double integral) {
+      point.add_node(of, integral / integrals.weight, 0, 0);
     };
-    add_slave(node, integrals.slave.at(node));
+    add(slave.nodes[node], integrals.slave.at(node));
     for (const auto &[a, integral] : integrals.slave)
-      if (a != node)
-        add_slave(a, integral);
+      if (a != node && std::abs(integral) > round_off * integrals.weight)
+        add(slave.nodes[a], integral);
     point.n_slave_nodes = point.n_nodes;
     for (const auto &[m, integral] : integrals.master)
-      point.add_node(master.nodes[m], -integral / integrals.weight, 0, 0);
+      add(master.nodes[m], -integral);
+  }
 
-    // The feet move along the master by the tau that leaves no offset between
-    // slave and master along the tangents: E tau = r.
+
+
+  // The feet move along the master by the tau that leaves no offset between
+  // slave and master along the tangents: E tau = offset. What is left of the
+  // distance is returned.
+  Tensor<1, 3>
+  MortarDiscretization<3>::move_feet(const NodeIntegrals     &integrals,
+                                     const FaceConfiguration &now,
+                                     ContactPoint<3>         &point) const
+  {
     Tensor<1, 3> r;
     for (const auto &[a, integral] : integrals.slave)
       r += integral / integrals.weight * now.slave_x[a];
@@ -290,69 +331,20 @@ namespace Contact
         for (unsigned int j = 0; j < 2; ++j)
           E[i][j] = point.tangents[i] * (moves * point.tangents[j]);
       }
-    if (determinant(E) > 0.1)
+
+    // One, where the master is smooth. Facets that are far from tangential to
+    // the point do not carry it along.
+    const double smallest = 0.1;
+    if (determinant(E) <= smallest)
+      return r;
+    const Tensor<1, 3> tau = point.along_tangents(invert(E) * offset);
+    unsigned int       a   = point.n_slave_nodes;
+    for (const auto &[m, gradient] : integrals.gradients)
       {
-        const Tensor<1, 3> tau = point.along_tangents(invert(E) * offset);
-        unsigned int       a   = point.n_slave_nodes;
-        for (const auto &[m, gradient] : integrals.gradients)
-          {
-            const double change = gradient * tau / integrals.weight;
-            point.C[a++] -= change;
-            r -= change * now.master_x[m];
-          }
+        const double change = gradient * tau / integrals.weight;
+        point.C[a++] -= change;
+        r -= change * now.master_x[m];
       }
-
-    // A mean with weights of either sign is no less than the least of the
-    // distances; a ten-thousandth of a facet is left to it.
-    double smallest = std::numeric_limits<double>::max();
-    for (const Tensor<1, 3> &distance : integrals.distances)
-      smallest = std::min(smallest, distance * point.normal);
-    const double excess = r * point.normal - smallest +
-                          1e-4 * slave.reference_length(point.slave_facet);
-    if (excess < 0)
-      point.projection = Point<3>(excess * point.normal);
-    point.tangential_row_is_void =
-      tangential_row_is_void(point, discretization);
-    skip_where_held(point, discretization, u);
-  }
-
-
-
-  // Supports hold the slave node and a master node opposite alike.
-  void MortarDiscretization<3>::find_void_slip(const FaceConfiguration &now,
-                                               const unsigned int       node,
-                                               const NodeIntegrals &integrals,
-                                               ContactPoint<3>     &point) const
-  {
-    const double tolerance = 1e-6 * slave.reference_length(point.slave_facet);
-    for (unsigned int c = 0; c < 3; ++c)
-      {
-        point.slip_is_void[c] = false;
-        for (const auto &[m, integral] : integrals.master)
-          if (std::abs(now.slave_x[node][c] - now.master_x[m][c]) < tolerance &&
-              discretization.are_fixed_alike(slave.nodes[node].dofs[c],
-                                             master.nodes[m].dofs[c]))
-            point.slip_is_void[c] = true;
-      }
-  }
-
-
-
-  // The facets around a node on a plane of symmetry are those of one side only:
-  // the mean with their images is along the plane. Not of a surface that lies
-  // in it.
-  void MortarDiscretization<3>::make_symmetric(ContactPoint<3> &point) const
-  {
-    const double sine   = 0.9;
-    Tensor<1, 3> normal = point.normal;
-    for (unsigned int c = 0; c < 3; ++c)
-      {
-        point.slip_is_void[c] =
-          point.slip_is_void[c] && std::abs(point.normal[c]) < sine;
-        if (point.slip_is_void[c])
-          normal[c] = 0;
-      }
-    if (normal.norm() > 0)
-      point.normal = normal / normal.norm();
+    return r;
   }
 } // namespace Contact

@@ -72,30 +72,32 @@ namespace Contact
       PerFacetNode<3, PerFacetNode<3, Tensor<1, 3>>> gradients;
     };
 
-    void integrate(const unsigned int             slave_facet,
-                   const std::vector<FaceSample> &points,
-                   const FaceConfiguration       &now,
-                   std::vector<NodeIntegrals>    &of_nodes) const;
-    void add_master(const FaceSample          &point,
-                    const std::vector<double> &phi,
-                    const FaceConfiguration   &now,
-                    Segment                   &segment) const;
-    void add_normals(const FaceSample                   &point,
-                     const std::vector<double>          &phi,
-                     const FaceConfiguration            &now,
-                     const std::vector<NodeIntegrals *> &carriers) const;
-    void fill_in(const NodeIntegrals     &integrals,
-                 const unsigned int       node,
-                 const FaceConfiguration &now,
-                 const Vector<double>    &u,
-                 ContactPoint<3>         &point) const;
-
-    void find_void_slip(const FaceConfiguration &now,
+    void         integrate(const unsigned int             slave_facet,
+                           const std::vector<FaceSample> &points,
+                           const FaceConfiguration       &now,
+                           std::vector<NodeIntegrals>    &of_nodes) const;
+    void         add_master(const FaceSample          &point,
+                            const std::vector<double> &phi,
+                            const FaceConfiguration   &now,
+                            Segment                   &segment) const;
+    void         add_normals(const FaceSample                   &point,
+                             const std::vector<double>          &phi,
+                             const FaceConfiguration            &now,
+                             const std::vector<NodeIntegrals *> &carriers) const;
+    void         fill_in(const NodeIntegrals     &integrals,
+                         const unsigned int       node,
+                         const FaceConfiguration &now,
+                         const Vector<double>    &u,
+                         ContactPoint<3>         &point) const;
+    Tensor<1, 3> normal(const NodeIntegrals     &integrals,
                         const unsigned int       node,
-                        const NodeIntegrals     &integrals,
-                        ContactPoint<3>         &point) const;
-
-    void make_symmetric(ContactPoint<3> &point) const;
+                        const FaceConfiguration &now) const;
+    void         add_nodes(const NodeIntegrals &integrals,
+                           const unsigned int   node,
+                           ContactPoint<3>     &point) const;
+    Tensor<1, 3> move_feet(const NodeIntegrals     &integrals,
+                           const FaceConfiguration &now,
+                           ContactPoint<3>         &point) const;
 
     unsigned int slave_node(const ContactPoint<3> &point) const;
 
@@ -106,6 +108,8 @@ namespace Contact
 
     /// By facet and node, whether it has a multiplier.
     std::vector<PerFacetNode<3, bool>> carries;
+
+    const SymmetryPlanes planes;
 
     /// By how much the undeformed surfaces turn around each node [rad].
     std::vector<double> slave_bends, master_bends;

@@ -111,9 +111,10 @@ namespace Contact
 
   FaceConfiguration::FaceConfiguration(const Surface<3>     &slave,
                                        const Surface<3>     &master,
+                                       const SymmetryPlanes &planes,
                                        const Vector<double> &u)
-    : slave_normals(slave.facet_normals(u))
-    , master_normals(master.facet_normals(u))
+    : slave_normals(planes.facet_normals(slave, u))
+    , master_normals(planes.facet_normals(master, u))
     , slave_search(slave, u)
     , search(master, u)
   {
@@ -179,6 +180,16 @@ namespace Contact
           const Quadrature<2> &quadrature =
             rule(std::max(slave.degree, master.degree),
                  is_parallelogram(s) && is_parallelogram(t));
+          const auto distance_at = [&](const Point<2> &place) {
+            return position(now.slave_search,
+                            e,
+                            part.middle +
+                              part.scale * coordinates_in(s, place)) -
+                   position(now.search,
+                            m,
+                            other_part.middle +
+                              other_part.scale * coordinates_in(t, place));
+          };
           for (const PlaneTriangle &triangle : intersection(s, t))
             for (unsigned int q = 0; q < quadrature.size(); ++q)
               {
@@ -201,6 +212,8 @@ namespace Contact
                 sample.distance =
                   position(now.slave_search, e, sample.slave_xi) -
                   position(now.search, m, sample.master_xi);
+                sample.distance_at_corner =
+                  q < 3 ? distance_at(triangle[q]) : sample.distance;
                 samples.push_back(sample);
               }
         }

@@ -8,6 +8,7 @@
 
 #include "contact/face_dual_functions.h"
 #include "contact/face_search.h"
+#include "contact/symmetry_planes.h"
 
 namespace Contact
 {
@@ -18,6 +19,7 @@ namespace Contact
   {
     FaceConfiguration(const Surface<3>     &slave,
                       const Surface<3>     &master,
+                      const SymmetryPlanes &planes,
                       const Vector<double> &u);
 
     std::vector<Point<3>>  slave_x, master_x;
@@ -33,7 +35,8 @@ namespace Contact
   {
     Point<2>     master_xi;
     unsigned int master_facet;
-    Tensor<1, 3> distance; // slave less master [mm]
+    Tensor<1, 3> distance;           // slave less master [mm]
+    Tensor<1, 3> distance_at_corner; // in a corner of the triangle around it
   };
 
 

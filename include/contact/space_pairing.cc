@@ -118,6 +118,35 @@ namespace Contact
 
 
 
+  void make_symmetric(ContactPoint<3>         &point,
+                      const Discretization<3> &discretization,
+                      const Vector<double>    &u,
+                      const double             tolerance)
+  {
+    const double sine   = 0.9;
+    Tensor<1, 3> normal = point.normal;
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        const auto x = [&](const unsigned int a) {
+          return point.X[a][c] + u[point.dofs[a][c]];
+        };
+        bool is_symmetric = false;
+        for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
+          is_symmetric =
+            is_symmetric || (std::abs(x(a) - x(0)) < tolerance &&
+                             discretization.are_fixed_alike(point.dofs[0][c],
+                                                            point.dofs[a][c]));
+        point.slip_is_void[c] =
+          is_symmetric && std::abs(point.normal[c]) < sine;
+        if (point.slip_is_void[c])
+          normal[c] = 0;
+      }
+    if (normal.norm() > 0)
+      point.normal = normal / normal.norm();
+  }
+
+
+
   // The normal in the facet; at a node those of all facets around it.
   template<>
   NormalCone<3> directions_of(const ContactPoint<3> &point,
@@ -192,6 +221,10 @@ namespace Contact
     for (const auto &[facet, xi] : projection.twins)
       normal += search.normal(facet, xi);
     point.normal = normal / normal.norm();
+    make_symmetric(point,
+                   discretization,
+                   u,
+                   1e-6 * master.reference_length(projection.facet));
     set_tangents(point);
     point.projection_is_clipped = projection.clipped;
     point.tangential_row_is_void =

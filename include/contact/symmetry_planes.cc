@@ -1,0 +1,70 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/symmetry_planes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Contact
+{
+  SymmetryPlanes::SymmetryPlanes(const Surface<3>        &slave,
+                                 const Surface<3>        &master,
+                                 const Discretization<3> &discretization)
+    : discretization(discretization)
+  {
+    const double tolerance = 1e-6 * slave.reference_length(0);
+    for (const SurfaceNode<3> &node : slave.nodes)
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          const Plane plane{c, node.X[c], tolerance, node.dofs[c]};
+          if (!discretization.is_fixed(node.dofs[c]) ||
+              std::any_of(planes.begin(), planes.end(), [&](const Plane &p) {
+                return p.coordinate == c && is_on(p, node);
+              }))
+            continue;
+          if (std::any_of(master.nodes.begin(),
+                          master.nodes.end(),
+                          [&](const SurfaceNode<3> &other) {
+                            return is_on(plane, other);
+                          }))
+            planes.push_back(plane);
+        }
+  }
+
+
+
+  bool SymmetryPlanes::is_on(const Plane          &plane,
+                             const SurfaceNode<3> &node) const
+  {
+    return std::abs(node.X[plane.coordinate] - plane.place) < plane.tolerance &&
+           discretization.are_fixed_alike(plane.held,
+                                          node.dofs[plane.coordinate]);
+  }
+
+
+
+  // A surface that lies in the plane has its own normal.
+  FacetNormals<3> SymmetryPlanes::facet_normals(const Surface<3>     &surface,
+                                                const Vector<double> &u) const
+  {
+    FacetNormals<3> normals = surface.facet_normals(u);
+    const double    sine    = 0.9;
+    for (unsigned int e = 0; e < surface.facets.size() && !planes.empty(); ++e)
+      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+        for (const Plane &plane : planes)
+          {
+            Tensor<1, 3> &normal = normals[e][a];
+            const double  across = normal[plane.coordinate];
+            if (std::abs(across) < sine &&
+                is_on(plane, surface.nodes[surface.facets[e].nodes[a]]))
+              {
+                normal[plane.coordinate] = 0;
+                normal /= normal.norm();
+              }
+          }
+    return normals;
+  }
+} // namespace Contact

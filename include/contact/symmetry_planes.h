@@ -1,0 +1,49 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_symmetry_planes_h
+#define contact_symmetry_planes_h
+
+#include "contact/surface.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * Planes that slave and master are symmetric to: across a coordinate that
+   * supports hold nodes of both in, alike and in the same place. The facets
+   * around a node there are those of one side only; the mean of their normals
+   * with their images is along the plane.
+   */
+  class SymmetryPlanes
+  {
+  public:
+    SymmetryPlanes(const Surface<3>        &slave,
+                   const Surface<3>        &master,
+                   const Discretization<3> &discretization);
+
+    /// Surface::facet_normals() of either surface, along the planes that their
+    /// nodes are on.
+    FacetNormals<3> facet_normals(const Surface<3>     &surface,
+                                  const Vector<double> &u) const;
+
+  private:
+    struct Plane
+    {
+      unsigned int            coordinate;
+      double                  place;     // undeformed [mm]
+      double                  tolerance; // [mm]
+      types::global_dof_index held;      // of a node of the slave
+    };
+
+    bool is_on(const Plane &plane, const SurfaceNode<3> &node) const;
+
+    const Discretization<3> &discretization;
+    std::vector<Plane>       planes;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,116 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Contact in space on planes of symmetry, and where a slave faces the master in
+part.
+
+Proves that
+
+- half of a scene with friction, with a plane of symmetry that round surfaces meet,
+  has the pressures and shears of the whole scene: within 1e-4 of the largest
+  pressure; the mortar discretization with elements of 8 nodes, whose integrals are
+  over projections that are not symmetric, within 1e-3, and less on a finer mesh;
+- a stiff stamp that is wider than the block below it, whose facets face that in
+  part, presses it uniformly, with elements of 8, 20 and 27 nodes.
+
+Usage: space_symmetry.py CONTACT PARAMETERS MESHES
+"""
+
+import sys
+
+from block_scenes import check, failures, rows, run
+from volume_scenes import Volumes
+
+
+def channel(whole, finer=1):
+    """A block in a round channel along x; its middle is in y = 0."""
+    def floor(y):
+        return 0.15 * y * y
+    mesh = Volumes()
+    low, high = (-1, 1) if whole else (0, 1)
+    wide, n = high - low, finer * (2 if whole else 1)
+    mesh.block("Low", (4 * finer, 3 * n, finer), lambda r, s, t: (
+        -0.2 + 1.9 * r, 1.2 * (low + wide * s),
+        -1 + t * (1 + floor(1.2 * (low + wide * s)))))
+    mesh.block("Up", (2 * finer, 2 * n, finer), lambda r, s, t: (
+        r, low + wide * s, t + (1 - t) * floor(low + wide * s)))
+    mesh.write("channel")
+
+
+def tractions(rule, degree, whole, finer):
+    channel(whole, finer)
+    held = "" if whole else ", Low_y0: 0, Up_y0: 0"
+    status, said, _ = run("channel", {
+        "Mesh/File": "channel.msh", "Element/Degree": degree,
+        "Solids/Young's modulus": "Low: 1000, Up: 3000",
+        "Solids/Poisson's ratio": "Low: 0.3, Up: 0.3",
+        "Boundary conditions/Displacement x": "Low_z0: 0, Up_z1: 0.1",
+        "Boundary conditions/Displacement y": f"Low_z0: 0, Up_z1: 0{held}",
+        "Boundary conditions/Displacement z": "Low_z0: 0, Up_z1: -0.02",
+        "Boundary conditions/Histories":
+            "Displacement z: min(1, 2*t); Displacement x: max(0, 2*t - 1)",
+        "Contact/Slave": "Up_z0", "Contact/Master": "Low_z1",
+        "Contact/Discretization": rule, "Contact/Friction coefficient": 0.3,
+        "Solution/Increments": 2, "Solution/Newton tolerance": 1e-10,
+        "Output/Profile": "true"})
+    check(f"channel, {rule}, degree {degree}, {'whole' if whole else 'half'}: "
+          "converges", status == 0, said)
+    return {(round(r["X_mm"], 6), round(r["Y_mm"], 6)):
+            (r["pressure_MPa"], r["shear_x_MPa"])
+            for r in rows("channel") if r["Y_mm"] > -1e-6}
+
+
+def difference(rule, degree, finer=1):
+    """By the largest pressure."""
+    whole, half = (tractions(rule, degree, w, finer) for w in (True, False))
+    check(f"channel, {rule}, degree {degree}: the same nodes",
+          whole.keys() == half.keys())
+    return max(abs(a - b) for k in half for a, b in zip(whole[k], half[k])) / \
+        max(p for p, _ in whole.values())
+
+
+def symmetric_halves():
+    for degree in (1, 2):
+        of_nodal = difference("nodal", degree)
+        check(f"channel, nodal, degree {degree}: half as the whole",
+              of_nodal < 1e-4, of_nodal)
+        of_mortar = difference("mortar", degree)
+        check(f"channel, mortar, degree {degree}: half as the whole",
+              of_mortar < (1e-3 if degree == 1 else 1e-4), of_mortar)
+    finer, coarser = difference("mortar", 1, 2), difference("mortar", 1)
+    check("channel, mortar: less on a finer mesh", finer < coarser / 2,
+          (finer, coarser))
+
+
+def wide_stamp():
+    mesh = Volumes()
+    mesh.block("Low", (3, 3, 2), lambda r, s, t: (r, s, t))
+    mesh.block("Up", (3, 3, 1), lambda r, s, t: (-0.37 + 1.8 * r,
+                                                 -0.43 + 1.9 * s, 1 + t))
+    mesh.write("stamp")
+    for nodes in (8, 20, 27):
+        entries = {
+            "Mesh/File": "stamp.msh", "Element/Degree": 1 if nodes == 8 else 2,
+            "Solids/Young's modulus": "Low: 1000, Up: 1e10",
+            "Solids/Poisson's ratio": "Low: 0, Up: 0",
+            "Solids/Kinematics": "small strain",
+            "Boundary conditions/Displacement x": "Low_x0: 0, Up_z1: 0",
+            "Boundary conditions/Displacement y": "Low_y0: 0, Up_z1: 0",
+            "Boundary conditions/Displacement z": "Low_z0: 0, Up_z1: -0.001",
+            "Contact/Slave": "Up_z0", "Contact/Master": "Low_z1",
+            "Solution/Increments": 1, "Solution/Newton tolerance": 1e-11,
+            "Probes/Probes": "a: stress zz, Low_001; b: stress zz, Low_111; "
+                             "c: stress zz, Low_101; r: reaction z, Low_z0"}
+        if nodes == 27:
+            entries["Element/Centre node"] = "free"
+        status, said, summary = run("stamp", entries)
+        what = f"stamp, {nodes} nodes"
+        check(f"{what}: converges", status == 0, said)
+        values = {p["name"]: p["value"] for p in summary["probes"]}
+        # 1 MPa, but for the strain of the stamp.
+        worst = max(abs(abs(v) - 1) for v in values.values())
+        check(f"{what}: uniform stress", worst < 2e-7, values)
+
+
+symmetric_halves()
+wide_stamp()
+sys.exit(bool(failures))
