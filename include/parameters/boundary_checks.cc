@@ -103,7 +103,7 @@ namespace Contact
       const auto check_formulas = [&](const auto        &formulas,
                                       const std::string &entry) {
         for (const auto &[group, formula] : formulas)
-          check_formula<2>(formula, "x,y", section + entry);
+          check_formula<3>(formula, "x,y,z", section + entry);
       };
       check_formulas(pressure, "Pressure");
       for (unsigned int c = 0; c < 3; ++c)

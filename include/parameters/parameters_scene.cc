@@ -211,17 +211,18 @@ namespace Contact
                         pressure,
                         "'boundary: formula' [MPa], separated by ';'; a "
                         "boundary group and the pressure on it at full load, a "
-                        "formula in x and y [mm], positive in compression. It "
-                        "acts along the normal of the undeformed boundary. In "
-                        "all formulas x and y are coordinates after Mesh/Move, "
-                        "Scale, Rotation and Shift.",
+                        "formula in x, y and, of volumes, z [mm], positive in "
+                        "compression. It acts along the normal of the "
+                        "undeformed boundary. In all formulas x, y and z are "
+                        "coordinates after Mesh/Move, Scale, Rotation and "
+                        "Shift.",
                         formulas);
       add_by_direction(prm,
                        "Traction",
                        traction,
                        "'boundary: formula' [MPa], separated by ';'; a "
                        "boundary group and the force on it by undeformed area "
-                       "at full load, a formula in x and y [mm].",
+                       "at full load, a formula as that of a pressure [mm].",
                        "[MPa]",
                        formulas);
       add_by_direction(prm,
@@ -229,8 +230,8 @@ namespace Contact
                        body_force,
                        "'body: formula' [N/mm^3], separated by ';'; a body and "
                        "the force on it by undeformed volume at full load, a "
-                       "formula in x and y [mm]; weight is -density times "
-                       "gravity, of steel -7.7e-5.",
+                       "formula as that of a pressure [mm]; weight is -density "
+                       "times gravity, of steel -7.7e-5.",
                        "[N/mm^3]",
                        formulas);
       prm.add_parameter("Histories",

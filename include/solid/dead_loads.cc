@@ -17,8 +17,25 @@ namespace Contact
   {
     const std::string section = "Boundary conditions/";
 
+    // Parameters are checked before the mesh is known, with all three
+    // variables.
     template<int dim>
-    constexpr const char *variables = dim == 2 ? "x,y" : "x,y,z";
+    std::function<double(const Point<dim> &)>
+    function_of_place(const std::string &formula, const std::string &entry)
+    {
+      try
+        {
+          return parse_formula<dim>(formula,
+                                    dim == 2 ? "x,y" : "x,y,z",
+                                    section + entry);
+        }
+      catch (const std::runtime_error &error)
+        {
+          throw InputError(error.what(),
+                           section + entry,
+                           "the mesh is plane: write a formula without z");
+        }
+    }
   } // namespace
 
 
@@ -34,8 +51,7 @@ namespace Contact
       }
     for (const auto &[name, formula] : discretization.boundary.pressure)
       {
-        const auto pressure =
-          parse_formula<dim>(formula, variables<dim>, section + "Pressure");
+        const auto pressure = function_of_place<dim>(formula, "Pressure");
         load_of("Pressure") +=
           integrate_boundary(name,
                              "Pressure",
@@ -97,8 +113,7 @@ namespace Contact
     const std::string traction = std::string("Traction ") + "xyz"[c];
     for (const auto &[name, formula] : boundary.traction[c])
       {
-        const auto value =
-          parse_formula<dim>(formula, variables<dim>, section + traction);
+        const auto value = function_of_place<dim>(formula, traction);
         load_of(traction) +=
           integrate_boundary(name,
                              traction,
@@ -110,8 +125,7 @@ namespace Contact
     const std::string body_force = std::string("Body force ") + "xyz"[c];
     for (const auto &[name, formula] : boundary.body_force[c])
       {
-        const auto value =
-          parse_formula<dim>(formula, variables<dim>, section + body_force);
+        const auto value = function_of_place<dim>(formula, body_force);
         load_of(body_force) +=
           integrate_body(discretization.mesh.body(name, section + body_force),
                          [&](const Point<dim> &X) {
