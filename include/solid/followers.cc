@@ -27,6 +27,21 @@ namespace Contact
       for (unsigned int node = first; node < first + n; ++node)
         bound.leaders.emplace_back(node, factor);
     }
+
+
+
+    // The centre of a cell follows a free centre of a face by half, as in the
+    // transfinite interpolation of the six faces: so a layer of cells has the
+    // displacements of the 8-node element in the plane.
+    void free_centre_of_face(const unsigned int      face,
+                             std::vector<BoundNode> &bound)
+    {
+      auto &of_cell = bound.back().leaders;
+      for (const auto &[node, factor] : bound[face].leaders)
+        of_cell[node].second -= factor / 2;
+      of_cell.emplace_back(bound[face].node, 0.5);
+      bound.erase(bound.begin() + face);
+    }
   } // namespace
 
 
@@ -44,7 +59,7 @@ namespace Contact
 
 
   // FE_Q(2) numbers the corners 0-7, the mid-sides 8-19, the centres of faces
-  // 20-25, the centre 26.
+  // 20-25, the centre 26. The leaders of the centre are in this order.
   template<>
   std::vector<BoundNode> bound_nodes<3>()
   {
@@ -85,7 +100,7 @@ namespace Contact
       for (unsigned int f = 6; f-- > 0;)
         if (cell->face(f)->at_boundary() &&
             discretization.free_centres.count(cell->face(f)->boundary_id()) > 0)
-          bound.erase(bound.begin() + f);
+          free_centre_of_face(f, bound);
     return bound;
   }
 

@@ -37,7 +37,8 @@ namespace Contact
 
   /// Those of a cell; none of a triangle. In space the centre of a face that
   /// may touch is free: dual functions need one with positive weights, and the
-  /// corners of a face of 8 nodes have negative ones.
+  /// corners of a face of 8 nodes have negative ones. The centre of the cell
+  /// follows it by 1/2, less what that face's corners and mid-sides would add.
   template<int dim>
   std::vector<BoundNode>
   bound_nodes(const Discretization<dim> &discretization,
