@@ -1,0 +1,206 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Patch tests of contact in space.
+
+Proves that two blocks whose meshes do not match, in a scene that is turned by odd
+angles about all axes, with elements of 8, 20 and 27 nodes and either side as
+slave, have the uniform stress that they are loaded with, to 1e-10:
+
+- meshes that are skewed inside, and one block turned against the other about the
+  normal;
+- surfaces that overlap in part: the slave wider than the master in one and in two
+  directions, the master wider, and blocks shifted against each other;
+- under pressure without friction; and under pressure and shear, where sticking
+  alone holds the upper block;
+- also on two processes.
+
+Bodies are held by as many components of points as they have rigid motions, all
+sides carry the tractions of the stress, and what is not covered carries a load
+that does the same work as the stress there.
+
+Usage: space_patch.py CONTACT PARAMETERS MESHES
+"""
+
+import math
+import sys
+
+import numpy
+
+from block_scenes import check, failures, rows, run
+from space_scenes import (SURFACES, completing_share, converged, merged,
+                          minimal_supports, probes, rotation, uniform_loads)
+from volume_scenes import Volumes
+
+ANGLES = (27., -40., 63.)
+TURN = rotation(ANGLES)
+PRESSURE, SHEAR = 10., (2.4, 3.2)
+STRESSES = ("xx", "yy", "zz", "xy", "xz", "yz")
+
+
+class Block:
+    """A block of the scene before it is turned, between two heights, with what
+    its contact surface covers, a polygon."""
+
+    def lines(self, x, y, heights):
+        """Of rectangles with these lines."""
+        def chart(r, s, t):
+            return (x[round(r * (len(x) - 1))], y[round(s * (len(y) - 1))],
+                    heights[0] + (heights[1] - heights[0]) * t)
+        self.chart, self.grid = chart, (x, y)
+        self.cells = len(x) - 1, len(y) - 1, 2
+        self.polygon = [(x[0], y[0]), (x[-1], y[0]), (x[-1], y[-1]),
+                        (x[0], y[-1])]
+        self.angle = 0.
+        return self
+
+    def skewed(self, cells, size, angle, heights, skew):
+        """A rectangle about (0.5, 0.5) that is turned, with skewed cells."""
+        c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+
+        def plane(x, y):
+            x, y = (x - 0.5) * size[0], (y - 0.5) * size[1]
+            return 0.5 + c * x - s * y, 0.5 + s * x + c * y
+
+        def chart(r, s, t):
+            bubble = 16 * r * (1 - r) * s * (1 - s)
+            return (*plane(r + skew * bubble * (s - 0.3),
+                           s - skew * bubble * (r - 0.6)),
+                    heights[0] + (heights[1] - heights[0]) * t)
+        self.chart, self.grid, self.cells = chart, None, (*cells, 2)
+        self.polygon = [plane(*p) for p in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        self.angle = angle
+        return self
+
+
+UNIT = [0., 0.35, 0.7, 1.], [0., 0.3, 0.75, 1.]
+LOW, UP = (-1., 0.), (0., 1.)
+SCENES = {
+    "covered": (Block().skewed((3, 3), (1, 1), 0., LOW, 0.3),
+                Block().skewed((4, 5), (1, 1), 0., UP, -0.4)),
+    "lower one wider in x": (
+        Block().lines([-0.25, 0.2, 0.6, 1.15], UNIT[1], LOW),
+        Block().skewed((4, 5), (1, 1), 0., UP, -0.4)),
+    "lower one wider, upper one turned": (
+        Block().lines([-0.3, 0.1, 0.4, 0.9, 1.25], [-0.2, 0.25, 0.65, 1.2], LOW),
+        Block().skewed((3, 3), (0.9, 0.8), 20., UP, -0.3)),
+    "shifted": (
+        Block().lines(*UNIT, LOW),
+        Block().lines([0.3, 0.55, 1., 1.4], [-0.2, 0.15, 0.45, 0.8], UP))}
+
+# Element, slave, whether there is shear, processes.
+RUNS = {
+    "covered": ((8, "Low", True, 2), (20, "Up", False, 2), (27, "Low", False, 1),
+                (27, "Up", True, 1)),
+    "lower one wider in x": ((8, "Low", False, 1), (27, "Low", False, 1),
+                             (20, "Up", True, 1)),
+    "lower one wider, upper one turned": (
+        (8, "Low", True, 1), (8, "Up", True, 1), (20, "Low", False, 1),
+        (27, "Low", True, 2), (27, "Up", False, 1)),
+    "shifted": ((8, "Low", False, 1), (8, "Up", True, 1), (20, "Low", True, 1),
+                (20, "Up", False, 1), (27, "Up", False, 2))}
+
+
+def loads(low, up, stress, degree):
+    """Tractions on the free sides, and where the surfaces do not overlap."""
+    sides = [side for side in SURFACES if side not in ("z0", "z1")]
+    entries = merged(
+        uniform_loads("Low", stress, TURN, sides + ["z0"],
+                      rotation((0, 0, low.angle))),
+        uniform_loads("Up", stress, TURN, sides + ["z1"],
+                      rotation((0, 0, up.angle))))
+    for body, block, other, side, normal in (("Low", low, up, "z1", 1),
+                                             ("Up", up, low, "z0", -1)):
+        if block.grid is None:
+            continue
+        share = completing_share(*block.grid, other.polygon, degree, TURN)
+        traction = TURN @ stress @ [0, 0, normal]
+        entries = merged(entries, {
+            f"Boundary conditions/Traction {c}":
+            f"{body}_{side}: {float(traction[i])!r}*({share})"
+            for i, c in enumerate("xyz")})
+    return entries
+
+
+def supports(low, up, with_shear):
+    """Three corners of each block; contact holds the upper one along the normal,
+    and where it sticks, altogether."""
+    def corners(body, block, t):
+        return {f"{body}_{i}{j}{t}": TURN @ block.chart(i, j, t)
+                for i, j in ((0, 0), (1, 0), (0, 1))}
+    entries = minimal_supports(corners("Low", low, 0))
+    if not with_shear:
+        normal = TURN @ [0, 0, 1.]
+        contact = [numpy.concatenate((normal, numpy.cross(TURN @ x, normal)))
+                   for x in numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]])]
+        entries = merged(entries,
+                         minimal_supports(corners("Up", up, 1), contact))
+    return entries
+
+
+def patch_test(scene, nodes, slave, with_shear, ranks):
+    low, up = SCENES[scene]
+    mesh = Volumes()
+    mesh.block("Low", low.cells, low.chart)
+    mesh.block("Up", up.cells, up.chart)
+    mesh.write("patch")
+    stress = numpy.diag([0., 0., -PRESSURE])
+    if with_shear:
+        stress[2, :2] = stress[:2, 2] = SHEAR
+    # Under shear nothing may slip: both widen alike.
+    moduli, ratios = ((1000, 500), (0.3, 0.15)) if with_shear else \
+        ((1000, 3000), (0.3, 0.1))
+    degree = 1 if nodes == 8 else 2
+    entries = {
+        "Mesh/File": "patch.msh", "Mesh/Rotation": "{}, {}, {}".format(*ANGLES),
+        "Element/Degree": degree,
+        "Element/Centre node": "free" if nodes == 27 else "serendipity",
+        "Solids/Young's modulus": "Low: {}, Up: {}".format(*moduli),
+        "Solids/Poisson's ratio": "Low: {}, Up: {}".format(*ratios),
+        "Solids/Kinematics": "small strain",
+        **loads(low, up, stress, degree), **supports(low, up, with_shear),
+        "Contact/Slave": "Up_z0" if slave == "Up" else "Low_z1",
+        "Contact/Master": "Low_z1" if slave == "Up" else "Up_z0",
+        "Contact/Friction coefficient": 0.8 if with_shear else 0,
+        "Solution/Geometry": "undeformed", "Solution/Increments": 1,
+        "Solution/Newton tolerance": 1e-12, "Output/Profile": "true",
+        "Probes/Probes": "; ".join(
+            f"{body}_{corner} {c}: stress {c}, {body}_{corner}"
+            for body in ("Low", "Up") for corner in ("000", "101", "111")
+            for c in STRESSES)}
+    status, said, summary = run("patch", entries, ranks)
+    what = (f"patch test, {scene}, {nodes} nodes, slave {slave}, "
+            f"{'shear' if with_shear else 'no friction'}, {ranks} processes")
+    if not converged(what, status, summary, said):
+        return
+    turned = TURN @ stress @ TURN.T
+    worst = max(abs(value - turned["xyz".index(name[-2]), "xyz".index(name[-1])])
+                for name, value in probes(summary).items()) / PRESSURE
+    check(f"{what}: stresses", worst < 1e-10, worst)
+    check_interface(what, stress, -1 if slave == "Up" else 1)
+    balance = summary["increments"][-1]["invariants"]
+    check(f"{what}: forces and moments balance",
+          max(balance["force_imbalance"], balance["moment_imbalance"]) < 1e-12,
+          balance)
+
+
+def check_interface(what, stress, normal):
+    """Pressure and shear of every node, weighted by its area: next to nothing of
+    the surface belongs to some, and their pressure is a quotient of round-off."""
+    nodes = [row for row in rows("patch")
+             if row["surface"] == "slave" and row["pressure_MPa"] > 0]
+    mean = sum(row["nodal_force_N"] for row in nodes) / len(nodes) / PRESSURE
+    shear = TURN @ (normal * stress @ [0, 0, 1] * (1, 1, 0))
+    worst = 0
+    for row in nodes:
+        of_node = min(1, row["nodal_force_N"] / row["pressure_MPa"] / mean)
+        errors = [abs(row["pressure_MPa"] - PRESSURE)] + [
+            abs(row[f"shear_{c}_MPa"] - shear[i]) for i, c in enumerate("xyz")]
+        worst = max(worst, of_node * max(errors) / PRESSURE)
+    check(f"{what}: pressure and shear of {len(nodes)} nodes",
+          len(nodes) > 8 and worst < 1e-10, worst)
+
+
+for scene_name, runs in RUNS.items():
+    for settings in runs:
+        patch_test(scene_name, *settings)
+sys.exit(bool(failures))

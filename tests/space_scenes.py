@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Scenes in space that are turned about all axes, for the scripts beside this
+one: rotations, supports that hold rigid motions alone, loads of a uniform
+stress, and the loads that complete a pressure where two surfaces overlap in
+part."""
+
+import itertools
+import math
+
+import numpy
+
+from block_scenes import check
+
+SURFACES = ("x0", "x1", "y0", "y1", "z0", "z1")
+AXES = "xyz"
+ROUND_OFF = 1e-14
+
+
+def probes(summary):
+    return {p["name"]: p["value"] for p in summary["probes"]}
+
+
+def converged(what, status, summary, said):
+    violations = [v for i in summary.get("increments", [])
+                  for v in i.get("violations", [])]
+    check(f"{what}: converges, and no invariant is violated",
+          status == 0 and not violations, said if status else violations)
+    return status == 0
+
+
+def rotation(degrees):
+    """As the entry Mesh/Rotation: about x, then y, then z."""
+    turned = numpy.eye(3)
+    for axis, angle in enumerate(degrees):
+        c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+        a, b = (axis + 1) % 3, (axis + 2) % 3
+        one = numpy.eye(3)
+        one[a, a], one[a, b], one[b, a], one[b, b] = c, -s, s, c
+        turned = one @ turned
+    return turned
+
+
+def merged(*groups):
+    """Entries of the same name joined."""
+    entries = {}
+    for group in groups:
+        for entry, values in group.items():
+            separator = "; " if entry.split("/")[1] in LISTS else ", "
+            entries[entry] = entries[entry] + separator + values \
+                if entry in entries else values
+    return entries
+
+
+LISTS = ("Pressure", "Traction x", "Traction y", "Traction z")
+
+
+def minimal_supports(points, rows=()):
+    """Displacements of points that hold rigid motions, no more of them than it
+    takes. 'points': {group: place}; 'rows': what else holds the body, as
+    functionals of translation and rotation."""
+    rows, entries = [numpy.asarray(row) for row in rows], {}
+    for name, place in points.items():
+        x, y, z = place
+        turns = numpy.array([[0, z, -y], [-z, 0, x], [y, -x, 0]])
+        best = sorted(range(3), key=lambda c: -remainder(
+            numpy.concatenate((numpy.eye(3)[c], turns[c])), rows))
+        for c in best:
+            row = numpy.concatenate((numpy.eye(3)[c], turns[c]))
+            if remainder(row, rows) > 0.1:
+                rows.append(row)
+                entry = f"Boundary conditions/Displacement {AXES[c]}"
+                entries = merged(entries, {entry: f"{name}: 0"})
+    assert numpy.linalg.matrix_rank(numpy.array(rows)) == 6
+    return entries
+
+
+def remainder(row, rows):
+    if not rows:
+        return numpy.linalg.norm(row)
+    A = numpy.array(rows).T
+    return numpy.linalg.norm(row - A @ numpy.linalg.lstsq(A, row,
+                                                          rcond=None)[0])
+
+
+def uniform_loads(body, stress, turn, surfaces, own_turn):
+    """Tractions of a uniform stress, in the axes of the scene before it is
+    turned, on sides of a block that has a turn of its own in it."""
+    entries = {}
+    for surface in surfaces:
+        normal = numpy.zeros(3)
+        normal[AXES.index(surface[0])] = 1 if surface[1] == "1" else -1
+        traction = turn @ stress @ own_turn @ normal
+        for c in range(3):
+            if abs(traction[c]) > ROUND_OFF * abs(stress).max():
+                entries = merged(entries, {
+                    f"Boundary conditions/Traction {AXES[c]}":
+                    f"{body}_{surface}: {float(traction[c])!r}"})
+    return entries
+
+
+def clip(polygon, corners):
+    """The part of a convex polygon in a convex polygon (counterclockwise)."""
+    for a, b in zip(corners, corners[1:] + corners[:1]):
+        def inside(p):
+            return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+        result = []
+        for p, q in zip(polygon, polygon[1:] + polygon[:1]):
+            s, t = inside(p), inside(q)
+            if s >= 0:
+                result.append(p)
+            if s * t < 0:
+                result.append(tuple(numpy.add(p, numpy.multiply(
+                    s / (s - t), numpy.subtract(q, p)))))
+        polygon = result
+    return polygon
+
+
+def legendre(degree, x):
+    return (1, x, 1.5 * x * x - 0.5)[degree]
+
+
+def covered_moments(cell, corners, degree):
+    """Coefficients in products of Legendre polynomials of the function that is 1
+    inside of a convex polygon, projected on a rectangle."""
+    (x0, x1), (y0, y1) = cell
+    part = clip([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], corners)
+    moments = numpy.zeros((degree + 1, degree + 1))
+    points, weights = numpy.polynomial.legendre.leggauss(4)
+    for k in range(1, len(part) - 1):
+        a, b, c = (numpy.array(part[i]) for i in (0, k, k + 1))
+        area = numpy.cross(b - a, c - a) / 2
+        for (s, u), (t, v) in itertools.product(
+                zip((points + 1) / 2, weights / 2), repeat=2):
+            x, y = a + s * (b - a) + s * t * (c - b)
+            xi = (2 * x - x0 - x1) / (x1 - x0)
+            eta = (2 * y - y0 - y1) / (y1 - y0)
+            for i, j in itertools.product(range(degree + 1), repeat=2):
+                moments[i, j] += 2 * area * u * v * s * \
+                    legendre(i, xi) * legendre(j, eta)
+    for i, j in itertools.product(range(degree + 1), repeat=2):
+        moments[i, j] *= (2 * i + 1) * (2 * j + 1) / ((x1 - x0) * (y1 - y0))
+    return moments
+
+
+def completing_share(lines_x, lines_y, corners, degree, turn):
+    """A formula on a surface z = 0 of rectangles that is turned: against all
+    shape functions it has the same integrals as the function that is 1 outside
+    of a convex polygon. On rectangles that the border of the polygon cuts it is
+    the projection on the polynomials of the degree."""
+    local = ["(" + "+".join(f"({float(turn[c, d])!r})*{AXES[c]}"
+                            for c in range(3)) + ")" for d in range(2)]
+    terms = []
+    for (x0, x1), (y0, y1) in itertools.product(
+            zip(lines_x, lines_x[1:]), zip(lines_y, lines_y[1:])):
+        share = -covered_moments(((x0, x1), (y0, y1)), corners, degree)
+        share[0, 0] += 1
+        if abs(share).max() < ROUND_OFF:
+            continue
+        xi = f"((2*{local[0]}-({x0 + x1!r}))/({x1 - x0!r}))"
+        eta = f"((2*{local[1]}-({y0 + y1!r}))/({y1 - y0!r}))"
+        polynomial = "+".join(
+            f"({float(share[i, j])!r})*{legendre_text(i, xi)}"
+            f"*{legendre_text(j, eta)}"
+            for i, j in itertools.product(range(degree + 1), repeat=2)
+            if abs(share[i, j]) > ROUND_OFF)
+        terms.append(f"if(abs({xi})<1 && abs({eta})<1,{polynomial},0)")
+    return "+".join(terms) if terms else "0"
+
+
+def legendre_text(degree, x):
+    return ("1", x, f"(1.5*{x}*{x}-0.5)")[degree]
