@@ -54,6 +54,7 @@ class Run:
 
 def run(binary, directory, ranks=1):
     environment = dict(os.environ, OPENBLAS_NUM_THREADS="1",
+                       OMP_NUM_THREADS="1",
                        OMPI_ALLOW_RUN_AS_ROOT="1",
                        OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                        OMPI_MCA_rmaps_base_oversubscribe="1",

@@ -4,7 +4,8 @@ A hexahedron of 20 nodes is one of 27 whose centres follow: that of a face half
 the sum of the middles of its edges minus a quarter of the sum of its corners,
 that of the cell a quarter of both sums, the second one subtracted. Forces on
 what follows are handed over. Centres of faces that may touch are free, and
-those of faces that supports hold."""
+those of faces that supports hold; the centre of the cell follows a free one that
+may touch by half, less half of what would be in its place."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import itertools
 
@@ -87,14 +88,19 @@ class SpaceModel(fem.Model):
         rows, columns, values = [], [], []
         rule = centres()
         for cell in np.concatenate(list(self.cells.values())):
-            for centre, middles, factor, corners in rule:
+            leaders_of = {c: [(cell[k], factor) for k in middles] +
+                          [(cell[k], -0.25) for k in corners]
+                          for c, middles, factor, corners in rule}
+            for centre, *_ in rule[1:]:
+                if cell[centre] in free:
+                    leaders_of[rule[0][0]] += [(cell[centre], 0.5)] + [
+                        (n, -f / 2) for n, f in leaders_of[centre]]
+            for centre, leaders in leaders_of.items():
                 node = cell[centre]
                 if node in free:
                     continue
                 for d in np.flatnonzero(~held[node] & ~self.bound[node]):
                     self.bound[node, d] = True
-                    leaders = [(n, factor) for n in cell[middles]]
-                    leaders += [(n, -0.25) for n in cell[corners]]
                     rows += [3 * node + d] * len(leaders)
                     columns += [3 * n + d for n, _ in leaders]
                     values += [f for _, f in leaders]
