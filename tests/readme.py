@@ -65,6 +65,10 @@ SHORT = {
         "tests/fuzz/damaged.py --json --number 4 --output $SCRATCH build/contact",
     "tests/fuzz/scenes.py --only 137 build/contact":
         "tests/fuzz/scenes.py --only 137 --output $SCRATCH build/contact",
+    "tests/fuzz/space_scenes.py --only 7 build/contact":
+        "tests/fuzz/space_scenes.py --only 7 --output $SCRATCH build/contact",
+    "tests/fuzz/damaged_space.py --only 7 build/contact":
+        "tests/fuzz/damaged_space.py --only 7 --output $SCRATCH build/contact",
     "tests/fuzz/damaged.py --only 12 build/contact":
         "tests/fuzz/damaged.py --only 12 --output $SCRATCH build/contact",
     "tests/oracle/oracle.py --kind wedge --seed 7 --count 1 --keep /tmp/x "
@@ -88,6 +92,7 @@ ELSEWHERE = {
     "./run parameters/verification/*.prm --quiet": "modelings/verification",
     "./run hard": "program/hard",
     "./run hard --required": "program/hard",
+    "./run hard --space": "program/hard",
     "apt-get install python3-h5py python3-meshio": "./run test",
     "./run fuzz": "program/quick_fuzz",
     "./run fuzz --quick": "program/quick_fuzz",

@@ -92,6 +92,9 @@ class Volumes:
                         "z0": f"{'xyz'[b]}0"}, {})
 
     def write(self, name):
+        pathlib.Path(f"{name}.msh").write_text(self.text())
+
+    def text(self):
         lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames",
                  str(len(self.groups))]
         lines += [f'{d} {tag} "{g}"' for (d, g), tag in self.groups.items()]
@@ -102,7 +105,7 @@ class Volumes:
         lines += [f"{i + 1} {kind} 2 {tag} {tag} " + " ".join(map(str, nodes))
                   for i, (kind, tag, nodes) in enumerate(self.elements)]
         lines += ["$EndElements", ""]
-        pathlib.Path(f"{name}.msh").write_text("\n".join(lines))
+        return "\n".join(lines)
 
 
 def read_plane(file):

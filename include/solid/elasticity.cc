@@ -155,6 +155,18 @@ namespace Contact
 
   template<int dim>
   VolumeRatio<dim>
+  Elasticity<dim>::visit_cells(const Vector<double>            &u,
+                               const StressStiffness            stiffness,
+                               const std::vector<unsigned int> &chosen,
+                               const CellVisitor               &visitor) const
+  {
+    return visit(u, /*with_tangent=*/true, stiffness, chosen, visitor);
+  }
+
+
+
+  template<int dim>
+  VolumeRatio<dim>
   Elasticity<dim>::assemble(const Vector<double> &u,
                             const double          load_factor,
                             Vector<double>       &rhs,

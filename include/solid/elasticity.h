@@ -107,12 +107,17 @@ namespace Contact
                          const Vector<double>                       &forces)>;
 
     /// Visit all cells of this rank, or only those with the numbers @p chosen.
-    /// Returns the smallest volume ratio among them; in small strain, 1.
+    /// Returns the smallest volume ratio among them; in small strain, 1. With a
+    /// stress stiffness tangents are asked for.
     VolumeRatio<dim> visit_cells(const Vector<double> &u,
                                  const bool            with_tangent,
                                  const CellVisitor    &visitor) const;
     VolumeRatio<dim> visit_cells(const Vector<double>            &u,
                                  const bool                       with_tangent,
+                                 const std::vector<unsigned int> &chosen,
+                                 const CellVisitor &visitor) const;
+    VolumeRatio<dim> visit_cells(const Vector<double>            &u,
+                                 const StressStiffness            stiffness,
                                  const std::vector<unsigned int> &chosen,
                                  const CellVisitor &visitor) const;
 

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -86,23 +87,55 @@ namespace Contact
       return springs;
 
     for (unsigned int axis = 0; axis < n_axes; ++axis)
-      {
-        // From direction i to direction j.
-        const unsigned int i   = dim == 2 ? 0 : (axis + 1) % 3;
-        const unsigned int j   = dim == 2 ? 1 : (axis + 2) % 3;
-        Vector<double>    &row = springs.rows[axis];
-        row.reinit(cell.dofs.size());
-        for (unsigned int q = 0; q < cell.JxW.size(); ++q)
-          for (unsigned int a = 0; a < cell.n_nodes(); ++a)
-            {
-              const Tensor<1, dim> mean =
-                cell.JxW[q] / (2 * volume) *
-                cell.gradients[q * cell.n_nodes() + a];
-              row[dim * a + i] -= mean[j];
-              row[dim * a + j] += mean[i];
-            }
-      }
+      springs.rows[axis] = rotation_row(cell, axis);
     return springs;
+  }
+
+
+
+  // From direction i to direction j.
+  template<int dim>
+  Vector<double>
+  StabilizationSprings<dim>::rotation_row(const CellTable<dim> &cell,
+                                          const unsigned int    axis) const
+  {
+    const unsigned int i = dim == 2 ? 0 : (axis + 1) % 3;
+    const unsigned int j = dim == 2 ? 1 : (axis + 2) % 3;
+    const double volume = std::accumulate(cell.JxW.begin(), cell.JxW.end(), 0.);
+    Vector<double> row(cell.dofs.size());
+    for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+      for (unsigned int a = 0; a < cell.n_nodes(); ++a)
+        {
+          const Tensor<1, dim> mean =
+            cell.JxW[q] / (2 * volume) * cell.gradients[q * cell.n_nodes() + a];
+          row[dim * a + i] -= mean[j];
+          row[dim * a + j] += mean[i];
+        }
+    return row;
+  }
+
+
+
+  template<int dim>
+  double
+  StabilizationSprings<dim>::largest_rotation(const Vector<double> &du) const
+  {
+    double largest = 0;
+    for (const CellTable<dim> &cell : cells)
+      if (stiffness.count(cell.piece) > 0)
+        {
+          double square = 0;
+          for (unsigned int axis = 0; axis < n_axes; ++axis)
+            {
+              const Vector<double> row   = rotation_row(cell, axis);
+              double               angle = 0;
+              for (unsigned int i = 0; i < row.size(); ++i)
+                angle += row[i] * du[cell.dofs[i]];
+              square += angle * angle;
+            }
+          largest = std::max(largest, std::sqrt(square));
+        }
+    return Utilities::MPI::max(largest, discretization.communicator);
   }
 
 
@@ -176,10 +209,9 @@ namespace Contact
 
 
   template<int dim>
-  double
-  StabilizationSprings<dim>::mean_circumference(const unsigned int piece) const
+  double StabilizationSprings<dim>::mean_depth(const unsigned int piece) const
   {
-    return volumes[piece] / areas[piece];
+    return dim == 2 ? volumes[piece] / areas[piece] : std::cbrt(volumes[piece]);
   }
 
 

@@ -99,8 +99,13 @@ namespace Contact
      */
     std::map<unsigned int, double> energy(const Vector<double> &u) const;
 
-    /// The volume of a piece by its area in the plane [-]; rings: [mm].
-    double mean_circumference(const unsigned int piece) const;
+    /// The largest rotation of a cell of the held pieces under the displacement
+    /// @p du, in the mean over the cell [rad]. Collective.
+    double largest_rotation(const Vector<double> &du) const;
+
+    /// The volume of a piece by its area in the plane [-]; of rings their mean
+    /// circumference [mm]; in space the edge of a cube of that volume [mm].
+    double mean_depth(const unsigned int piece) const;
 
   private:
     /// The axes of rotation: one across the plane, three in space.
@@ -115,6 +120,10 @@ namespace Contact
     };
 
     CellSprings springs_of(const CellTable<dim> &cell) const;
+
+    /// The derivative of the mean rotation of a cell about an axis.
+    Vector<double> rotation_row(const CellTable<dim> &cell,
+                                const unsigned int    axis) const;
 
     /// The rotation of a cell since it was at rest.
     double rotation(const CellTable<dim> &cell,

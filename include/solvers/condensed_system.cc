@@ -281,6 +281,37 @@ namespace Contact
 
 
 
+  template<int dim>
+  Vector<double>
+  CondensedSystem<dim>::linear_forces(const Vector<double> &update,
+                                      const double          part,
+                                      const double          load_factor) const
+  {
+    const auto    &base = discretization.constraints;
+    const auto     load = elasticity.dead_loads.at(load_factor);
+    Vector<double> forces(owned.size());
+    for (unsigned int i = 0; i < load.size(); ++i)
+      if (load[i] != 0 && owned.is_element(i))
+        base.distribute_local_to_global(i, load[i], forces);
+
+    Vector<double> of_cell, change;
+    for (unsigned int k = 0; k < interface_cells.size(); ++k)
+      {
+        const Dofs &dofs = elasticity.dofs_of_cell(interface_cells[k]);
+        of_cell.reinit(dofs.size());
+        change.reinit(dofs.size());
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          change[i] = update[dofs[i]];
+        interface_tangents[k].vmult(of_cell, change);
+        of_cell.sadd(-part, -1, interface_forces[k]);
+        base.distribute_local_to_global(of_cell, dofs, forces);
+      }
+    Utilities::MPI::sum(forces, discretization.communicator, forces);
+    return forces;
+  }
+
+
+
   // Each kind of matrix has a solver of its own, made when the first one comes.
   template<int dim>
   void CondensedSystem<dim>::give_matrix_to_solver()
@@ -395,15 +426,19 @@ namespace Contact
 
 
   // All cells: of those that see the active set the tangents, of the others
-  // their sum.
+  // their sum. While springs hold a body in space its stresses do not turn with
+  // it: they would be stronger than the springs, and the matrix not definite.
   template<int dim>
   void CondensedSystem<dim>::assemble_tangents(const Vector<double> &solution)
   {
     ++discretization.counters.tangents;
-    const auto &base = discretization.constraints;
-    matrix           = 0;
+    const auto &base            = discretization.constraints;
+    const auto stress_stiffness = dim == 3 && !elasticity.springs.held().empty()
+                                    ? StressStiffness::without
+                                    : StressStiffness::with;
+    matrix                      = 0;
     elasticity.visit_cells(solution,
-                           true,
+                           stress_stiffness,
                            bulk_cells,
                            [&](const Dofs               &dofs,
                                const FullMatrix<double> &tangent,
@@ -414,13 +449,15 @@ namespace Contact
                            });
     matrix.compress(VectorOperation::add);
     interface_tangents.clear();
+    interface_forces.clear();
     elasticity.visit_cells(solution,
-                           true,
+                           stress_stiffness,
                            interface_cells,
                            [&](const Dofs &,
                                const FullMatrix<double> &tangent,
-                               const Vector<double> &) {
+                               const Vector<double>     &forces) {
                              interface_tangents.push_back(tangent);
+                             interface_forces.push_back(forces);
                            });
 
     // Bound centres are in no cell.

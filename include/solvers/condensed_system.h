@@ -54,6 +54,17 @@ namespace Contact
                        const double          tolerance,
                        Vector<double>       &update);
 
+    /**
+     * Minus the residual of the bodies behind a @p part of the last solve's
+     * @p update, in the unknowns at the interface and as the tangent has it,
+     *   load - f(u) - part K update,
+     * where u is where the step began. The bodies have to be nonlinear: the
+     * tangent of others has no error. Collective.
+     */
+    Vector<double> linear_forces(const Vector<double> &update,
+                                 const double          part,
+                                 const double          load_factor) const;
+
     /// The matrix of the last solve.
     const DefiniteSolver::Matrix &system_matrix() const
     {
@@ -111,6 +122,7 @@ namespace Contact
     std::vector<double>              assembled_lines; // their signature
     std::vector<std::vector<double>> kept_rows; // by owned interface unknown
     std::vector<FullMatrix<double>>  interface_tangents; // by interface cell
+    std::vector<Vector<double>>      interface_forces;   // with the tangents
     bool                             has_pattern        = false;
     bool                             tangents_are_known = false;
     unsigned int                     tangent_version    = 0;

@@ -48,7 +48,7 @@ namespace Contact
         smallest = std::min(smallest, cell->minimum_vertex_distance());
     smallest = Utilities::MPI::min(smallest, discretization.communicator);
     slender  = std::max(1., low.distance(high) / smallest);
-    modulus *= circumference;
+    modulus *= dim == 2 ? circumference : low.distance(high);
 
     if (interface != nullptr)
       {

@@ -32,8 +32,8 @@ namespace Contact
    *    M (d + o) D / h,
    * o being the overlap of the undeformed surfaces, D the size of the bodies
    * and h that of the smallest cell; and no term grows with the displacements
-   * of the state. Of rings, all but the dead loads is times the largest
-   * circumference.
+   * of the state. All but the dead loads is times the largest circumference of
+   * rings, in space times D.
    */
   template<int dim>
   class ForceScale
@@ -75,7 +75,7 @@ namespace Contact
     const Elasticity<dim>       &elasticity;
     const ContactInterface<dim> *interface;
 
-    double modulus    = 0; // M, of rings times the largest circumference
+    double modulus    = 0; // M, of rings times the circumference, in space D
     double coordinate = 0; // X [mm]
     double overlap    = 0; // o [mm]
     double slender    = 1; // D / h

@@ -55,6 +55,7 @@ namespace Contact
       }
 
       void recover_multipliers(const Vector<double> &,
+                               const double,
                                IncrementState<2> &) override
       {
       }
@@ -163,9 +164,22 @@ namespace Contact
       {
       }
 
-      // A bound that follows the pressure does so in between.
+      // A bound that follows the pressure does so in between. In space no
+      // search of the active set helps where the bodies leave their tangent
+      // behind: of nearly incompressible ones the forces at the new place say
+      // which strain is of second order, and the wrong points would open.
       void recover_multipliers(const Vector<double> &rhs,
+                               const double          part,
                                IncrementState<dim>  &state) override
+      {
+        if (dim == 3 && part > 0 && !model.elasticity->is_linear())
+          recover_from(system.linear_forces(update, part, state.load_factor),
+                       state);
+        else
+          recover_from(rhs, state);
+      }
+
+      void recover_from(const Vector<double> &rhs, IncrementState<dim> &state)
       {
         elimination.recover_pressures(rhs, state.start, state.solution);
         if (model.has_friction() &&

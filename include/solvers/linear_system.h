@@ -49,9 +49,12 @@ namespace Contact
     /// The points are no longer those that the pattern was made for.
     virtual void forget_pattern() = 0;
 
-    /// Set the multipliers of the state from @p rhs, minus the residual of the
-    /// bodies alone. Does nothing if they are unknowns.
+    /// Set the multipliers of the state, behind a @p part of the last step (0:
+    /// none), from @p rhs, minus the residual of the bodies alone, or in space
+    /// from what the tangent of that step makes of it. Does nothing if they are
+    /// unknowns.
     virtual void recover_multipliers(const Vector<double> &rhs,
+                                     const double          part,
                                      IncrementState<dim>  &state) = 0;
 
     /// Newton's method begins.

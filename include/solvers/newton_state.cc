@@ -47,6 +47,7 @@ namespace Contact
   {
     guard         = NewtonGlobalization();
     n_steps       = 0;
+    part          = 0;
     one_at_a_time = false;
     last_residual = std::numeric_limits<double>::max();
     pairing.begin_newton();
@@ -115,7 +116,7 @@ namespace Contact
     const bool             moving_bound = pairing.linearization().moving_bound;
     const bool             after_a_step = n_steps > 0;
     if (after_a_step)
-      system->recover_multipliers(rhs, state);
+      system->recover_multipliers(rhs, part, state);
     const unsigned int n =
       interface.update_statuses(state.solution,
                                 state.start,
@@ -184,6 +185,7 @@ namespace Contact
                               !guard.accepts(convergence.residual_norm()))))
       {
         state.solution.sadd(0.5, 0.5, last);
+        part *= 0.5;
         // Supports that were moved are half-way, too: the rest is left to do.
         model.discretization->constrain_update(state.solution,
                                                state.load_factor);
@@ -232,6 +234,7 @@ namespace Contact
     guard.forget();
     remember_status();
     ++n_steps;
+    part = 0;
     return has_own_steps;
   }
 
@@ -262,9 +265,51 @@ namespace Contact
                                              rhs,
                                              state);
     last_residual               = residual;
+    part                        = part_until_touch();
+    if (part < 1)
+      {
+        state.solution.sadd(part, 1 - part, last);
+        model.discretization->constrain_update(state.solution,
+                                               state.load_factor);
+      }
     remember_status();
     ++n_steps;
     return n;
+  }
+
+
+
+  // Nothing in the linear problem stops a body that springs hold alone: it
+  // would be far behind the one that it is to touch, and never come back. In
+  // the plane the search of the active set sees the touch. Here the step ends
+  // behind the first touch of another point, and before a turn that is large.
+  template<int dim>
+  double NewtonState<dim>::part_until_touch() const
+  {
+    const auto &springs = model.elasticity->springs;
+    if (dim == 2 || springs.held().empty() || !model.interface)
+      return 1;
+    const ContactInterface<dim> &interface = *model.interface;
+    double                       part      = 1;
+    for (const ContactPoint<dim> &point : interface.points())
+      if (point.facing && point.status.kind == Status::open)
+        {
+          const double depth =
+            0.01 * interface.contact_pair(point).edge_length(point);
+          const double before = interface.state(point, last, last).gap;
+          const double gap = interface.state(point, state.solution, last).gap;
+          if (before > -0.5 * depth && gap < -depth)
+            part = std::min(part, (before + depth) / (before - gap));
+        }
+
+    Vector<double> update(model.n_displacements());
+    for (unsigned int i = 0; i < update.size(); ++i)
+      update[i] = state.solution[i] - last[i];
+    const double largest  = 0.05; // [rad]
+    const double rotation = springs.largest_rotation(update);
+    return model.elasticity->is_linear()
+             ? part
+             : std::min(part, largest / std::max(rotation, largest));
   }
 
 

@@ -91,6 +91,7 @@ namespace Contact
     bool         points_follow_the_law() const;
     void         check() const;
     void         remember_status();
+    double       part_until_touch() const;
 
     const ContactModel<dim>                  &model;
     const std::unique_ptr<LinearSystem<dim>> &system;
@@ -105,6 +106,7 @@ namespace Contact
     NewtonGlobalization           guard;
     unsigned int                  n_steps       = 0;
     bool                          one_at_a_time = false;
+    double                        part          = 0; // of the last step
     Vector<double>                last;          // where the last step began
     std::vector<PointStatus<dim>> last_statuses; // under which it was made
     double                        last_residual = 0;

@@ -130,11 +130,10 @@ namespace Contact
     stiffest.clear();
     for (const RigidBodyMode &motion : held)
       stiffest[motion.piece] = stiffness[motion.piece].translation =
-        1e-6 * softest * springs.mean_circumference(motion.piece);
+        1e-6 * softest * springs.mean_depth(motion.piece);
     for (const TurningPiece &piece : turning)
       {
-        stiffest[piece.piece] =
-          softest * springs.mean_circumference(piece.piece);
+        stiffest[piece.piece] = softest * springs.mean_depth(piece.piece);
         stiffness[piece.piece].rotation =
           stiffest[piece.piece] * piece.radius * piece.radius;
       }

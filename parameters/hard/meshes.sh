@@ -1,5 +1,6 @@
 #!/bin/sh
-# The meshes of the hard cases, all from blocks.geo, pin.geo and pin_whole.geo.
+# The meshes of the hard cases: in the plane from blocks.geo, pin.geo and
+# pin_whole.geo, in space from tests/hard/space_meshes.py.
 # SPDX-License-Identifier: LGPL-2.1-or-later
 set -eu
 cd "$(dirname -- "$0")"
@@ -23,3 +24,4 @@ make pin pin
 make pin pin_loose -setnumber play 0.01
 make pin_play pin_whole
 make pin_tight pin_whole -setnumber play 0.001
+../../tests/hard/space_meshes.py .

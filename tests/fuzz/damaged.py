@@ -188,11 +188,15 @@ def in_json(scene):
 
 
 class Case:
+    PREFIX = "damaged"
+    GOOD = GOOD
+    SCENE = scenes.Scene
+
     def __init__(self, seed, as_json):
         self.seed = seed
-        self.name = "damaged_%d" % seed
-        rng = random.Random("damaged %d" % seed)
-        self.scene = scenes.Scene(rng.choice(GOOD))
+        self.name = "%s_%d" % (self.PREFIX, seed)
+        rng = random.Random("%s %d" % (self.PREFIX, seed))
+        self.scene = self.SCENE(rng.choice(self.GOOD))
         self.scene.name = self.name
         self.scene.set("Mesh/File", self.name + ".msh")
         self.files = {".msh": self.scene.mesh().encode()}
@@ -203,8 +207,16 @@ class Case:
             self.ending = ".prm"
             self.files[self.ending] = self.scene.parameters().encode()
             self.part = rng.choice([".prm", ".msh", ".msh"])
-        damage = Damage(rng)
-        self.way, self.files[self.part] = damage.apply(self.files[self.part])
+        self.way = self.damage(rng)
+
+    def damage(self, rng):
+        """Damages a file; returns how."""
+        way, self.files[self.part] = Damage(rng).apply(self.files[self.part])
+        return way
+
+    def faults(self, result):
+        """What is wrong with the answer to just this damage."""
+        return []
 
     def write(self, directory):
         directory.mkdir(parents=True, exist_ok=True)
@@ -261,16 +273,17 @@ def faults(case, directory, result):
     return []
 
 
-def answer(seed, binary, output, limit, sanitized, as_json):
-    case = Case(seed, as_json)
+def answer(kind, seed, binary, output, limit, sanitized, as_json):
+    case = kind(seed, as_json)
     directory = output / case.name
     case.write(directory)
     result = runner.run(binary, directory, case.name + case.ending, limit,
                         sanitized, ["--quiet"])
-    return case, result, faults(case, directory, result)
+    return (case, result,
+            faults(case, directory, result) + case.faults(result))
 
 
-def report(answered, output):
+def report(kind, answered, output):
     rows = []
     for part, name in ((".prm", "parameter file"), (".json", "parameter file"),
                        (".msh", "mesh file")):
@@ -293,19 +306,19 @@ def report(answered, output):
                not names_file(case, result.output)]
     text.append("\n%d messages name an entry, but no file: %s" % (
         len(entries), " ".join(map(str, entries[:15]))))
-    kinds = collections.defaultdict(list)
+    messages = collections.defaultdict(list)
     for case, result, found in answered:
         for fault in found:
-            kinds[runner.kind(fault)].append(case.seed)
-    if kinds:
+            messages[runner.kind(fault)].append(case.seed)
+    if messages:
         text += ["\n## Answered badly\n",
                  runner.table(["fault", "files", "seeds"],
                               [[k, len(s), " ".join(map(str, s[:15]))]
-                               for k, s in sorted(kinds.items(),
+                               for k, s in sorted(messages.items(),
                                                   key=lambda k: -len(k[1]))])]
     text = "\n".join(text) + "\n"
-    (output / "damaged.md").write_text(text)
-    with open(output / "damaged.csv", "w", newline="") as file:
+    (output / (kind.PREFIX + ".md")).write_text(text)
+    with open(output / (kind.PREFIX + ".csv"), "w", newline="") as file:
         writer = csv.writer(file)
         writer.writerow(["seed", "file", "damage", "outcome", "status",
                          "seconds", "faults", "message"])
@@ -317,13 +330,15 @@ def report(answered, output):
     return text
 
 
-def run_damaged(binary, seeds, output, processes=2, limit=20, as_json=False):
+def run_damaged(kind, binary, seeds, output, processes=2, limit=20,
+                as_json=False):
     sanitized = runner.is_sanitized(binary)
     output.mkdir(parents=True, exist_ok=True)
     answered = runner.in_parallel(
-        lambda seed: answer(seed, binary, output, limit, sanitized, as_json),
+        lambda seed: answer(kind, seed, binary, output, limit, sanitized,
+                            as_json),
         seeds, processes)
-    return answered, report(answered, output)
+    return answered, report(kind, answered, output)
 
 
 def failures(answered):
@@ -332,8 +347,8 @@ def failures(answered):
             for case, _, found in answered for fault in found]
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+def main(kind, purpose):
+    parser = argparse.ArgumentParser(description=purpose.split("\n")[0])
     parser.add_argument("contact")
     parser.add_argument("--number", type=int, default=500)
     parser.add_argument("--first", type=int, default=1)
@@ -345,7 +360,7 @@ def main():
     options = parser.parse_args()
     seeds = ([int(s) for s in options.only.split(",")] if options.only else
              range(options.first, options.first + options.number))
-    answered, text = run_damaged(options.contact, seeds,
+    answered, text = run_damaged(kind, options.contact, seeds,
                                  pathlib.Path(options.output),
                                  options.processes, options.limit,
                                  options.json)
@@ -361,4 +376,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(Case, __doc__))

@@ -25,11 +25,6 @@ import mesh_files
 import runner
 import verify
 
-FEATURES = ("shape", "slave", "rule", "friction", "friction_solver", "degree",
-            "kinematics", "geometry", "system", "support", "load", "history",
-            "increments", "levels", "cells", "mesh_ratio", "stiffness_ratio")
-
-
 def log_uniform(rng, low, high):
     return math.exp(rng.uniform(math.log(low), math.log(high)))
 
@@ -41,9 +36,15 @@ def number(value):
 class Scene:
     """Everything about a scene; all of it follows from the seed."""
 
+    FEATURES = ("shape", "slave", "rule", "friction", "friction_solver",
+                "degree", "kinematics", "geometry", "system", "support", "load",
+                "history", "increments", "levels", "cells", "mesh_ratio",
+                "stiffness_ratio")
+    PREFIX = "scene"
+
     def __init__(self, seed):
         self.seed = seed
-        self.name = "scene_%d" % seed
+        self.name = "%s_%d" % (self.PREFIX, seed)
         self.entries = {}
         self.features = {}
         # Resultants for verify.py; None: not determined by statics.
@@ -54,6 +55,10 @@ class Scene:
         self.choose_contact(rng)
         self.choose_load(rng)
         self.choose_solution(rng)
+
+    def problems(self, directory, summary):
+        """What is wrong with its results."""
+        return verify.problems(self, directory, summary)
 
     def set(self, entry, value):
         self.entries[entry] = value
@@ -393,7 +398,7 @@ class Scene:
         for path, value in self.entries.items():
             section, entry = path.split("/", 1)
             sections.setdefault(section, []).append((entry, value))
-        text = "# Scene %d of tests/fuzz/scenes.py\n" % self.seed
+        text = "# %s of tests/fuzz\n" % self.name
         for section, entries in sections.items():
             text += "\nsubsection %s\n" % section
             text += "".join("  set %s = %s\n" % e for e in entries)
@@ -406,9 +411,9 @@ class Scene:
         (directory / (self.name + ".prm")).write_text(self.parameters())
 
 
-def solve(seed, binary, output, limit, sanitized, overrides):
+def solve(kind, seed, binary, output, limit, sanitized, overrides):
     """One scene: what it is, how it ended, and what is wrong with it."""
-    scene = Scene(seed)
+    scene = kind(seed)
     directory = output / scene.name
     scene.write(directory)
     options = ["--quiet"]
@@ -419,7 +424,7 @@ def solve(seed, binary, output, limit, sanitized, overrides):
     problems = []
     summary = runner.read_summary(directory, scene.name)
     if result.outcome == "converged":
-        problems = verify.problems(scene, directory, summary)
+        problems = scene.problems(directory, summary)
     newton = sum(i["newton_iterations"] for i in summary["increments"]
                  ) if summary else 0
     return scene, result, problems, newton
@@ -449,7 +454,7 @@ def rates(solved, feature):
     return rows
 
 
-def report(solved, output):
+def report(kind, solved, output):
     n = len(solved)
     ok = [s for s in solved if s[1].outcome == "converged"]
     wrong = [s for s in ok if s[2]]
@@ -458,48 +463,50 @@ def report(solved, output):
             "fail a check.\n" % (n, len(ok), 100 * len(ok) / max(n, 1),
                                  len(wrong))]
     rows = []
-    for feature in FEATURES:
+    for feature in kind.FEATURES:
         rows += rates(solved, feature)
     text.append(runner.table(["", "value", "scenes", "converged", "wrong",
                               "not converged", "refused", "crashed", "hung"],
                              rows))
     text.append("\n## What did not converge, by message\n")
-    kinds = collections.defaultdict(list)
+    messages = collections.defaultdict(list)
     for scene, result, problems, _ in solved:
         if result.outcome != "converged":
-            kinds[result.outcome + ": " + runner.kind(result.message)].append(
-                scene)
+            messages[result.outcome + ": " +
+                     runner.kind(result.message)].append(scene)
         for problem in problems:
-            kinds["WRONG: " + runner.kind(problem)].append(scene)
+            messages["WRONG: " + runner.kind(problem)].append(scene)
     rows = []
-    for kind, scenes in sorted(kinds.items(), key=lambda k: -len(k[1])):
+    for text_of, scenes in sorted(messages.items(), key=lambda k: -len(k[1])):
         scenes.sort(key=lambda s: s.features["cells"])
-        rows.append([kind, len(scenes), " ".join(
+        rows.append([text_of, len(scenes), " ".join(
             str(s.seed) for s in scenes[:15])])
     text.append(runner.table(["message", "scenes",
                               "seeds, those with fewest cells first"], rows))
     text = "\n".join(text) + "\n"
-    (output / "scenes.md").write_text(text)
-    with open(output / "scenes.csv", "w", newline="") as file:
+    (output / (kind.PREFIX + "s.md")).write_text(text)
+    with open(output / (kind.PREFIX + "s.csv"), "w", newline="") as file:
         writer = csv.writer(file)
         writer.writerow(["seed", "outcome", "status", "seconds", "newton",
-                         *FEATURES, "problems", "message"])
+                         *kind.FEATURES, "problems", "message"])
         for scene, result, problems, newton in solved:
             writer.writerow([scene.seed, result.outcome, result.status,
                              "%.2f" % result.seconds, newton,
-                             *(scene.features[f] for f in FEATURES),
+                             *(scene.features[f] for f in kind.FEATURES),
                              "; ".join(problems),
                              result.message.replace("\n", " | ")[:400]])
     return text
 
 
-def run_scenes(binary, seeds, output, processes=2, limit=60, overrides=()):
+def run_scenes(kind, binary, seeds, output, processes=2, limit=60,
+               overrides=()):
     sanitized = runner.is_sanitized(binary)
     output.mkdir(parents=True, exist_ok=True)
     solved = runner.in_parallel(
-        lambda seed: solve(seed, binary, output, limit, sanitized, overrides),
+        lambda seed: solve(kind, seed, binary, output, limit, sanitized,
+                           overrides),
         seeds, processes)
-    return solved, report(solved, output)
+    return solved, report(kind, solved, output)
 
 
 def failures(solved, least=0.0):
@@ -523,8 +530,8 @@ def failures(solved, least=0.0):
     return lines
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+def main(kind, purpose):
+    parser = argparse.ArgumentParser(description=purpose.split("\n")[0])
     parser.add_argument("contact")
     parser.add_argument("--number", type=int, default=300)
     parser.add_argument("--first", type=int, default=1)
@@ -536,7 +543,7 @@ def main():
     options = parser.parse_args()
     seeds = ([int(s) for s in options.only.split(",")] if options.only else
              range(options.first, options.first + options.number))
-    solved, text = run_scenes(options.contact, seeds,
+    solved, text = run_scenes(kind, options.contact, seeds,
                               pathlib.Path(options.output),
                               options.processes, options.limit, options.set)
     print(text)
@@ -551,4 +558,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(Scene, __doc__))

@@ -14,6 +14,7 @@ Usage: hard.py [--quick] [--required] [--output DIRECTORY] [--jobs N]
 
 --quick     few cases, required rows only
 --required  all cases, required rows only
+--plane, --space  only the cases in the plane, only those in space
 --table     print the tables of the pages, and the progress to stderr
 CASE        these cases only (and those they are compared with)
 """
@@ -21,12 +22,16 @@ CASE        these cases only (and those they are compared with)
 import argparse
 import concurrent.futures
 import csv
+import itertools
 import json
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import time
+
+from cases import CASES
 
 RULES = ("nodal", "Gauss", "mortar")
 KINEMATICS = ("large displacement", "small strain")
@@ -47,103 +52,17 @@ COLUMNS = ("case", "rule", "kinematics", "friction", "required", "status",
            "penetration", "seconds", "holds", "message")
 
 
-class Case:
-    """A case and what must hold.
-
-    same: a case whose probes and contact results are the same, lengths times
-    `lengths` and forces times `forces`, within `tolerance` (relative; of the
-    forces alone if `forces_only`, for what is turned).
-    zone_only: of forces, peak pressure and width of contact alone, where bodies
-    come from elsewhere.
-    informative: that difference is shown, but nothing is asked of it.
-    loop: (coefficient of friction, modulus E*) of two equal cylinders, for the
-    energy that Cattaneo and Mindlin's theory says is dissipated, within 10 %
-    (the theory's own error, a/R = 0.024, and that of the mesh).
-    levels: several meshes, each from the start.
-    normal_force: what it has to be at the end [N per mm], within 3 %: the
-    integral of the pressure, which on a round surface is a little more than the
-    load.
-    force_free: the normal force at the end is at most this [N per mm]; in all
-    other cases it has to be positive, or nothing was proved.
-    frictionless: has no friction, so the loops of it are one.
-    quick: part of --quick.
-    """
-
-    def __init__(self, name, same=None, tolerance=1e-8, lengths=1.0, forces=1.0,
-                 forces_only=False, normal_force=None, force_free=None, frictionless=False,
-                 quick=False, informative=False, zone_only=False, levels=False,
-                 loop=None):
-        self.name = name
-        self.same = same
-        self.tolerance = tolerance
-        self.lengths = lengths
-        self.forces = forces
-        self.forces_only = forces_only
-        self.normal_force = normal_force
-        self.force_free = force_free
-        self.frictionless = frictionless
-        self.quick = quick
-        self.informative = informative
-        self.zone_only = zone_only
-        self.levels = levels
-        self.loop = loop
-
-
-CASES = [
-    Case("first_touch", normal_force=8750, frictionless=True, quick=True),
-    Case("gap_0.1", normal_force=8750, frictionless=True, same="first_touch",
-         zone_only=True, tolerance=1e-4),
-    Case("gap_10", normal_force=8750, frictionless=True, same="first_touch",
-         zone_only=True, tolerance=1e-4),
-    Case("pin", frictionless=True),
-    Case("pin_loose", frictionless=True),
-    Case("pin_friction"),
-    Case("pin_play"),
-    Case("pin_tight"),
-    Case("one_element", quick=True),
-    Case("cycle"),
-    Case("friction_0.3", quick=True),
-    Case("friction_0.6"),
-    Case("friction_1"),
-    Case("friction_2"),
-    Case("friction_2_path", same="friction_2", informative=True),
-    Case("nu_0.49"),
-    Case("nu_0.4999"),
-    Case("fine_slave"),
-    Case("fine_master"),
-    Case("swapped"),
-    Case("upper_soft"),
-    Case("upper_stiff"),
-    Case("run_off_right"),
-    Case("run_off_left", force_free=1e-8),
-    Case("symmetry_friction", quick=True),
-    Case("unload", frictionless=True, force_free=1e-6 * 8750),
-    Case("unload_reload", normal_force=8750, frictionless=True, same="first_touch",
-         tolerance=1e-4),
-    Case("reversal", loop=(0.3, 210000 / (2 * (1 - 0.3**2)))),
-    Case("triangles", quick=True),
-    Case("hanging", levels=True),
-    Case("penetration_small", quick=True),
-    Case("penetration_edge"),
-    Case("deep_5", frictionless=True),
-    Case("deep_20", frictionless=True),
-    Case("zero_load", force_free=1e-12, quick=True),
-    Case("lengths_1e-6", same="friction_0.3", lengths=1e-6, forces=1e-6,
-         quick=True),
-    Case("lengths_1e6", same="friction_0.3", lengths=1e6, forces=1e6,
-         quick=True),
-    Case("unturned"),
-    Case("turned", same="unturned", forces_only=True),
-]
-
 FORCES = ("normal_force", "tangential_force")
 
 
 def combinations(case, required_only):
     for rule in RULES:
+        if rule == "Gauss" and case.in_space:
+            continue
         for kinematics in KINEMATICS:
             for friction in FRICTION[:1] if case.frictionless else FRICTION:
-                required = (rule != "Gauss" and friction == FRICTION[0] and
+                required = (rule != "Gauss" and rule not in case.unsolved and
+                            friction == FRICTION[0] and
                             kinematics == KINEMATICS[0])
                 if required or not required_only:
                     yield rule, kinematics, friction, required
@@ -156,18 +75,28 @@ def largest(summary, key):
     return max(values, key=abs) if values else None
 
 
+def settings(path, rule, kinematics, friction):
+    """The entries of a row, in each section of contact that the file has."""
+    sections = re.findall("^subsection (Contact.*)$", path.read_text(),
+                          re.MULTILINE)
+    further = [section for section in sections if section != "Contact"]
+    entries = ["%s/Discretization=%s" % (section, rule)
+               for section in further or ["Contact"]]
+    return entries + ["Solids/Kinematics=" + kinematics,
+                      "Solution/Friction=" + friction,
+                      "Solution/System=" + SYSTEM[friction]]
+
+
 def run(options, case, rule, kinematics, friction, required):
     """One row."""
     directory = options.output / "runs" / "_".join(
         (case.name, rule, kinematics, friction)).replace(" ", "-")
     directory.mkdir(parents=True, exist_ok=True)
-    command = [str(options.contact),
-               str(options.parameters / "hard" / (case.name + ".prm")),
-               "--quiet", "--set", "Contact/Discretization=" + rule,
-               "--set", "Solids/Kinematics=" + kinematics,
-               "--set", "Solution/Friction=" + friction,
-               "--set", "Solution/System=" + SYSTEM[friction],
-               "--set", "Output/Directory=" + str(directory)]
+    file = options.parameters / "hard" / (case.name + ".prm")
+    command = [str(options.contact), str(file), "--quiet"]
+    for entry in settings(file, rule, kinematics, friction):
+        command += ["--set", entry]
+    command += ["--set", "Output/Directory=" + str(directory)]
     row = dict.fromkeys(COLUMNS)
     row.update({"case": case.name, "rule": rule, "kinematics": kinematics,
                 "friction": "none" if case.frictionless else friction,
@@ -268,13 +197,29 @@ def check(rows, cases):
         if case.force_free is not None:
             verdicts.append("normal force %.1e" % force)
             good = good and abs(force) <= case.force_free
-        elif not force > 0:
+        elif not force > 0 and case.lift is None:
             verdicts.append("no contact at the end")
             good = False
         if case.normal_force is not None:
             deviation = force / case.normal_force - 1
             verdicts.append("normal force %+.1e" % deviation)
             good = good and abs(deviation) <= 0.03
+        if case.lift is not None:
+            groups = row["summary"]["increments"][-1]["reactions"].values()
+            deviation = sum(group.get("z", 0) for group in groups) / case.lift - 1
+            verdicts.append("reactions %+.1e" % deviation)
+            good = good and abs(deviation) <= 1e-6
+        if case.full_slip is not None:
+            deviation = (row["summary"]["contact"]["tangential_force"] /
+                         (case.full_slip * force) - 1)
+            verdicts.append("friction %+.1e" % deviation)
+            good = good and abs(deviation) <= 0.01
+        off = [probe["name"] for probe in row["summary"]["probes"]
+               if probe["reference"] is not None and
+               abs(probe["relative_deviation"]) > probe["tolerance"]]
+        if off:
+            verdicts.append("off their references: " + ", ".join(off))
+            good = False
         if row["violations"]:
             verdicts.append("%d violations" % row["violations"])
             good = False
@@ -344,12 +289,16 @@ def print_tables(rows, cases):
           "from the start / not converged / refused.\n")
     print("| rule | kinematics | " + " | ".join(FRICTION) + " |")
     print("|---|---|" + "---|" * len(FRICTION))
-    for rule in RULES:
-        for kinematics in KINEMATICS:
+    in_space = {case.name for case in cases if case.in_space}
+    for rule, space, kinematics in itertools.product(RULES, (False, True),
+                                                     KINEMATICS):
+        if any((row["rule"], row["case"] in in_space) == (rule, space)
+               for row in rows):
             cells = []
             for friction in FRICTION:
                 some = [row for row in rows
-                        if row["rule"] == rule and
+                        if (row["case"] in in_space) == space and
+                        row["rule"] == rule and
                         row["kinematics"] == kinematics and
                         row["friction"] in (friction, "none"
                                             if friction == FRICTION[0] else "")]
@@ -358,7 +307,9 @@ def print_tables(rows, cases):
                 cells.append("%d / %d / %d / %d" % (
                     n, sum(row["message"] == HANDED_OVER for row in some),
                     len(states) - n - refused, refused))
-            print("| " + " | ".join([rule, kinematics] + cells) + " |")
+            print("| " + " | ".join(
+                [rule + (", in space" if space else ""), kinematics] + cells) +
+                " |")
     print("\nWithout friction: under \"%s\". What does not converge, or is refused "
           "(once for each reason):\n" % FRICTION[0])
     reasons = {}
@@ -382,6 +333,8 @@ def main():
     parser.add_argument("cases", nargs="*")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--required", action="store_true")
+    parser.add_argument("--plane", action="store_true")
+    parser.add_argument("--space", action="store_true")
     parser.add_argument("--table", action="store_true")
     parser.add_argument("--output", type=pathlib.Path,
                         default=pathlib.Path("hard"))
@@ -398,7 +351,9 @@ def main():
     wanted |= {case.same for case in CASES if case.name in wanted}
     cases = [case for case in CASES
              if (not wanted or case.name in wanted) and
-             (case.quick or not options.quick)]
+             (case.quick or not options.quick) and
+             not (case.in_space if options.plane else
+                  options.space and not case.in_space)]
     options.output.mkdir(parents=True, exist_ok=True)
     options.output = options.output.resolve()
 
