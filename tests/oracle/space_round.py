@@ -126,7 +126,7 @@ def pin(rng, seed):
     """A hollow pin in a hole, with play or tight, pressed to one side and
     perhaps drawn along."""
     s = size(rng)
-    n = rng.choice([8, 12])
+    n = rng.choice([12, 16])
     play = rng.choice([0.0, 0.001, 0.01, 0.05]) * s
     hub = ring("Hub", s, 2 * s, s, rng.choice([n, n + 4]), (2, 2))
     bolt = ring("Pin", 0.4 * s, s - play, 1.3 * s, n, (2, rng.randint(2, 3)))
@@ -143,7 +143,7 @@ def pin(rng, seed):
 
 def shrink(rng, seed):
     """A ring that is too narrow for what is in it."""
-    s, n = size(rng), rng.choice([8, 12])
+    s, n = size(rng), rng.choice([12, 16])
     over = uniform(rng, 0.0005, 0.005) * s
     hub = ring("Hub", s, 1.5 * s, 0.6 * s, n, (2, 2))
     tube = ring("Tube", 0.6 * s, s + over, 1.0 * s, n, (2, 3))

@@ -170,19 +170,27 @@ class SpaceZoneCheck:
 
     def check_glue(self):
         """Places of the slave go where those of the master go that they face
-        undeformed."""
+        undeformed; with the mortar discretization in the weighted mean."""
         X, u = self.model.X, self.state.u
         lines = self.model.lines[self.zone.master]
+        if self.rule == "mortar":
+            jump, _ = self.at_nodes(lambda nodes: u[nodes])
+            off = np.linalg.norm(jump, axis=1)[
+                self.judged & (self.weights.least > 1 - SLIVER)]
+            return self.parted(off.max(initial=0))
         drawn = space_surfaces.Facets(lines, X)
         distance, triangle, _, shapes = drawn.closest(X[self.nodes])
         of_master = np.einsum("pa,pai->pi", shapes,
                               u[lines[drawn.face[triangle]]])
         off = np.linalg.norm(u[self.nodes] - of_master, axis=1)
         off[distance > 1e-9 * self.scene.size] = 0
-        if off.max() <= GLUE * self.slack:
+        return self.parted(off.max())
+
+    def parted(self, off):
+        if off <= GLUE * self.slack:
             return []
         return [Problem("glue", "parts by %.3g mm, displacements %.3g mm" % (
-            off.max(), self.largest))]
+            off, self.largest))]
 
     def check_penetration(self):
         allowed = PENETRATION[self.rule] * self.slack + self.sagitta()
@@ -284,13 +292,19 @@ class SpaceZoneCheck:
                                 angle - friction, self.zone.mu))
 
     def distance_of_master(self, where):
-        """Of the master's nodes from faces of the slave: a corner may lie
-        between the places on these."""
+        """Of places of the master from faces of the slave: an edge or a corner
+        may lie between the places on these."""
         if self.zone.obstacle:
             return np.inf
+        return self.distances_of_master(where).min()
+
+    def distances_of_master(self, where):
+        """By faces of the master."""
         part = space_surfaces.Facets(self.faces[where], self.state.x)
-        nodes = np.unique(self.model.lines[self.zone.master])
-        return part.closest(self.state.x[nodes])[0].min()
+        places = space_surfaces.samples(self.model.lines[self.zone.master],
+                                        self.state.x)
+        return part.closest(places.reshape(-1, 3))[0].reshape(
+            places.shape[:2]).min(1)
 
     def directions(self, k, where):
         """In which the master may push here: its normals where the slave's
@@ -313,12 +327,7 @@ class SpaceZoneCheck:
     def around_master(self, where):
         if self.zone.obstacle:
             return []
-        lines = self.model.lines[self.zone.master]
-        nodes = np.unique(lines)
-        part = space_surfaces.Facets(self.faces[where], self.state.x)
-        touch = nodes[part.closest(self.state.x[nodes])[0] <=
-                      APART * self.slack]
-        faces = np.flatnonzero(np.isin(lines, touch).any(1))
+        faces = self.distances_of_master(where) <= APART * self.slack
         return list(self.master.group.face_normal[faces])
 
     def problem(self, reason, k, detail):
