@@ -12,7 +12,8 @@ namespace Contact
 {
   namespace
   {
-    /// The largest angle between a facet at a node and the mean there.
+    /// The largest angle between a facet at a node and the mean there, that of
+    /// all facets around an edge or a corner, too.
     std::vector<double> bends(const Surface<3>        &surface,
                               const SymmetryPlanes    &planes,
                               const Discretization<3> &discretization)
@@ -21,12 +22,18 @@ namespace Contact
       const auto             means = planes.facet_normals(surface, undeformed);
       const SurfaceSearch<3> search(surface, undeformed);
       std::vector<double>    bends(surface.nodes.size(), 0.);
+      std::vector<Tensor<1, 3>> mean(surface.nodes.size());
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
+        for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+          mean[surface.facets[e].nodes[a]] += means[e][a];
       for (unsigned int e = 0; e < surface.facets.size(); ++e)
         for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
           {
+            const unsigned int node = surface.facets[e].nodes[a];
             const Tensor<1, 3> own  = search.normal(e, node_place<3>(a));
-            double            &bend = bends[surface.facets[e].nodes[a]];
-            bend = std::max(bend, (own - means[e][a]).norm());
+            bends[node] =
+              std::max(bends[node],
+                       (own - mean[node] / mean[node].norm()).norm());
           }
       return bends;
     }
