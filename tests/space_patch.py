@@ -81,7 +81,7 @@ SCENES = {
         Block().lines([-0.25, 0.2, 0.6, 1.15], UNIT[1], LOW),
         Block().skewed((4, 5), (1, 1), 0., UP, -0.4)),
     "lower one wider, upper one turned": (
-        Block().lines([-0.3, 0.1, 0.4, 0.9, 1.25], [-0.2, 0.25, 0.65, 1.2], LOW),
+        Block().lines([-0.3, 0.4, 0.9, 1.25], [-0.2, 0.45, 1.2], LOW),
         Block().skewed((3, 3), (0.9, 0.8), 20., UP, -0.3)),
     "shifted": (
         Block().lines(*UNIT, LOW),

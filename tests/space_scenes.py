@@ -146,26 +146,53 @@ def completing_share(lines_x, lines_y, corners, degree, turn):
     """A formula on a surface z = 0 of rectangles that is turned: against all
     shape functions it has the same integrals as the function that is 1 outside
     of a convex polygon. On rectangles that the border of the polygon cuts it is
-    the projection on the polynomials of the degree."""
+    the projection on the polynomials of the degree. As short as it can be: the
+    parser takes 5000 characters."""
     local = ["(" + "+".join(f"({float(turn[c, d])!r})*{AXES[c]}"
                             for c in range(3)) + ")" for d in range(2)]
-    terms = []
-    for (x0, x1), (y0, y1) in itertools.product(
-            zip(lines_x, lines_x[1:]), zip(lines_y, lines_y[1:])):
-        share = -covered_moments(((x0, x1), (y0, y1)), corners, degree)
-        share[0, 0] += 1
-        if abs(share).max() < ROUND_OFF:
-            continue
-        xi = f"((2*{local[0]}-({x0 + x1!r}))/({x1 - x0!r}))"
-        eta = f"((2*{local[1]}-({y0 + y1!r}))/({y1 - y0!r}))"
-        polynomial = "+".join(
-            f"({float(share[i, j])!r})*{legendre_text(i, xi)}"
-            f"*{legendre_text(j, eta)}"
-            for i, j in itertools.product(range(degree + 1), repeat=2)
-            if abs(share[i, j]) > ROUND_OFF)
-        terms.append(f"if(abs({xi})<1 && abs({eta})<1,{polynomial},0)")
-    return "+".join(terms) if terms else "0"
+    columns = []
+    for x0, x1 in zip(lines_x, lines_x[1:]):
+        cells = []
+        for y0, y1 in zip(lines_y, lines_y[1:]):
+            share = -covered_moments(((x0, x1), (y0, y1)), corners, degree)
+            share[0, 0] += 1
+            share[abs(share) < ROUND_OFF] = 0
+            share = monomials(x0, x1, degree).T @ share @ \
+                monomials(y0, y1, degree)
+            cells.append(horner([horner([f"{float(c)!r}" if c else "0"
+                                         for c in row], local[1])
+                                 for row in share], local[0]))
+        columns.append(choice(cells, lines_y, local[1]))
+    return choice(columns, lines_x, local[0])
 
 
-def legendre_text(degree, x):
-    return ("1", x, f"(1.5*{x}*{x}-0.5)")[degree]
+def monomials(x0, x1, degree):
+    """The Legendre polynomials of an interval, by row, in powers of x."""
+    x = numpy.polynomial.Polynomial((-(x0 + x1) / (x1 - x0), 2 / (x1 - x0)))
+    table = numpy.zeros((degree + 1, degree + 1))
+    for i in range(degree + 1):
+        coefficients = numpy.polynomial.polynomial.Polynomial(
+            numpy.polynomial.legendre.leg2poly([0] * i + [1]))(x).coef
+        table[i, :len(coefficients)] = coefficients
+    return table
+
+
+def horner(coefficients, x):
+    text = "0"
+    for coefficient in reversed(coefficients):
+        if text == "0":
+            text = coefficient
+        elif coefficient == "0":
+            text = f"{x}*({text})"
+        else:
+            text = f"{coefficient}+{x}*({text})"
+    return text
+
+
+def choice(texts, lines, x):
+    """The first one below lines[1] and so on; equal neighbors are one."""
+    result = texts[-1]
+    for text, line in zip(reversed(texts[:-1]), reversed(lines[1:-1])):
+        if text != result:
+            result = f"if({x}<{line!r},{text},{result})"
+    return result
