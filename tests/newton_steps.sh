@@ -19,3 +19,16 @@ for modeling in a b c d e f g h; do
           exit !(converged && n == 2 && !bad) }' \
     "output/ssnp154_$modeling/summary.json"
 done
+
+# In space the bound of friction is in the tangent, the pairing is renewed before
+# each step. Multigrid serves the unsymmetric matrix with points that begin to slip
+# (in the second increment), whose shears turn as if a spring held them.
+"$contact" "$parameters/sphere_on_block.prm" --quiet \
+  --set "Solution/Linear solver=AMG" --set Output/Screen=none
+awk -F'[:,]' '
+  /"levels"/ { exit }
+  /"newton_iterations"/ { newton = newton " " $2; steps = $2 }
+  /"linear_iterations"/ { linear = linear " " $2; bad = bad || $2 > 20 * steps }
+  END { print "sphere on block: Newton steps" newton ", iterations" linear
+        exit !linear || bad }' \
+  "output/sphere_on_block/summary.json"
