@@ -11,6 +11,8 @@ import surfaces
 CUTS = {1: 2, 2: 4}
 # Pairs of points and triangles at a time.
 PAIRS = 200000
+# Of a face: facets that come so close to a place meet there.
+MEET = 1e-6
 
 
 def grid(n):
@@ -58,6 +60,30 @@ class Facets:
     def closest(self, points):
         """For each point: distance, triangle, foot, shape functions of the
         face there."""
+        of, t, distance, feet, weights, first = self.pairs(points)
+        t = t[first]
+        shapes = np.einsum("pk,pka->pa", weights[first],
+                           self.shapes[self.triangles[t]])
+        return distance[first], t, feet[first], shapes
+
+    def mean_normals(self, points):
+        """Where the closest place is on an edge or a corner, the mean of the
+        facets that meet there: no single one is the master's normal."""
+        of, t, _, feet, _, first = self.pairs(points)
+        off = np.linalg.norm(feet - feet[first][of], axis=1)
+        meet = off <= MEET * self.face_size[self.face[t]]
+        # Each face once, of however many triangles it is.
+        _, k = np.unique(of[meet] * len(self.faces) + self.face[t[meet]],
+                         return_index=True)
+        total = np.zeros((len(points), 3))
+        np.add.at(total, of[meet][k], self.normal[t[meet][k]])
+        size = np.linalg.norm(total, axis=1, keepdims=True)
+        return total / np.maximum(size, 1e-300)
+
+    def pairs(self, points):
+        """Points and the triangles that may be closest: numbers of both,
+        distances, feet, their places in the triangles, and which pair is the
+        closest one of each point."""
         nearest, _ = self.tree.query(points)
         near = self.tree.query_ball_point(points, nearest + 2 * self.reach)
         count = np.array([len(n) for n in near])
@@ -77,10 +103,7 @@ class Facets:
                                             axis=1)
         order = np.lexsort((distance, of))
         first = order[np.searchsorted(of[order], np.arange(len(points)))]
-        t = pairs[first]
-        shapes = np.einsum("pk,pka->pa", weights[first],
-                           self.shapes[self.triangles[t]])
-        return distance[first], t, feet[first], shapes
+        return of, pairs, distance, feet, weights, first
 
     def contains(self, points):
         """Of closed surfaces: what is inside (the solid angle)."""

@@ -318,11 +318,22 @@ class SpaceZoneCheck:
         lying = where[self.lying[where]]
         own = list(-self.own.normal[np.isin(self.own.face, lying)])
         if self.rule == "mortar":
-            # The normal of a node is the mean of its faces.
-            own += list(-unit(self.own.face_normal[where].sum(0))[None])
+            own.append(self.mean_normal(where))
         own += self.around_master(where)
         found += [n for n in own if n @ reference > 0]
         return found, reference
+
+    def mean_normal(self, where):
+        """Along which the mortar discretization pushes a node: the mean of the
+        normals of its faces, turned round."""
+        return -unit(self.own.face_normal[where].sum(0))
+
+    def mean_normals(self):
+        """Those of the nodes on which forces act."""
+        if self.rule != "mortar":
+            return np.empty((0, 3))
+        return np.array([self.mean_normal(self.around[k])
+                         for k in np.flatnonzero(self.counts)])
 
     def around_master(self, where):
         if self.zone.obstacle:
@@ -349,11 +360,13 @@ class SpaceZoneCheck:
         if not (self.counts & of_contact).any() or not self.is_flat() or (
                 not self.judged[of_contact].all()):
             return []
-        # The slave's own normal, for a face that lies on an end of the master.
+        # The slave's own normals, for a face that lies on an end of the master,
+        # or that bends over it.
         directions = np.concatenate([
             self.normals[self.touching],
             -self.own.normal[np.isin(self.own.face,
-                                     np.flatnonzero(self.lying))]])
+                                     np.flatnonzero(self.lying))],
+            self.mean_normals()])
         total = self.force[self.judged].sum(0)
         angle = cone_angle(total, directions)
         if angle <= np.arctan(self.zone.mu) + 0.02:
@@ -389,7 +402,7 @@ class SpaceZoneCheck:
         _, triangle, _, shapes = group.closest(x)
         of_master = np.einsum("pa,pai->pi", shapes, field(
             group.faces[group.face[triangle]]))
-        return of_slave - of_master, group.normal[triangle]
+        return of_slave - of_master, group.mean_normals(x)
 
     def check_friction(self, before):
         """Friction acts against the slip, and what slips is under mu p."""
