@@ -286,6 +286,10 @@ namespace Contact
           std::string("Displacement ") + "xy"[c],
           [c](auto &boundary) -> auto & { return boundary.displacement[c]; },
           variants);
+      add_displacements(
+        "Displacement normal",
+        [](auto &boundary) -> auto & { return boundary.displacement_normal; },
+        variants);
       add_directions("Force", &Boundary::force, variants);
       add_directions("Resultant force", &Boundary::resultant_force, variants);
       add_groups(

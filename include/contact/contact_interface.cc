@@ -286,10 +286,9 @@ namespace Contact
         }
 
     ContactState<dim> state{};
-    state.gap  = point.normal * r;
-    for (unsigned int i = 0; i < dim; ++i)
-      if (point.slip_is_void[i])
-        dr[i] = 0;
+    state.gap = point.normal * r;
+    for (const Tensor<1, dim> &across : point.void_slips)
+      dr -= (dr * across) * across;
     state.slip = point.tangential_part(dr);
     // Without multipliers in the vector the question is for the gap alone.
     if (solution.size() > discretization.dof_handler.n_dofs())

@@ -74,20 +74,18 @@ namespace Contact
             const Tensor<1, dim>   &normal = normals[e][a];
             const double            h      = slave.reference_length(e);
             const auto keeps_distance = [&](const SurfaceNode<dim> &other) {
-              for (unsigned int c = 0; c < dim; ++c)
-                if (std::abs(normal[c]) > 1e-8 &&
-                    !discretization.are_fixed_alike(node.dofs[c],
-                                                    other.dofs[c]))
-                  return false;
+              if (!discretization.are_held_alike(node.dofs, other.dofs, normal))
+                return false;
               const Tensor<1, dim> r = other.X - node.X;
               return r.norm() < h && r * normal > -1e-8 * h &&
                      (r - (r * normal) * normal).norm() < 1e-3 * h;
             };
-            if (std::any_of(node.dofs.begin(),
-                            node.dofs.end(),
-                            [&](const auto dof) {
-                              return discretization.is_fixed(dof);
-                            }) &&
+            if ((discretization.normal_supports.hold(node.dofs) ||
+                 std::any_of(node.dofs.begin(),
+                             node.dofs.end(),
+                             [&](const auto dof) {
+                               return discretization.is_fixed(dof);
+                             })) &&
                 std::any_of(master.nodes.begin(),
                             master.nodes.end(),
                             keeps_distance))

@@ -45,13 +45,15 @@ namespace Contact
       const double round_off = 1e-8;
       double       free = 0, all = 0;
       for (unsigned int a = 0; a < n_nodes; ++a)
-        for (unsigned int i = 0; i < dim; ++i)
-          {
-            const double share = std::abs(point.C[a] * normal[i]);
-            all += share;
-            if (!discretization.is_fixed(point.dofs[a][i]))
-              free += share;
-          }
+        {
+          const Tensor<1, dim> part =
+            discretization.free_part(point.dofs[a], normal);
+          for (unsigned int i = 0; i < dim; ++i)
+            {
+              all += std::abs(point.C[a] * normal[i]);
+              free += std::abs(point.C[a] * part[i]);
+            }
+        }
       return free > round_off * all;
     }
 
@@ -65,14 +67,18 @@ namespace Contact
                const Discretization<2> &discretization)
       {
         for (unsigned int a = 0; a < point.n_nodes; ++a)
-          for (unsigned int i = 0; i < 2; ++i)
-            if (!discretization.is_fixed(point.dofs[a][i]))
+          {
+            const Tensor<1, 2> n =
+              discretization.free_part(point.dofs[a], point.normal);
+            const Tensor<1, 2> t =
+              discretization.free_part(point.dofs[a], point.tangents[0]);
+            for (unsigned int i = 0; i < 2; ++i)
               {
-                nn += std::pow(point.C[a] * point.normal[i], 2);
-                tt += std::pow(point.C[a] * point.tangents[0][i], 2);
-                nt += point.C[a] * point.C[a] * point.normal[i] *
-                      point.tangents[0][i];
+                nn += std::pow(point.C[a] * n[i], 2);
+                tt += std::pow(point.C[a] * t[i], 2);
+                nt += point.C[a] * point.C[a] * n[i] * t[i];
               }
+          }
       }
 
       /// Below this sine of the angle between the rows their two multipliers
@@ -85,6 +91,22 @@ namespace Contact
 
       double nn = 0, nt = 0, tt = 0;
     };
+
+
+
+    /// Add what is new in @p direction, if anything, to an orthonormal basis.
+    template<int dim>
+    void add_orthonormal(const Tensor<1, dim>        &direction,
+                         std::vector<Tensor<1, dim>> &basis)
+    {
+      const double   sine = 1e-3;
+      Tensor<1, dim> rest = direction;
+      for (unsigned int pass = 0; pass < 2; ++pass) // because of round-off
+        for (const Tensor<1, dim> &other : basis)
+          rest -= (rest * other) * other;
+      if (rest.norm() > sine)
+        basis.push_back(rest / rest.norm());
+    }
 
 
 
@@ -176,6 +198,27 @@ namespace Contact
 
 
 
+  template<int dim>
+  void PointPairing<dim>::add_void_slip(const Tensor<1, dim> &direction)
+  {
+    add_orthonormal(direction, void_slips);
+  }
+
+
+
+  template<int dim>
+  std::vector<Tensor<1, dim>> PointPairing<dim>::directions_of_slip() const
+  {
+    std::vector<Tensor<1, dim>> directions = void_slips;
+    for (unsigned int i = 0; i < dim; ++i)
+      add_orthonormal(Tensor<1, dim>(Point<dim>::unit_vector(i)), directions);
+    directions.erase(directions.begin(),
+                     directions.begin() + void_slips.size());
+    return directions;
+  }
+
+
+
   std::vector<Tensor<1, 1>> free_slips(const ContactPoint<2>   &point,
                                        const Discretization<2> &discretization)
   {
@@ -197,14 +240,17 @@ namespace Contact
       point.tangents[0] - (rows.nn > 0 ? rows.nt / rows.nn : 0.) * point.normal;
     double slip = 0, size = 0;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
-      for (unsigned int i = 0; i < 2; ++i)
-        if (discretization.is_fixed(point.dofs[a][i]))
+      {
+        const Tensor<1, 2> held =
+          along - discretization.free_part(point.dofs[a], along);
+        for (unsigned int i = 0; i < 2; ++i)
           {
             const double share =
-              point.C[a] * along[i] * motion[point.dofs[a][i]];
+              point.C[a] * held[i] * motion[point.dofs[a][i]];
             slip += share;
             size += std::abs(share);
           }
+      }
     const double round_off = 1e-10;
     return Tensor<1, 1>({std::abs(slip) > round_off * size ? slip : 0.});
   }

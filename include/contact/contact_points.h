@@ -238,9 +238,14 @@ namespace Contact
     // at a slave node on a symmetry line.
     bool tangential_row_is_void = false;
 
-    // In space by coordinate: across a plane of symmetry there is no slip,
-    // though nodes beside it are in the row.
-    std::array<bool, dim> slip_is_void{};
+    // In space across planes of symmetry there is no slip, though nodes beside
+    // them are in the row. Orthonormal.
+    std::vector<Tensor<1, dim>> void_slips;
+
+    void add_void_slip(const Tensor<1, dim> &direction);
+
+    /// The unit vectors, or what void slips leave of them: orthonormal.
+    std::vector<Tensor<1, dim>> directions_of_slip() const;
   };
 
 
@@ -375,10 +380,9 @@ namespace Contact
   /**
    * Across a plane of symmetry of both bodies a point does not slip, and its
    * normal is along the plane: the facets around it are those of one side only,
-   * and their mean with their images is. The plane is one across a coordinate
-   * that supports hold the slave node in, and a node of the master alike that
-   * is in the same place within @p tolerance [mm]. Not of a surface that lies
-   * in the plane.
+   * and their mean with their images is. The plane is one that supports hold
+   * the slave node across, and a node of the master alike that is in the same
+   * place within @p tolerance [mm]. Not of a surface that lies in the plane.
    */
   void make_symmetric(ContactPoint<3>         &point,
                       const Discretization<3> &discretization,

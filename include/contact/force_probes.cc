@@ -83,7 +83,7 @@ namespace Contact
                    const std::string       &boundary,
                    const ContactModel<dim> &model)
   {
-    const IndexSet unknowns = resultant(quantity, boundary, model).unknowns;
+    const IndexSet unknowns = resultant(quantity, boundary, model).unknowns();
     const bool     is_known = is_reaction(quantity)
                                 ? unknowns.n_elements() > 0
                                 : is_on_contact(unknowns, model.interface.get());

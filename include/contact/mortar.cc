@@ -176,6 +176,13 @@ namespace Contact
       return s;
     };
     const auto move_alike = [&](const unsigned int a) {
+      for (const Tensor<1, 2> &across :
+           discretization.normal_supports.normals(point.dofs[0]))
+        if (discretization.free_part(point.dofs[a], across).norm() < 1e-8 &&
+            !discretization.are_held_alike(point.dofs[0],
+                                           point.dofs[a],
+                                           across))
+          return false;
       for (unsigned int i = 0; i < 2; ++i)
         if (discretization.is_fixed(point.dofs[0][i]) &&
             discretization.is_fixed(point.dofs[a][i]) &&

@@ -88,16 +88,16 @@ namespace Contact
 
 
     /**
-     * Whether the curve that a surface stands for ends in the direction of the
-     * coordinate @p c, at the node @p a of the edge @p e. The direction there
-     * is extrapolated from two pieces, halves of an edge of degree 2 or two
+     * Whether the curve that a surface stands for ends along @p direction, or
+     * against it, at the node @p a of the edge @p e. The direction there is
+     * extrapolated from two pieces, halves of an edge of degree 2 or two
      * edges, in the middle of which it is that of the piece; on a circle this
      * is exact.
      */
-    bool ends_along(const Surface<2>  &surface,
-                    const unsigned int e,
-                    const unsigned int a,
-                    const unsigned int c)
+    bool ends_along(const Surface<2>   &surface,
+                    const unsigned int  e,
+                    const unsigned int  a,
+                    const Tensor<1, 2> &direction)
     {
       const auto &edge  = surface.facets[e];
       const auto  place = [&](const unsigned int node) {
@@ -115,8 +115,7 @@ namespace Contact
         second =
           place(surface.facets[next].nodes[1 - a]) - place(edge.nodes[1 - a]);
 
-      Tensor<1, 2> along;
-      along[c]         = first[c] > 0 ? 1 : -1;
+      const Tensor<1, 2> along = first * direction > 0 ? direction : -direction;
       const auto angle = [](const Tensor<1, 2> &u, const Tensor<1, 2> &v) {
         return std::atan2(cross(u, v), u * v);
       };
@@ -170,8 +169,9 @@ namespace Contact
   template<typename Number>
   void MortarGeometry<Number>::find_symmetry_lines()
   {
-    using End          = std::pair<unsigned int, unsigned int>;
-    const auto ends_of = [](const Surface<2> &surface) {
+    const double round_off = 1e-8;
+    using End              = std::pair<unsigned int, unsigned int>;
+    const auto ends_of     = [](const Surface<2> &surface) {
       std::vector<End> ends;
       for (unsigned int e = 0; e < surface.facets.size(); ++e)
         {
@@ -184,24 +184,31 @@ namespace Contact
     };
     const std::vector<End> master_ends = ends_of(master);
     for (const auto &[e, a] : ends_of(slave))
-      for (unsigned int c = 0; c < 2; ++c)
-        {
-          const unsigned int node = slave.facets[e].nodes[a];
-          const auto        &dofs = slave.nodes[node].dofs;
-          if (!discretization.is_fixed(dofs[c]) ||
-              discretization.is_fixed(dofs[1 - c]) ||
-              !ends_along(slave, e, a, c))
-            continue;
-          for (const auto &[e_m, a_m] : master_ends)
-            {
-              const unsigned int m = master.facets[e_m].nodes[a_m];
-              if (discretization.are_fixed_alike(dofs[c],
-                                                 master.nodes[m].dofs[c]) &&
-                  std::abs(value_of(slave_x[node][c] - master_x[m][c])) <
-                    1e-6 * slave.reference_length(e))
-                symmetry_lines[{e, a}] = Point<2>::unit_vector(1 - c);
-            }
-        }
+      {
+        const unsigned int node = slave.facets[e].nodes[a];
+        const auto        &dofs = slave.nodes[node].dofs;
+        auto directions         = discretization.normal_supports.normals(dofs);
+        for (const unsigned int c : {0, 1})
+          directions.push_back(Point<2>::unit_vector(c));
+        for (const Tensor<1, 2> &across : directions)
+          {
+            const Tensor<1, 2> along = cross_product_2d(across);
+            if (discretization.free_part(dofs, across).norm() > round_off ||
+                discretization.free_part(dofs, along).norm() < 0.5 ||
+                !ends_along(slave, e, a, across))
+              continue;
+            for (const auto &[e_m, a_m] : master_ends)
+              {
+                const unsigned int m = master.facets[e_m].nodes[a_m];
+                if (discretization.are_held_alike(dofs,
+                                                  master.nodes[m].dofs,
+                                                  across) &&
+                    std::abs(across * value_of(slave_x[node] - master_x[m])) <
+                      1e-6 * slave.reference_length(e))
+                  symmetry_lines[{e, a}] = along;
+              }
+          }
+      }
   }
 
 

@@ -32,11 +32,25 @@ namespace Contact
 
 
 
+    /// The directions that supports may hold the node of the slave in.
+    std::vector<Tensor<1, 3>>
+    directions_of_supports(const ContactPoint<3>   &point,
+                           const Discretization<3> &discretization)
+    {
+      std::vector<Tensor<1, 3>> directions =
+        discretization.normal_supports.normals(point.dofs[0]);
+      for (unsigned int c = 3; c-- > 0;)
+        directions.insert(directions.begin(), Point<3>::unit_vector(c));
+      return directions;
+    }
+
+
+
     /// A component of the relative displacement of a point that supports
     /// prescribe: in all nodes.
     struct PrescribedComponent
     {
-      unsigned int component;
+      Tensor<1, 3> direction;
       Tensor<1, 2> along; // its part along the tangents
     };
 
@@ -49,19 +63,19 @@ namespace Contact
     {
       const double                     round_off = 1e-8, sine = 1e-3;
       std::vector<PrescribedComponent> components;
-      for (unsigned int c = 0; c < 3; ++c)
+      for (const Tensor<1, 3> &direction :
+           directions_of_supports(point, discretization))
         {
           double free = 0, all = 0;
           for (unsigned int a = 0; a < point.n_nodes; ++a)
             {
               all += std::abs(point.C[a]);
-              if (!discretization.is_fixed(point.dofs[a][c]))
-                free += std::abs(point.C[a]);
+              free += std::abs(point.C[a]) *
+                      discretization.free_part(point.dofs[a], direction).norm();
             }
-          const Tensor<1, 2> along =
-            point.tangential_part(Point<3>::unit_vector(c));
+          const Tensor<1, 2> along = point.tangential_part(direction);
           if (free <= round_off * all && along.norm() > sine)
-            components.push_back({c, along});
+            components.push_back({direction, along});
         }
       return components;
     }
@@ -96,15 +110,17 @@ namespace Contact
     const auto   free      = free_slips(point, discretization);
     Tensor<2, 2> A;
     Tensor<1, 2> b;
-    for (const auto &[c, along] : held)
+    for (const auto &[direction, along] : held)
       {
         double slip = 0, size = 0;
         for (unsigned int a = 0; a < point.n_nodes; ++a)
-          {
-            const double share = point.C[a] * motion[point.dofs[a][c]];
-            slip += share;
-            size += std::abs(share);
-          }
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              const double share =
+                point.C[a] * direction[c] * motion[point.dofs[a][c]];
+              slip += share;
+              size += std::abs(share);
+            }
         A += outer_product(along, along);
         if (std::abs(slip) > round_off * size)
           b += slip * along;
@@ -125,22 +141,28 @@ namespace Contact
   {
     const double sine   = 0.9;
     Tensor<1, 3> normal = point.normal;
-    for (unsigned int c = 0; c < 3; ++c)
+    point.void_slips.clear();
+    for (const Tensor<1, 3> &across :
+         directions_of_supports(point, discretization))
       {
         const auto x = [&](const unsigned int a) {
-          return point.X[a][c] + u[point.dofs[a][c]];
+          double sum = 0;
+          for (unsigned int c = 0; c < 3; ++c)
+            sum += across[c] * (point.X[a][c] + u[point.dofs[a][c]]);
+          return sum;
         };
         bool is_symmetric = false;
         for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
           is_symmetric =
             is_symmetric || (std::abs(x(a) - x(0)) < tolerance &&
-                             discretization.are_fixed_alike(point.dofs[0][c],
-                                                            point.dofs[a][c]));
-        point.slip_is_void[c] =
-          is_symmetric && std::abs(point.normal[c]) < sine;
-        if (point.slip_is_void[c])
-          normal[c] = 0;
+                             discretization.are_held_alike(point.dofs[0],
+                                                           point.dofs[a],
+                                                           across));
+        if (is_symmetric && std::abs(point.normal * across) < sine)
+          point.add_void_slip(across);
       }
+    for (const Tensor<1, 3> &across : point.void_slips)
+      normal -= (normal * across) * across;
     if (normal.norm() > 0)
       point.normal = normal / normal.norm();
   }

@@ -16,22 +16,30 @@ namespace Contact
     : discretization(discretization)
   {
     const double tolerance = 1e-6 * slave.reference_length(0);
+    const double round_off = 1e-8;
     for (const SurfaceNode<3> &node : slave.nodes)
-      for (unsigned int c = 0; c < 3; ++c)
-        {
-          const Plane plane{c, node.X[c], tolerance, node.dofs[c]};
-          if (!discretization.is_fixed(node.dofs[c]) ||
-              std::any_of(planes.begin(), planes.end(), [&](const Plane &p) {
-                return p.coordinate == c && is_on(p, node);
-              }))
-            continue;
-          if (std::any_of(master.nodes.begin(),
-                          master.nodes.end(),
-                          [&](const SurfaceNode<3> &other) {
-                            return is_on(plane, other);
-                          }))
-            planes.push_back(plane);
-        }
+      {
+        auto directions = discretization.normal_supports.normals(node.dofs);
+        for (const unsigned int c : {0, 1, 2})
+          directions.push_back(Point<3>::unit_vector(c));
+        for (const Tensor<1, 3> &across : directions)
+          {
+            const Plane plane{across, across * node.X, tolerance, node.dofs};
+            if (discretization.free_part(node.dofs, across).norm() >
+                  round_off ||
+                std::any_of(planes.begin(), planes.end(), [&](const Plane &p) {
+                  return std::abs(p.across * across) > 1 - round_off &&
+                         is_on(p, node);
+                }))
+              continue;
+            if (std::any_of(master.nodes.begin(),
+                            master.nodes.end(),
+                            [&](const SurfaceNode<3> &other) {
+                              return is_on(plane, other);
+                            }))
+              planes.push_back(plane);
+          }
+      }
   }
 
 
@@ -39,9 +47,8 @@ namespace Contact
   bool SymmetryPlanes::is_on(const Plane          &plane,
                              const SurfaceNode<3> &node) const
   {
-    return std::abs(node.X[plane.coordinate] - plane.place) < plane.tolerance &&
-           discretization.are_fixed_alike(plane.held,
-                                          node.dofs[plane.coordinate]);
+    return std::abs(plane.across * node.X - plane.place) < plane.tolerance &&
+           discretization.are_held_alike(plane.held, node.dofs, plane.across);
   }
 
 
@@ -57,11 +64,11 @@ namespace Contact
         for (const Plane &plane : planes)
           {
             Tensor<1, 3> &normal = normals[e][a];
-            const double  across = normal[plane.coordinate];
+            const double  across = normal * plane.across;
             if (std::abs(across) < sine &&
                 is_on(plane, surface.nodes[surface.facets[e].nodes[a]]))
               {
-                normal[plane.coordinate] = 0;
+                normal -= across * plane.across;
                 normal /= normal.norm();
               }
           }

@@ -13,10 +13,10 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * Planes that slave and master are symmetric to: across a coordinate that
-   * supports hold nodes of both in, alike and in the same place. The facets
-   * around a node there are those of one side only; the mean of their normals
-   * with their images is along the plane.
+   * Planes that slave and master are symmetric to: supports hold nodes of both
+   * across them, alike and in the same place. The facets around a node there
+   * are those of one side only; the mean of their normals with their images is
+   * along the plane.
    */
   class SymmetryPlanes
   {
@@ -33,10 +33,10 @@ namespace Contact
   private:
     struct Plane
     {
-      unsigned int            coordinate;
-      double                  place;     // undeformed [mm]
-      double                  tolerance; // [mm]
-      types::global_dof_index held;      // of a node of the slave
+      Tensor<1, 3> across;
+      double       place;     // undeformed [mm]
+      double       tolerance; // [mm]
+      NodeDoFs<3>  held;      // a node of the slave
     };
 
     bool is_on(const Plane &plane, const SurfaceNode<3> &node) const;

@@ -143,6 +143,7 @@ namespace Contact
           entries.emplace_back(entry + ' ' + "xyz"[c], !values[c].empty());
       };
       add("Displacement", displacement);
+      entries.emplace_back("Displacement normal", !displacement_normal.empty());
       add("Force", force);
       add("Resultant force", resultant_force);
       entries.emplace_back("Pressure", !pressure.empty());

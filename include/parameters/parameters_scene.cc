@@ -171,6 +171,12 @@ namespace Contact
                        "'group: value' [mm], separated by ','; a boundary or "
                        "point group and its displacement at full load.",
                        "[mm]");
+      prm.add_parameter("Displacement normal",
+                        displacement_normal,
+                        "'boundary: value' [mm], separated by ','; a flat "
+                        "boundary group and its displacement along its outward "
+                        "normal at full load. Zero: a plane of symmetry, in "
+                        "any direction.");
       prm.add_parameter("Tied y",
                         tied_y,
                         "'point: point' [-], separated by ','; the first "

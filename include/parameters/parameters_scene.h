@@ -139,6 +139,10 @@ namespace Contact
       /// Boundary or point group -> prescribed displacement [mm].
       ByDirection<double> displacement;
 
+      /// Flat boundary group -> prescribed displacement along its outward
+      /// normal [mm].
+      std::map<std::string, double> displacement_normal;
+
       /// Point group -> point group: equal displacement in y.
       std::map<std::string, std::string> tied_y;
 

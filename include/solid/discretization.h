@@ -19,14 +19,11 @@
 #include "mesh/mesh.h"
 #include "parameters/parameters.h"
 #include "solid/element_spaces.h"
+#include "solid/normal_supports.h"
 
 namespace Contact
 {
   using namespace dealii;
-
-  /// The displacement unknowns of a node.
-  template<int dim>
-  using NodeDoFs = std::array<types::global_dof_index, dim>;
 
   /**
    * The finite element spaces of all bodies: quadrangles and hexahedra are
@@ -112,6 +109,9 @@ namespace Contact
     /// Newton update.
     AffineConstraints<double> constraints;
 
+    /// Those of flat boundaries along their normal.
+    NormalSupports<dim> normal_supports;
+
     /// By component: the groups that are supported, and the unknowns of each
     /// that this rank knows.
     std::array<std::map<std::string, std::set<types::global_dof_index>>, dim>
@@ -190,6 +190,16 @@ namespace Contact
     /// Whether a support moves this unknown as the load grows.
     bool is_moved(const types::global_dof_index dof) const;
 
+    /// The part of a vector at a node that supports leave free.
+    Tensor<1, dim> free_part(const NodeDoFs<dim>  &node,
+                             const Tensor<1, dim> &vector) const;
+
+    /// Whether supports move two nodes along @p direction by the same
+    /// displacement, or none.
+    bool are_held_alike(const NodeDoFs<dim>  &a,
+                        const NodeDoFs<dim>  &b,
+                        const Tensor<1, dim> &direction) const;
+
     /// Whether this unknown is tied to another one, or another one to it.
     bool is_tied(const types::global_dof_index dof) const;
 
@@ -201,32 +211,15 @@ namespace Contact
     }
 
   private:
-    /// A displacement at its full value [mm], of one component.
-    struct Prescribed
-    {
-      double       value;
-      unsigned int component;
-
-      bool operator!=(const Prescribed &other) const
-      {
-        return value != other.value || component != other.component;
-      }
-
-      template<class Archive>
-      void serialize(Archive &archive, const unsigned int)
-      {
-        archive &value &component;
-      }
-    };
-
-    /// Of the displacements prescribed in each direction, by their histories.
-    std::array<double, dim> support_factors(const double load_factor) const;
+    /// Of the displacements prescribed by each entry, by their histories.
+    PerSupportEntry<dim> support_factors(const double load_factor) const;
 
     void check_radii();
     void hold_axis();
     void collect_vertex_dofs();
     void gather_named_points();
     void collect_supports();
+    void hold_leaders_of_hanging_nodes();
     void collect_ties();
     void
     make_constraints(const std::map<types::global_dof_index, double> &updates);
@@ -234,7 +227,7 @@ namespace Contact
     using History = std::function<double(const Point<1> &)>;
 
     std::map<std::string, History>                             histories;
-    std::map<types::global_dof_index, Prescribed>              prescribed;
+    std::map<types::global_dof_index, Prescribed<dim>>         prescribed;
     std::map<types::global_dof_index, types::global_dof_index> ties;
     double axis_tolerance       = 0; // round-off of the radii [mm]
     bool   updates_vanish       = true;

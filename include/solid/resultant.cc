@@ -6,7 +6,6 @@
 #include "solid/resultant.h"
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/dofs/dof_tools.h>
 
 #include <algorithm>
 
@@ -17,21 +16,41 @@ namespace Contact
   namespace
   {
     template<int dim>
-    IndexSet unknowns_at(const Discretization<dim>          &discretization,
-                         const std::set<types::boundary_id> &boundary,
-                         const unsigned int                  direction,
-                         const bool                          of_supports)
+    std::map<types::global_dof_index, double>
+    weights_at(const Discretization<dim>          &discretization,
+               const std::set<types::boundary_id> &boundary,
+               const unsigned int                  direction,
+               const bool                          of_supports)
     {
-      ComponentMask mask(dim, false);
-      mask.set(direction, true);
-      IndexSet unknowns(discretization.dof_handler.n_dofs());
-      for (const auto dof :
-           DoFTools::extract_boundary_dofs(discretization.dof_handler,
-                                           mask,
-                                           boundary))
-        if (discretization.is_fixed(dof) == of_supports)
-          unknowns.add_index(dof);
-      return unknowns;
+      const Tensor<1, dim> unit = Point<dim>::unit_vector(direction);
+      std::map<types::global_dof_index, double> weights;
+      const auto add = [&](const NodeDoFs<dim> &node) {
+        const Tensor<1, dim> free = discretization.free_part(node, unit);
+        const Tensor<1, dim> part = of_supports ? unit - free : free;
+        for (unsigned int c = 0; c < dim; ++c)
+          if (part[c] != 0)
+            weights[node[c]] = part[c];
+      };
+      std::vector<types::global_dof_index> dofs;
+      std::vector<NodeDoFs<dim>>           nodes;
+      for (const auto &cell :
+           discretization.dof_handler.active_cell_iterators())
+        if (!cell->is_artificial() && cell->at_boundary())
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary() && boundary.count(face->boundary_id()) > 0)
+              {
+                const auto &fe = cell->get_fe();
+                dofs.resize(fe.n_dofs_per_face());
+                face->get_dof_indices(dofs, cell->active_fe_index());
+                nodes.resize(dofs.size() / dim);
+                for (unsigned int i = 0; i < dofs.size(); ++i)
+                  {
+                    const auto [c, a] = fe.face_system_to_component_index(i);
+                    nodes[a][c]       = dofs[i];
+                  }
+                std::for_each(nodes.begin(), nodes.end(), add);
+              }
+      return weights;
     }
   } // namespace
 
@@ -43,7 +62,7 @@ namespace Contact
                             const std::set<types::boundary_id> &boundary,
                             const unsigned int                  direction,
                             const bool                          of_supports)
-    : unknowns(unknowns_at(discretization, boundary, direction, of_supports))
+    : weights(weights_at(discretization, boundary, direction, of_supports))
     , elasticity(elasticity)
     , discretization(discretization)
   {
@@ -57,10 +76,11 @@ namespace Contact
   {
     Vector<double> forces = elasticity.forces(solution, load_factor);
     hand_over_from_followers(discretization, forces);
-    double sum = 0;
-    for (const auto dof : discretization.dof_handler.locally_owned_dofs())
-      if (unknowns.is_element(dof))
-        sum += forces[dof];
+    double      sum   = 0;
+    const auto &owned = discretization.dof_handler.locally_owned_dofs();
+    for (const auto &[dof, weight] : weights)
+      if (owned.is_element(dof))
+        sum += weight * forces[dof];
     return Utilities::MPI::sum(sum, discretization.communicator);
   }
 
@@ -70,10 +90,21 @@ namespace Contact
   Vector<double> Resultant<dim>::test_function() const
   {
     Vector<double> v(discretization.dof_handler.n_dofs());
-    for (const auto dof : unknowns)
-      v[dof] = 1;
+    for (const auto &[dof, weight] : weights)
+      v[dof] = weight;
     followers(discretization).distribute(v);
     return v;
+  }
+
+
+
+  template<int dim>
+  IndexSet Resultant<dim>::unknowns() const
+  {
+    IndexSet unknowns(discretization.dof_handler.n_dofs());
+    for (const auto &weight : weights)
+      unknowns.add_index(weight.first);
+    return unknowns;
   }
 
 

@@ -19,11 +19,11 @@ namespace Contact
   /**
    * The resultant of the forces that supports, or contact, exert on a body at a
    * boundary, in direction i:
-   *   R_i = sum_a f_ai,
-   * f the internal forces minus the loads, a the nodes of that boundary that
-   * supports hold in that direction, or those that they do not [N per mm of
-   * thickness; rings and volumes: N]. Hanging nodes and bound centres have
-   * handed over their forces.
+   *   R_i = sum_a e_i . P_a f_a,
+   * f the internal forces minus the loads, a the nodes of that boundary, P the
+   * projection on what supports hold of a node, or on what they leave free [N
+   * per mm of thickness; rings and volumes: N]. Hanging nodes and bound centres
+   * have handed over their forces.
    */
   template<int dim>
   class Resultant
@@ -45,14 +45,17 @@ namespace Contact
                         const double          factor,
                         Vector<double>       &derivative) const;
 
-    /// One at these nodes, and what follows from that at those that follow
+    /// P_a e_i at these nodes, and what follows from that at those that follow
     /// them: R_i = v . f. On one rank.
     Vector<double> test_function() const;
 
     /// The displacement unknowns of these nodes, on this rank.
-    const IndexSet unknowns;
+    IndexSet unknowns() const;
 
   private:
+    /// P_a e_i, by unknown, without zeros.
+    const std::map<types::global_dof_index, double> weights;
+
     const Elasticity<dim>     &elasticity;
     const Discretization<dim> &discretization;
   };

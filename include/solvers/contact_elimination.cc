@@ -159,12 +159,9 @@ namespace Contact
         ++discretization.counters.tangential_rows;
         const Tensor<1, dim> away =
           now.gap * point.normal + point.along_tangents(now.slip);
-        for (unsigned int i = 0; i < dim; ++i)
+        for (const Tensor<1, dim> &direction : point.directions_of_slip())
           {
-            if (point.slip_is_void[i])
-              continue;
-            const Row row =
-              equation(point, Point<dim>::unit_vector(i), -away[i]);
+            const Row row = equation(point, direction, -(away * direction));
             eliminate(point, row, row);
           }
         return;

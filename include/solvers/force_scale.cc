@@ -121,7 +121,8 @@ namespace Contact
     const Vector<double> forces = elasticity.forces(solution, load_factor);
     double               sum    = 0;
     for (const auto dof : discretization.dof_handler.locally_owned_dofs())
-      if (discretization.is_fixed(dof))
+      if (discretization.is_fixed(dof) ||
+          discretization.normal_supports.line(dof) != nullptr)
         sum += std::abs(forces[dof]);
     return Utilities::MPI::sum(sum, discretization.communicator);
   }

@@ -149,12 +149,18 @@ namespace Contact
       for (const auto &cell : mesh.triangulation.active_cell_iterators())
         if (cell->is_locally_owned())
           for (const unsigned int v : cell->vertex_indices())
-            for (unsigned int c = 0; c < dim; ++c)
-              if (discretization.is_fixed(
-                    discretization.vertex_dofs[cell->vertex_index(v)][c]))
+            {
+              const NodeDoFs<dim> &node =
+                discretization.vertex_dofs[cell->vertex_index(v)];
+              auto held = discretization.normal_supports.normals(node);
+              for (unsigned int c = 0; c < dim; ++c)
+                if (discretization.is_fixed(node[c]))
+                  held.push_back(Point<dim>::unit_vector(c));
+              for (const Tensor<1, dim> &direction : held)
                 motions.resist(
                   {{mesh.pieces.of_cell(cell), cell->vertex(v), 1}},
-                  Point<dim>::unit_vector(c));
+                  direction);
+            }
       motions.sum(discretization.communicator);
       if (discretization.axisymmetric)
         for (const unsigned int motion : {0, 2})

@@ -146,9 +146,9 @@ namespace Contact
   // @sect4{The bodies}
   //
   // The forces of the bodies less those of contact, loads and springs:
-  // reactions where the constraints hold an unknown by itself, nothing
-  // elsewhere. The force on an unknown that others move goes to those. Every
-  // rank knows the constraints of its own unknowns.
+  // reactions where the constraints hold an unknown by itself, or a node along
+  // a normal, nothing elsewhere. The force on an unknown that others move goes
+  // to those. Every rank knows the constraints of its own unknowns.
   template<int dim>
   void InvariantCheck<dim>::balance_bodies(const double          load_factor,
                                            const Slack          &slack,
@@ -177,6 +177,14 @@ namespace Contact
       else
         for (const auto &[other, coefficient] : *entries)
           residual[other] += coefficient * left[dof];
+    for (const auto &line : discretization.normal_supports.lines())
+      if (discretization.dof_handler.locally_owned_dofs().is_element(
+            line.pivot))
+        {
+          reactions[line.pivot] += left[line.pivot];
+          for (const auto &[other, coefficient] : line.entries)
+            reactions[other] -= coefficient * left[line.pivot];
+        }
     Utilities::MPI::sum(reactions, communicator, reactions);
     Utilities::MPI::sum(residual, communicator, residual);
 

@@ -1,0 +1,195 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_normal_supports_h
+#define contact_normal_supports_h
+
+#include <deal.II/base/tensor.h>
+#include <deal.II/base/types.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/vector.h>
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// The displacement unknowns of a node.
+  template<int dim>
+  using NodeDoFs = std::array<types::global_dof_index, dim>;
+
+  /// One number for each entry of displacements: in x, y, z, and normal. Of
+  /// factors by their histories, and of displacements at full value [mm].
+  template<int dim>
+  using PerSupportEntry = std::array<double, dim + 1>;
+
+  /// A displacement that supports prescribe: its parts by entry times their
+  /// factors [mm].
+  template<int dim>
+  struct Prescribed
+  {
+    PerSupportEntry<dim> parts{};
+
+    double at(const PerSupportEntry<dim> &factors) const
+    {
+      double sum = 0;
+      for (unsigned int k = 0; k <= dim; ++k)
+        if (parts[k] != 0)
+          sum += parts[k] * factors[k];
+      return sum;
+    }
+
+    bool is_moved() const
+    {
+      return !(parts == PerSupportEntry<dim>());
+    }
+
+    bool operator!=(const Prescribed &other) const
+    {
+      return parts != other.parts;
+    }
+
+    template<class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      for (double &part : parts)
+        archive &part;
+    }
+  };
+
+
+
+  /**
+   * Supports of flat boundaries along their outward normal n:
+   *   n . u = value times its factor [mm]
+   * at each node. With several of them at a node, or supports along the
+   * coordinates, the equations of the node are solved for as many unknowns by
+   * elimination with full pivoting: two planes leave one direction, three
+   * none. A hanging node follows nodes of the same plane and has none.
+   *
+   * Throws InputError if a boundary is not flat, or a node is to be moved in
+   * two ways.
+   */
+  template<int dim>
+  class NormalSupports
+  {
+  public:
+    using Dof = types::global_dof_index;
+
+    /// u_pivot = prescribed + sum of c_k u_k, the u_k free unknowns of the same
+    /// node.
+    struct Line
+    {
+      Dof                                 pivot;
+      std::vector<std::pair<Dof, double>> entries;
+      Prescribed<dim>                     prescribed;
+
+      /// The way of the pivot from @p u to where the supports want it, exactly
+      /// zero within round-off [mm].
+      double motion(const Vector<double>       &u,
+                    const PerSupportEntry<dim> &factors) const;
+    };
+
+    /// @p values are by name of a boundary [mm].
+    NormalSupports(const Mesh<dim>                     &mesh,
+                   const std::map<std::string, double> &values);
+
+    /// Find the nodes. Collective.
+    void find_nodes(const DoFHandler<dim> &dof_handler);
+
+    /// Solve for unknowns that @p prescribed does not have yet. Those without
+    /// free unknowns are added to it.
+    void solve(std::map<Dof, Prescribed<dim>> &prescribed);
+
+    const std::vector<Line> &lines() const
+    {
+      return all_lines;
+    }
+
+    /// The line of a pivot, or null.
+    const Line *line(const Dof dof) const;
+
+    /// Whether the boundaries hold this node.
+    bool hold(const NodeDoFs<dim> &node) const
+    {
+      return nodes.count(node[0]) > 0;
+    }
+
+    /// Take out of @p direction what these supports hold at a node.
+    void make_free(const NodeDoFs<dim> &node, Tensor<1, dim> &direction) const;
+
+    /// The normals that hold a node.
+    std::vector<Tensor<1, dim>> normals(const NodeDoFs<dim> &node) const;
+
+    /// Whether two nodes are moved along @p direction by planes of the same
+    /// normal and value.
+    bool hold_alike(const NodeDoFs<dim>  &a,
+                    const NodeDoFs<dim>  &b,
+                    const Tensor<1, dim> &direction) const;
+
+    /// The unknowns of each boundary in direction @p component that take part.
+    std::map<std::string, std::set<Dof>>
+    unknowns(const unsigned int component) const;
+
+    /// The largest prescribed displacement under these factors [mm].
+    double largest(const PerSupportEntry<dim> &factors) const;
+
+  private:
+    struct Plane
+    {
+      std::string                  name;
+      std::set<types::boundary_id> boundary_ids;
+      Tensor<1, dim>               normal;
+      double                       value; // [mm]
+    };
+
+    struct Node
+    {
+      NodeDoFs<dim>               dofs;
+      std::set<unsigned int>      planes;
+      std::vector<Tensor<1, dim>> held; // orthonormal, without coordinates
+    };
+
+    /// An equation of a node: normal . u = prescribed.
+    struct Equation
+    {
+      Tensor<1, dim>  normal;
+      Prescribed<dim> prescribed;
+    };
+
+    Tensor<1, dim> normal_of(const Mesh<dim> &mesh, const Plane &plane) const;
+
+    std::vector<Equation>
+    free_equations(const Node                           &node,
+                   const std::map<Dof, Prescribed<dim>> &prescribed) const;
+
+    static std::vector<Tensor<1, dim>>
+    orthonormal(const std::vector<Equation> &equations);
+
+    /// The unknown that each of the first equations is solved for; the others
+    /// follow from these, and their left-hand sides are zero.
+    static std::vector<unsigned int>
+    eliminate(std::vector<Equation> &equations);
+
+    /// Throws where equations that follow from others contradict them.
+    void check(const Node                           &node,
+               const unsigned int                    n_solved,
+               const std::vector<Equation>          &equations,
+               const std::map<Dof, Prescribed<dim>> &prescribed) const;
+
+    std::vector<Plane>    planes;
+    std::map<Dof, Node>   nodes; // by the first unknown
+    std::vector<Line>     all_lines;
+    std::map<Dof, size_t> line_of;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,310 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The part of Discretization on what supports and ties hold.
+
+#include <deal.II/base/function.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/numerics/vector_tools.h>
+
+#include <boost/serialization/map.hpp>
+
+#include "base/all_ranks.h"
+#include "base/errors.h"
+#include "solid/discretization.h"
+
+namespace Contact
+{
+  template<int dim>
+  void Discretization<dim>::collect_supports()
+  {
+    const auto collect = [this](const auto &groups, const unsigned int c) {
+      const std::string entry =
+        std::string("Boundary conditions/Displacement ") + "xyz"[c];
+      ComponentMask component(dim, false);
+      component.set(c, true);
+
+      for (const auto &[name, value] : groups)
+        {
+          std::map<types::global_dof_index, double> values;
+          if (mesh.points.count(name) > 0)
+            values[vertex_dofs[mesh.point(name, entry)][c]] = value;
+          else
+            for (const types::boundary_id id : mesh.boundary(name, entry))
+              VectorTools::interpolate_boundary_values(
+                mapping,
+                dof_handler,
+                id,
+                Functions::ConstantFunction<dim>(value, dim),
+                values,
+                component);
+
+          auto &unknowns = supports[c][name];
+          unknowns.clear();
+          for (const auto &[dof, dof_value] : values)
+            {
+              unknowns.insert(dof);
+              Prescribed<dim> here;
+              here.parts[c] = dof_value;
+              if (prescribed.emplace(dof, here).first->second != here)
+                throw InputError("'" + name +
+                                   "' shares a node with another "
+                                   "group that is moved differently",
+                                 entry,
+                                 "give both the same displacement, or let the "
+                                 "groups end before they meet");
+            }
+        }
+    };
+
+    on_all_ranks(communicator, [&]() {
+      for (unsigned int c = 0; c < dim; ++c)
+        collect(boundary.displacement[c], c);
+      if (axisymmetric)
+        hold_axis();
+    });
+    hold_leaders_of_hanging_nodes();
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(communicator, prescribed))
+      prescribed.insert(of_rank.begin(), of_rank.end());
+    on_all_ranks(communicator, [&]() { normal_supports.solve(prescribed); });
+    for (unsigned int c = 0; c < dim; ++c)
+      for (const auto &[name, unknowns] : normal_supports.unknowns(c))
+        supports[c][name].insert(unknowns.begin(), unknowns.end());
+  }
+
+
+
+  // A node of degree 2 in the middle of an edge of a larger cell has the place
+  // of that cell's own node, which it follows.
+  template<int dim>
+  void Discretization<dim>::hold_leaders_of_hanging_nodes()
+  {
+    if (!mesh.triangulation.has_hanging_nodes())
+      return;
+    AffineConstraints<double> hanging;
+    DoFTools::make_hanging_node_constraints(dof_handler, hanging);
+    hanging.close();
+    for (const auto &line : hanging.get_lines())
+      if (line.entries.size() == 1)
+        if (const auto held = prescribed.find(line.index);
+            held != prescribed.end())
+          prescribed.emplace(line.entries.front().first, held->second);
+  }
+
+
+
+  // u_r = 0 on the axis.
+  template<int dim>
+  void Discretization<dim>::hold_axis()
+  {
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        const auto on_axis = [&](const unsigned int v) {
+          return is_on_axis(cell->vertex(v));
+        };
+        const auto vertices = cell->vertex_indices();
+        if (cell->is_artificial() ||
+            std::none_of(vertices.begin(), vertices.end(), on_axis))
+          continue;
+
+        const auto &fe = cell->get_fe();
+        dofs.resize(fe.n_dofs_per_cell());
+        cell->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (fe.system_to_component_index(i).first == 0 &&
+              is_on_axis(
+                mapping[cell->active_fe_index()]
+                  .transform_unit_to_real_cell(cell, fe.unit_support_point(i))))
+            if (const Prescribed<dim> none;
+                prescribed.emplace(dofs[i], none).first->second != none)
+              throw InputError("a node on the axis of symmetry is moved off it",
+                               "Boundary conditions/Displacement x",
+                               "u_x = 0 there: let the group end before the "
+                               "axis");
+      }
+  }
+
+
+
+  template<int dim>
+  void Discretization<dim>::collect_ties()
+  {
+    const std::string entry = "Boundary conditions/Tied y";
+    for (const auto &[name, partner] : boundary.tied_y)
+      {
+        const auto dof = vertex_dofs[mesh.point(name, entry)][1];
+        if (prescribed.count(dof) > 0 || normal_supports.line(dof) != nullptr)
+          throw InputError("point '" + name + "' is tied and supported in y",
+                           entry,
+                           "remove the tie or the support");
+        ties[dof] = vertex_dofs[mesh.point(partner, entry)][1];
+      }
+  }
+
+
+
+  template<int dim>
+  PerSupportEntry<dim>
+  Discretization<dim>::support_factors(const double load_factor) const
+  {
+    PerSupportEntry<dim> factors;
+    for (unsigned int c = 0; c < dim; ++c)
+      factors[c] = factor(std::string("Displacement ") + "xyz"[c], load_factor);
+    factors[dim] = factor("Displacement normal", load_factor);
+    return factors;
+  }
+
+
+
+  template<int dim>
+  void Discretization<dim>::constrain_update(const Vector<double> &u,
+                                             const double          load_factor)
+  {
+    std::map<types::global_dof_index, double> updates;
+    bool                                      vanish = true;
+    const auto factors   = support_factors(load_factor);
+    largest_displacement = normal_supports.largest(factors);
+    for (const auto &[dof, displacement] : prescribed)
+      {
+        const double value   = displacement.at(factors);
+        largest_displacement = std::max(largest_displacement, std::abs(value));
+        updates[dof]         = value - u[dof];
+        vanish               = vanish && updates[dof] == 0;
+      }
+    for (const auto &line : normal_supports.lines())
+      {
+        updates[line.pivot] = line.motion(u, factors);
+        vanish              = vanish && updates[line.pivot] == 0;
+      }
+
+    if (!(vanish && updates_vanish))
+      make_constraints(updates);
+    updates_vanish = vanish;
+  }
+
+
+
+  template<int dim>
+  void Discretization<dim>::prescribe(Vector<double> &u,
+                                      const double    load_factor)
+  {
+    constrain_update(u, load_factor);
+    if (updates_vanish)
+      return;
+    Vector<double> move(u.size());
+    constraints.distribute(move);
+    gather(move);
+    u += move;
+
+    // To the last digit.
+    const auto factors = support_factors(load_factor);
+    for (const auto &[dof, displacement] : prescribed)
+      u[dof] = displacement.at(factors);
+    for (const auto &line : normal_supports.lines())
+      u[line.pivot] += line.motion(u, factors);
+    constrain_update(u, load_factor);
+  }
+
+
+
+  template<int dim>
+  Vector<double>
+  Discretization<dim>::support_motion(const Vector<double> &u,
+                                      const double          load_factor) const
+  {
+    const auto     factors = support_factors(load_factor);
+    Vector<double> motion(dof_handler.n_dofs());
+    for (const auto &[dof, displacement] : prescribed)
+      motion[dof] = displacement.at(factors) - u[dof];
+    for (const auto &line : normal_supports.lines())
+      motion[line.pivot] = line.motion(u, factors);
+    return motion;
+  }
+
+
+
+  template<int dim>
+  double
+  Discretization<dim>::distance_from_supports(const Vector<double> &u,
+                                              const double load_factor) const
+  {
+    const auto factors = support_factors(load_factor);
+    double     largest = 0;
+    for (const auto &[dof, displacement] : prescribed)
+      largest = std::max(largest, std::abs(u[dof] - displacement.at(factors)));
+    for (const auto &line : normal_supports.lines())
+      largest = std::max(largest, std::abs(line.motion(u, factors)));
+    return largest;
+  }
+
+
+
+  template<int dim>
+  bool Discretization<dim>::is_fixed(const types::global_dof_index dof) const
+  {
+    // All that is prescribed is constrained, which is faster to see.
+    return constraints.is_constrained(dof) && prescribed.count(dof) > 0;
+  }
+
+
+
+  template<int dim>
+  bool Discretization<dim>::is_moved(const types::global_dof_index dof) const
+  {
+    if (!constraints.is_constrained(dof))
+      return false;
+    if (const auto *line = normal_supports.line(dof))
+      return line->prescribed.is_moved();
+    const auto value = prescribed.find(dof);
+    return value != prescribed.end() && value->second.is_moved();
+  }
+
+
+
+  template<int dim>
+  Tensor<1, dim>
+  Discretization<dim>::free_part(const NodeDoFs<dim>  &node,
+                                 const Tensor<1, dim> &vector) const
+  {
+    Tensor<1, dim> free = vector;
+    for (unsigned int c = 0; c < dim; ++c)
+      if (is_fixed(node[c]))
+        free[c] = 0;
+    normal_supports.make_free(node, free);
+    return free;
+  }
+
+
+
+  template<int dim>
+  bool
+  Discretization<dim>::are_held_alike(const NodeDoFs<dim>  &a,
+                                      const NodeDoFs<dim>  &b,
+                                      const Tensor<1, dim> &direction) const
+  {
+    const double round_off = 1e-8;
+    bool         are_fixed = true;
+    for (unsigned int c = 0; c < dim && are_fixed; ++c)
+      are_fixed =
+        !(std::abs(direction[c]) > round_off && !are_fixed_alike(a[c], b[c]));
+    return are_fixed || normal_supports.hold_alike(a, b, direction);
+  }
+
+
+
+  template<int dim>
+  bool Discretization<dim>::is_tied(const types::global_dof_index dof) const
+  {
+    for (const auto &[tied, partner] : ties)
+      if (dof == tied || dof == partner)
+        return true;
+    return false;
+  }
+
+  template class Discretization<2>;
+  template class Discretization<3>;
+} // namespace Contact
