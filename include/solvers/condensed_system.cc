@@ -329,7 +329,9 @@ namespace Contact
                                                 modes,
                                                 discretization.counters);
       }
-    of_kind.solver->set_matrix(matrix, of_kind.pattern_is_new);
+    of_kind.solver->set_matrix(matrix,
+                               of_kind.pattern_is_new,
+                               elimination.eliminated_dofs());
     of_kind.pattern_is_new = false;
     current                = of_kind.solver.get();
   }

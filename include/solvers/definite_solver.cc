@@ -13,9 +13,11 @@
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_MultiVector.h>
 #include <Teuchos_ParameterList.hpp>
+#include <algorithm>
 #include <array>
 #include <cholmod.h>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 #include <umfpack.h>
 
@@ -70,7 +72,9 @@ namespace Contact
         cholmod_finish(&common);
       }
 
-      void set_matrix(const Matrix &matrix, const bool new_pattern) override
+      void set_matrix(const Matrix &matrix,
+                      const bool    new_pattern,
+                      const Dofs &) override
       {
         const Columns  columns(matrix);
         cholmod_sparse view{};
@@ -148,7 +152,9 @@ namespace Contact
         control[UMFPACK_IRSTEP] = 0;
       }
 
-      void set_matrix(const Matrix &matrix, const bool new_pattern) override
+      void set_matrix(const Matrix &matrix,
+                      const bool    new_pattern,
+                      const Dofs &) override
       {
         columns    = std::make_unique<Columns>(matrix);
         int status = UMFPACK_OK;
@@ -228,7 +234,7 @@ namespace Contact
     public:
       using DefiniteSolver::DefiniteSolver;
 
-      void set_matrix(const Matrix &matrix, const bool) override
+      void set_matrix(const Matrix &matrix, const bool, const Dofs &) override
       {
         // It does both with every matrix.
         ++counters.symbolic_factorizations;
@@ -271,8 +277,9 @@ namespace Contact
      * Conjugate gradients, or GMRES where the matrix is unsymmetric, with
      * smoothed aggregation. A hierarchy is kept, also for a matrix with other
      * values, until it has become clearly worse than it was when it was new and
-     * has cost more iterations than a new one would: a constraint more or less
-     * costs the conjugate gradients about one iteration.
+     * has cost more iterations than a new one would, or is about to: a
+     * constraint more or less costs the conjugate gradients about one
+     * iteration.
      */
     class Multigrid : public DefiniteSolver
     {
@@ -286,11 +293,15 @@ namespace Contact
           null_space.insert(null_space.end(), mode.begin(), mode.end());
       }
 
-      void set_matrix(const Matrix &matrix, const bool new_pattern) override
+      void set_matrix(const Matrix &matrix,
+                      const bool    new_pattern,
+                      const Dofs   &eliminated) override
       {
-        this->matrix = &matrix;
-        if (new_pattern || (per_digit > 1.3 * per_digit_when_new &&
-                            excess >= price_of_hierarchy()))
+        this->matrix     = &matrix;
+        this->eliminated = eliminated;
+        if (new_pattern || n_changed() > price_in_space ||
+            (per_digit > 1.3 * per_digit_when_new &&
+             excess >= price_of_hierarchy()))
           build();
       }
 
@@ -347,10 +358,25 @@ namespace Contact
         return n_modes == 3 ? 2 : 3; // of as many rigid motions
       }
 
-      /// In iterations, roughly. In the plane one of them is soon paid.
+      /// The unknowns eliminated or freed since the hierarchy was new.
+      std::size_t n_changed() const
+      {
+        Dofs changed;
+        std::set_symmetric_difference(eliminated.begin(),
+                                      eliminated.end(),
+                                      eliminated_when_new.begin(),
+                                      eliminated_when_new.end(),
+                                      std::back_inserter(changed));
+        return changed.size();
+      }
+
+      /// A hierarchy costs as much as so many iterations, roughly. In the plane
+      /// it is less, and one that has become worse is renewed at once.
+      static constexpr unsigned int price_in_space = 30;
+
       double price_of_hierarchy() const
       {
-        return n_components() == 2 ? 0. : 30.;
+        return n_components() == 2 ? 0. : price_in_space;
       }
 
       void iterate(SolverControl &control, const Vector &b, Vector &x) const
@@ -386,7 +412,8 @@ namespace Contact
         parameters.set("null space: dimension", n_modes);
         parameters.set("null space: vectors", null_space.data());
         preconditioner.initialize(*matrix, parameters);
-        is_new = true;
+        is_new              = true;
+        eliminated_when_new = eliminated;
       }
 
       static constexpr unsigned int max_iterations = 500;
@@ -398,6 +425,7 @@ namespace Contact
       TrilinosWrappers::PreconditionAMG preconditioner;
       bool                              is_new    = false;
       double                            per_digit = 0, per_digit_when_new = 0;
+      Dofs                              eliminated, eliminated_when_new;
 
       /// Iterations beyond those that the hierarchy took when it was new.
       double excess = 0;

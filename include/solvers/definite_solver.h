@@ -64,11 +64,16 @@ namespace Contact
 
     virtual ~DefiniteSolver() = default;
 
+    using Dofs = std::vector<types::global_dof_index>;
+
     /// Take the matrix, which has to live until it is replaced; say whether it
-    /// has another pattern than the last one. Throws NotConverged if it can
-    /// not be factorized: CHOLMOD if it is not positive definite, MUMPS if it
-    /// is singular; AMG finds out when it solves.
-    virtual void set_matrix(const Matrix &matrix, const bool new_pattern) = 0;
+    /// has another pattern than the last one, and which unknowns are
+    /// @p eliminated from it, in ascending order, on all ranks the same. Throws
+    /// NotConverged if it can not be factorized: CHOLMOD if it is not positive
+    /// definite, MUMPS if it is singular; AMG finds out when it solves.
+    virtual void set_matrix(const Matrix &matrix,
+                            const bool    new_pattern,
+                            const Dofs   &eliminated) = 0;
 
     /// Let go of the matrix, which is about to become another one: MUMPS looks
     /// at it when it is destroyed (dealii issue 13686).
