@@ -117,7 +117,7 @@ namespace Contact
 
   FacetShape<3>::Values FacetDualFunctions::functions(const Point<2> &xi) const
   {
-    return piecewise ? hats(xi) : FacetShape<3>(degree, xi).value;
+    return piecewise ? hats(xi) : FacetShape<3>::values(degree, xi);
   }
 
 

@@ -137,16 +137,17 @@ namespace Contact
         if (segments.empty() ||
             segments.back().master_facet != point.master_facet)
           segments.push_back({point.master_facet, {}, {}});
-        const FacetShape<3> shape(slave.degree, point.slave_xi);
+        const auto values = FacetShape<3>::values(slave.degree, point.slave_xi);
         std::vector<double> phi = dual.values(point.slave_xi);
         for (unsigned int k = 0; k < phi.size(); ++k)
           {
             phi[k] *= point.weight;
             for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-              of_slave[k][a] += phi[k] * shape.value[a];
+              of_slave[k][a] += phi[k] * values[a];
           }
-        add_master(point, phi, now, segments.back());
-        add_normals(point, phi, now, carriers);
+        const FacetShape<3> shape(master.degree, point.master_xi);
+        add_master(point, phi, shape, now, segments.back());
+        add_normals(point, phi, shape, now, carriers);
       }
     for (unsigned int k = 0; k < carriers.size(); ++k)
       {
@@ -168,10 +169,10 @@ namespace Contact
   // Gradients are along the master: by the dual basis of its tangents.
   void MortarDiscretization<3>::add_master(const FaceSample          &point,
                                            const std::vector<double> &phi,
+                                           const FacetShape<3>       &shape,
                                            const FaceConfiguration   &now,
                                            Segment &segment) const
   {
-    const FacetShape<3>         shape(master.degree, point.master_xi);
     const auto                 &facet = master.facets[point.master_facet];
     std::array<Tensor<1, 3>, 2> t;
     for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
@@ -196,13 +197,13 @@ namespace Contact
   void MortarDiscretization<3>::add_normals(
     const FaceSample                   &point,
     const std::vector<double>          &phi,
+    const FacetShape<3>                &shape,
     const FaceConfiguration            &now,
     const std::vector<NodeIntegrals *> &carriers) const
   {
-    const FacetShape<3> shape(master.degree, point.master_xi);
-    const auto         &facet = master.facets[point.master_facet];
-    Tensor<1, 3>        normal;
-    double              bend = 0;
+    const auto  &facet = master.facets[point.master_facet];
+    Tensor<1, 3> normal;
+    double       bend = 0;
     for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
       {
         normal += shape.value[b] * now.master_normals[point.master_facet][b];

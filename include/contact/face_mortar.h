@@ -78,10 +78,12 @@ namespace Contact
                            std::vector<NodeIntegrals>    &of_nodes) const;
     void         add_master(const FaceSample          &point,
                             const std::vector<double> &phi,
+                            const FacetShape<3>       &shape,
                             const FaceConfiguration   &now,
                             Segment                   &segment) const;
     void         add_normals(const FaceSample                   &point,
                              const std::vector<double>          &phi,
+                             const FacetShape<3>                &shape,
                              const FaceConfiguration            &now,
                              const std::vector<NodeIntegrals *> &carriers) const;
     void         fill_in(const NodeIntegrals     &integrals,

@@ -119,11 +119,11 @@ namespace Contact
 
   Point<3> SurfaceSearch<3>::position(const Projection<3> &projection) const
   {
-    const FacetShape<3> shape(surface.degree, projection.xi);
-    const auto          nodes = facet_positions(projection.facet);
-    Point<3>            x;
+    const auto  values = FacetShape<3>::values(surface.degree, projection.xi);
+    const auto &nodes  = surface.facets[projection.facet].nodes;
+    Point<3>    x;
     for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-      x += shape.value[a] * nodes[a];
+      x += values[a] * positions[nodes[a]];
     return x;
   }
 

@@ -96,16 +96,29 @@ namespace Contact
       place.xi    = xi;
       return search.position(place);
     }
-
-
-
-    ProjectionPlane plane_of(const unsigned int      slave_facet,
-                             const SurfaceSearch<3> &search)
-    {
-      return {position(search, slave_facet, Point<2>()),
-              search.normal(slave_facet, Point<2>())};
-    }
   } // namespace
+
+
+
+  struct FaceSegments::SlaveFacet
+  {
+    SlaveFacet(const unsigned int       index,
+               const Surface<3>        &slave,
+               const FaceConfiguration &now)
+      : index(index)
+      , normal(now.slave_middles[index])
+      , plane(position(now.slave_search, index, Point<2>()), normal)
+    {
+      for (const Part &part : parts_of_facet(slave.degree))
+        parts.push_back(
+          project(plane, part, slave.facets[index].nodes, now.slave_x));
+    }
+
+    const unsigned int           index;
+    const Tensor<1, 3>           normal;
+    const ProjectionPlane        plane;
+    std::vector<PlaneQuadrangle> parts;
+  };
 
 
 
@@ -122,6 +135,10 @@ namespace Contact
       slave_x.push_back(slave.position(i, u));
     for (unsigned int i = 0; i < master.nodes.size(); ++i)
       master_x.push_back(master.position(i, u));
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
+      slave_middles.push_back(slave_search.normal(e, Point<2>()));
+    for (unsigned int e = 0; e < master.facets.size(); ++e)
+      master_middles.push_back(search.normal(e, Point<2>()));
   }
 
 
@@ -145,7 +162,7 @@ namespace Contact
     for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
       x.push_back(now.slave_x[slave.facets[e].nodes[a]]);
     NormalCone<3> directions;
-    directions.normals = {now.slave_search.normal(e, Point<2>())};
+    directions.normals = {now.slave_middles[e]};
 
     double distance = 0;
     for (const Point<3> &node : x)
@@ -157,94 +174,101 @@ namespace Contact
     BoundingBox<3> box(x);
     box.extend(distance + 0.1 * slave.reference_length(e));
     std::vector<FaceSample> samples;
+    const SlaveFacet        own(e, slave, now);
     for (const unsigned int m : now.search.facets_in(box))
-      if (directions.faces(now.search.normal(m, Point<2>())))
-        add_segment(e, m, samples);
-    remove_hidden(e, samples);
+      if (directions.faces(now.master_middles[m]))
+        add_segment(own, m, samples);
+    remove_hidden(own, samples);
     return samples;
   }
 
 
 
-  void FaceSegments::add_segment(const unsigned int       e,
+  void FaceSegments::add_segment(const SlaveFacet        &own,
                                  const unsigned int       m,
                                  std::vector<FaceSample> &samples) const
   {
-    const auto           &own = slave.facets[e], &other = master.facets[m];
-    const ProjectionPlane plane = plane_of(e, now.slave_search);
-    for (const Part &part : parts_of_facet(slave.degree))
-      for (const Part &other_part : parts_of_facet(master.degree))
-        {
-          const auto s = project(plane, part, own.nodes, now.slave_x);
-          const auto t = project(plane, other_part, other.nodes, now.master_x);
-          const Quadrature<2> &quadrature =
-            rule(std::max(slave.degree, master.degree),
-                 is_parallelogram(s) && is_parallelogram(t));
-          const auto distance_at = [&](const Point<2> &place) {
-            return position(now.slave_search,
-                            e,
-                            part.middle +
-                              part.scale * coordinates_in(s, place)) -
-                   position(now.search,
-                            m,
-                            other_part.middle +
-                              other_part.scale * coordinates_in(t, place));
-          };
-          for (const PlaneTriangle &triangle : intersection(s, t))
-            for (unsigned int q = 0; q < quadrature.size(); ++q)
-              {
-                const Point<2> &eta = quadrature.point(q);
-                const Point<2>  place(triangle[0] +
-                                     eta[0] * (triangle[1] - triangle[0]) +
-                                     eta[1] * (triangle[2] - triangle[0]));
-                const Point<2>  in_s = coordinates_in(s, place);
-                FaceSample      sample;
-                sample.slave_xi = part.middle + part.scale * in_s;
-                sample.weight =
-                  2 * area(triangle) * quadrature.weight(q) /
-                  jacobian(s, in_s) * part.scale * part.scale *
-                  slave.reference_jacobian(own,
-                                           FacetShape<3>(slave.degree,
-                                                         sample.slave_xi));
-                sample.master_facet = m;
-                sample.master_xi    = other_part.middle +
-                                   other_part.scale * coordinates_in(t, place);
-                sample.distance =
-                  position(now.slave_search, e, sample.slave_xi) -
-                  position(now.search, m, sample.master_xi);
-                sample.distance_at_corner =
-                  q < 3 ? distance_at(triangle[q]) : sample.distance;
-                samples.push_back(sample);
-              }
-        }
+    const auto &facet  = slave.facets[own.index];
+    const auto &parts  = parts_of_facet(slave.degree);
+    const auto &others = parts_of_facet(master.degree);
+    for (const Part &other : others)
+      {
+        const PlaneQuadrangle t =
+          project(own.plane, other, master.facets[m].nodes, now.master_x);
+        for (unsigned int k = 0; k < parts.size(); ++k)
+          {
+            const Part            &part      = parts[k];
+            const PlaneQuadrangle &s         = own.parts[k];
+            const auto             triangles = intersection(s, t);
+            if (triangles.empty())
+              continue;
+            const Quadrature<2> &quadrature =
+              rule(std::max(slave.degree, master.degree),
+                   is_parallelogram(s) && is_parallelogram(t));
+            const auto distance = [&](const Point<2> &xi,
+                                      const Point<2> &master_xi) {
+              return position(now.slave_search, own.index, xi) -
+                     position(now.search, m, master_xi);
+            };
+            const auto distance_at = [&](const Point<2> &place) {
+              return distance(part.middle +
+                                part.scale * coordinates_in(s, place),
+                              other.middle +
+                                other.scale * coordinates_in(t, place));
+            };
+            for (const PlaneTriangle &triangle : triangles)
+              for (unsigned int q = 0; q < quadrature.size(); ++q)
+                {
+                  const Point<2> &eta = quadrature.point(q);
+                  const Point<2>  place(triangle[0] +
+                                       eta[0] * (triangle[1] - triangle[0]) +
+                                       eta[1] * (triangle[2] - triangle[0]));
+                  const Point<2>  in_s = coordinates_in(s, place);
+                  FaceSample      sample;
+                  sample.slave_xi = part.middle + part.scale * in_s;
+                  sample.weight =
+                    2 * area(triangle) * quadrature.weight(q) /
+                    jacobian(s, in_s) * part.scale * part.scale *
+                    slave.reference_jacobian(facet,
+                                             FacetShape<3>(slave.degree,
+                                                           sample.slave_xi));
+                  sample.master_facet = m;
+                  sample.master_xi =
+                    other.middle + other.scale * coordinates_in(t, place);
+                  sample.distance = distance(sample.slave_xi, sample.master_xi);
+                  sample.distance_at_corner =
+                    q < 3 ? distance_at(triangle[q]) : sample.distance;
+                  samples.push_back(sample);
+                }
+          }
+      }
   }
 
 
 
   // Facets next to each other are no further apart than they are large.
-  void FaceSegments::remove_hidden(const unsigned int       e,
+  void FaceSegments::remove_hidden(const SlaveFacet        &own,
                                    std::vector<FaceSample> &samples) const
   {
-    const Tensor<1, 3>     normal = now.slave_search.normal(e, Point<2>());
     std::set<unsigned int> facets;
     double                 least = 0, largest = 0;
     for (const FaceSample &sample : samples)
       {
-        const double along = sample.distance * normal;
+        const double along = sample.distance * own.normal;
         least              = facets.empty() ? along : std::min(least, along);
         largest            = facets.empty() ? along : std::max(largest, along);
         facets.insert(sample.master_facet);
       }
     const double thin = 0.1;
     if (facets.size() < 2 ||
-        largest - least <= thin * slave.reference_length(e))
+        largest - least <= thin * slave.reference_length(own.index))
       return;
     const auto is_hidden = [&](const FaceSample &sample) {
       return std::any_of(facets.begin(),
                          facets.end(),
                          [&](const unsigned int m) {
                            return m != sample.master_facet &&
-                                  is_behind(sample, e, m);
+                                  is_behind(sample, own, m);
                          });
     };
     const std::vector<FaceSample> all = samples;
@@ -259,24 +283,23 @@ namespace Contact
 
   // A place on a line that facets share is behind none of them.
   bool FaceSegments::is_behind(const FaceSample  &sample,
-                               const unsigned int e,
+                               const SlaveFacet  &own,
                                const unsigned int m) const
   {
-    const ProjectionPlane plane = plane_of(e, now.slave_search);
-    const Point<3> on_slave   = position(now.slave_search, e, sample.slave_xi);
-    const Point<2> place      = plane.project(on_slave);
-    const Tensor<1, 3> normal = now.slave_search.normal(e, Point<2>());
+    const Point<3> on_slave =
+      position(now.slave_search, own.index, sample.slave_xi);
+    const Point<2> place = own.plane.project(on_slave);
     for (const Part &part : parts_of_facet(master.degree))
       {
         const Point<2> xi = coordinates_in(
-          project(plane, part, master.facets[m].nodes, now.master_x),
+          project(own.plane, part, master.facets[m].nodes, now.master_x),
           place);
         if (!(std::max(std::abs(xi[0]), std::abs(xi[1])) < 1))
           continue;
         const double other =
           (on_slave - position(now.search, m, part.middle + part.scale * xi)) *
-          normal;
-        if (std::abs(other) < std::abs(sample.distance * normal))
+          own.normal;
+        if (std::abs(other) < std::abs(sample.distance * own.normal))
           return true;
       }
     return false;

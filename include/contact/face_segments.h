@@ -25,6 +25,9 @@ namespace Contact
     std::vector<Point<3>>  slave_x, master_x;
     FacetNormals<3>        slave_normals, master_normals;
     const SurfaceSearch<3> slave_search, search;
+
+    /// The outward normals in the middle of the facets.
+    std::vector<Tensor<1, 3>> slave_middles, master_middles;
   };
 
 
@@ -62,13 +65,16 @@ namespace Contact
     std::vector<FaceSample> samples(const unsigned int slave_facet) const;
 
   private:
-    void add_segment(const unsigned int       slave_facet,
+    /// A slave facet and its parts in the plane that masters are projected on.
+    struct SlaveFacet;
+
+    void add_segment(const SlaveFacet        &own,
                      const unsigned int       master_facet,
                      std::vector<FaceSample> &samples) const;
-    void remove_hidden(const unsigned int       slave_facet,
+    void remove_hidden(const SlaveFacet        &own,
                        std::vector<FaceSample> &samples) const;
     bool is_behind(const FaceSample  &sample,
-                   const unsigned int slave_facet,
+                   const SlaveFacet  &own,
                    const unsigned int master_facet) const;
 
     const Surface<3>        &slave, &master;

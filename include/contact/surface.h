@@ -106,9 +106,21 @@ namespace Contact
     }
 
     using Values = std::array<Number, max_nodes>;
-    Values                value{};
-    std::array<Values, 2> first{}, second{};
-    Values                mixed{}; // second derivative by both coordinates
+
+    /// The values alone.
+    static Values values(const unsigned int degree, const Point<2, Number> &xi)
+    {
+      const EdgeShapes<Number> x(degree, xi[0]), y(degree, xi[1]);
+      Values                   values{};
+      for (unsigned int a = 0; a < (degree == 1 ? 4 : max_nodes); ++a)
+        values[a] = x.value[factors[a][0]] * y.value[factors[a][1]];
+      return values;
+    }
+
+    // Those of the nodes that the degree has.
+    Values                value;
+    std::array<Values, 2> first, second;
+    Values                mixed; // second derivative by both coordinates
   };
 
   template<int dim>
