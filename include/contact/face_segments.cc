@@ -61,6 +61,18 @@ namespace Contact
 
 
 
+    /// Whether a point is in the box around a quadrangle.
+    bool is_in_box(const PlaneQuadrangle &q, const Point<2> &x)
+    {
+      for (unsigned int i = 0; i < 2; ++i)
+        if (x[i] < std::min({q[0][i], q[1][i], q[2][i], q[3][i]}) ||
+            x[i] > std::max({q[0][i], q[1][i], q[2][i], q[3][i]}))
+          return false;
+      return true;
+    }
+
+
+
     /// The Gauss points of a triangle. Of parallelograms products of two shape
     /// functions are polynomials, and integrated exactly; of others they are
     /// quotients.
@@ -291,9 +303,11 @@ namespace Contact
     const Point<2> place = own.plane.project(on_slave);
     for (const Part &part : parts_of_facet(master.degree))
       {
-        const Point<2> xi = coordinates_in(
-          project(own.plane, part, master.facets[m].nodes, now.master_x),
-          place);
+        const PlaneQuadrangle t =
+          project(own.plane, part, master.facets[m].nodes, now.master_x);
+        if (!is_in_box(t, place))
+          continue;
+        const Point<2> xi = coordinates_in(t, place);
         if (!(std::max(std::abs(xi[0]), std::abs(xi[1])) < 1))
           continue;
         const double other =
