@@ -162,9 +162,7 @@ def check_penetration(scene, slave, master):
     # With mortar in the mean over the forces, as in the plane.
     if rule == "mortar":
         lowest = moment / force if force > 0 else 0.
-    # Middle nodes are not seen here.
-    part = PENETRATION["mortar" if scene.features["degree"] == 2 else rule]
-    allowed = part * largest + warp + 1e-9 * scene.size
+    allowed = PENETRATION[rule] * largest + warp + 1e-9 * scene.size
     if scene.radius:
         cells = scene.cells[1 if scene.slave_is_upper else 0]
         allowed += (scene.width / min(cells[:2])) ** 2 / (4 * scene.radius)
@@ -174,15 +172,37 @@ def check_penetration(scene, slave, master):
     return []
 
 
+def grid_of(corners, at, key):
+    """The deformed nodes of a facet in lines: 3 x 3 at degree 2, if the middle ones
+    are where the mesh file has straight sides, else its corners."""
+    def between(r, s):
+        (a, b), (d, c) = corners[:2], corners[:1:-1]
+        return [(1 - r) * ((1 - s) * u + s * x) + r * ((1 - s) * v + s * w)
+                for u, v, w, x in zip(a, b, c, d)]
+    for n in (3, 2):
+        places = [[key(between(i / (n - 1), j / (n - 1))) for i in range(n)]
+                  for j in range(n)]
+        if all(x in at for line in places for x in line):
+            return [[at[x] for x in line] for line in places]
+    raise KeyError(f"no nodes at {corners}")
+
+
 def triangles_of(scene, master):
-    """Two of each deformed facet of the mesh file, and how far a facet is from
-    them at most."""
-    at = {tuple(round(c / scene.size, 7) for c in place(row)): deformed(row)
-          for row in master}
+    """Two of each deformed quadrangle between nodes, and how far a facet is from
+    them at most: a quadrangle that is not flat by a quarter of its twist, a
+    parabola by an eighth of its second difference."""
+    def key(x):
+        return tuple(round(c / scene.size, 6) for c in x)
+    at = {key(place(row)): deformed(row) for row in master}
     triangles, warp = [], 0.
     for facet in scene.facets_of_master():
-        a, b, c, d = (at[tuple(round(c / scene.size, 7) for c in x)]
-                      for x in facet)
-        triangles += [(a, b, c), (a, c, d)]
-        warp = max(warp, abs(a[2] - b[2] + c[2] - d[2]) / 4)
+        grid = grid_of(facet, at, key)
+        for low, high in zip(grid, grid[1:]):
+            for a, b, c, d in zip(low, low[1:], high[1:], high):
+                triangles += [(a, b, c), (a, c, d)]
+                warp = max(warp, abs(a[2] - b[2] + c[2] - d[2]) / 4)
+        for line in (*grid, *zip(*grid)):
+            if len(line) == 3:
+                a, m, b = line
+                warp = max(warp, abs(a[2] - 2 * m[2] + b[2]) / 4)
     return triangles, warp
