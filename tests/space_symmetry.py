@@ -28,7 +28,7 @@ def channel(whole, finer=1):
     mesh = Volumes()
     low, high = (-1, 1) if whole else (0, 1)
     wide, n = high - low, finer * (2 if whole else 1)
-    mesh.block("Low", (4 * finer, 3 * n, finer), lambda r, s, t: (
+    mesh.block("Low", (5 * finer, 3 * n, finer), lambda r, s, t: (
         -0.2 + 1.9 * r, 1.2 * (low + wide * s),
         -1 + t * (1 + floor(1.2 * (low + wide * s)))))
     mesh.block("Up", (2 * finer, 2 * n, finer), lambda r, s, t: (
