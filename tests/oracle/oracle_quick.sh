@@ -26,11 +26,13 @@ space=space_blocks,space_reversal,space_overlap,space_corner,space_sphere
 # master between slave nodes, nodal and mortar, both degrees; a node on an axis;
 # an end of the master where slave nodes slide off, and a single one is opposite;
 # a corner of the slave in space, whose gap was that of the nearest Gauss point; a
-# slave that bends over an edge of the master; nodes in corners of a round master.
+# slave that bends over an edge of the master; nodes in corners of a round master;
+# sticking nodes on faces of the master that are bent.
 for scene in "seal 10" "seal 23" "cylinders 19" "cylinders 24" "cylinders 28" \
   "shaft 19" "beam_contact 1" "seal 17" "carried 28" "corner 0" "corner 4" \
   "corner 7" "corner 18" "corner 27" "sphere 11" "comb 17" "beam_contact 25" \
-  "eccentric 15" "space_corner 14" "space_beam 7000" "space_shrink 7001"; do
+  "eccentric 15" "space_corner 14" "space_beam 7000" "space_shrink 7001" \
+  "space_two_on_one 7004"; do
   "$here/oracle.py" --kind "${scene% *}" --seed "${scene#* }" --count 1 \
     --variants 0.25 --strict --keep oracle "$1"
 done

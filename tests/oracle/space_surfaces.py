@@ -13,6 +13,8 @@ CUTS = {1: 2, 2: 4}
 PAIRS = 200000
 # Of a face: facets that come so close to a place meet there.
 MEET = 1e-6
+# Of Newton's method for a place on a face.
+STEPS = 6
 
 
 def grid(n):
@@ -29,6 +31,31 @@ def degree_of(faces):
     return 1 if faces.shape[1] == 4 else 2
 
 
+def shape_functions(places, degree):
+    """Those of faces at many places, (places, nodes), and their first and
+    second derivatives."""
+    values, slopes, bends = ([] for _ in range(3))
+    for x in places.T:
+        one, zero = np.ones_like(x), np.zeros_like(x)
+        if degree == 1:
+            values.append(np.stack([(1 - x) / 2, (1 + x) / 2], 1))
+            slopes.append(np.stack([-one / 2, one / 2], 1))
+            bends.append(np.stack([zero, zero], 1))
+        else:
+            values.append(np.stack([x * (x - 1) / 2, 1 - x * x,
+                                    x * (x + 1) / 2], 1))
+            slopes.append(np.stack([x - one / 2, -2 * x, x + one / 2], 1))
+            bends.append(np.stack([one, -2 * one, one], 1))
+    # The first coordinate runs first.
+    product = lambda f, g: np.einsum("pk,pj->pkj", g, f).reshape(len(f), -1)
+    (fx, fy), (dx, dy), (bx, by) = values, slopes, bends
+    mixed = product(dx, dy)
+    return (product(fx, fy),
+            np.stack([product(dx, fy), product(fx, dy)], 2),
+            np.stack([np.stack([product(bx, fy), mixed], 2),
+                      np.stack([mixed, product(fx, by)], 2)], 3))
+
+
 class Facets:
     """The faces of a group, each with its normal away from its body."""
 
@@ -36,8 +63,10 @@ class Facets:
         self.faces = faces
         degree = degree_of(faces)
         places, triangles = grid(cuts or CUTS[degree])
+        self.degree, self.places = degree, np.array(places)
         self.shapes = np.array([elements.tensor(p, degree)[0] for p in places])
-        points = np.einsum("ca,fai->fci", self.shapes, x[faces])
+        self.x = x[faces]
+        points = np.einsum("ca,fai->fci", self.shapes, self.x)
         corners = points[:, triangles].reshape(-1, 3, 3)
         self.triangles = np.tile(triangles, (len(faces), 1))
         self.face = np.repeat(np.arange(len(faces)), len(triangles))
@@ -65,6 +94,37 @@ class Facets:
         shapes = np.einsum("pk,pka->pa", weights[first],
                            self.shapes[self.triangles[t]])
         return distance[first], t, feet[first], shapes
+
+    def feet(self, points):
+        """For each point: face and shape functions of the closest place, on the
+        face itself and not on the triangles that it is cut into: by Newton's
+        method for the place, from that on the triangle; where that leaves the
+        face or goes further away, the latter."""
+        _, t, _, _, weights, first = self.pairs(points)
+        t = t[first]
+        face = self.face[t]
+        start = np.einsum("pk,pkd->pd", weights[first],
+                          self.places[self.triangles[t]])
+        place = start.copy()
+        for _ in range(STEPS):
+            N, dN, ddN = shape_functions(place, self.degree)
+            off = points - np.einsum("pa,pai->pi", N, self.x[face])
+            along = np.einsum("pad,pai->pdi", dN, self.x[face])
+            bend = np.einsum("pade,pai->pdei", ddN, self.x[face])
+            A = along @ along.swapaxes(1, 2) - np.einsum("pdei,pi->pde", bend,
+                                                         off)
+            b = np.einsum("pdi,pi->pd", along, off)
+            regular = np.abs(np.linalg.det(A)) > 1e-12 * self.face_size[
+                face] ** 4
+            A[~regular], b[~regular] = np.eye(2), 0
+            place = np.clip(place + np.linalg.solve(A, b[:, :, None])[:, :, 0],
+                            -1, 1)
+        distance = [np.linalg.norm(points - np.einsum(
+            "pa,pai->pi", shape_functions(at, self.degree)[0], self.x[face]),
+            axis=1) for at in (start, place)]
+        worse = distance[1] > distance[0]
+        place[worse] = start[worse]
+        return face, shape_functions(place, self.degree)[0]
 
     def mean_normals(self, points):
         """Where the closest place is on an edge or a corner, the mean of the

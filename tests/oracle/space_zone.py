@@ -399,9 +399,8 @@ class SpaceZoneCheck:
         if self.zone.obstacle:
             return of_slave, self.master.normals(x)
         group = self.master.group
-        _, triangle, _, shapes = group.closest(x)
-        of_master = np.einsum("pa,pai->pi", shapes, field(
-            group.faces[group.face[triangle]]))
+        face, shapes = group.feet(x)
+        of_master = np.einsum("pa,pai->pi", shapes, field(group.faces[face]))
         return of_slave - of_master, group.mean_normals(x)
 
     def check_friction(self, before):
