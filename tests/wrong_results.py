@@ -29,7 +29,8 @@ Proves that
   pressure in the wall;
 - a circle that passes between two nodes unseen is a violation, and so is a body
   that goes through a foil whose both sides are the master;
-- a history that turns back inside an increment is noted.
+- a history that turns back inside an increment is noted;
+- a press fit of polygons that leave more open than it overlaps is noted.
 
 Usage: wrong_results.py CONTACT PARAMETERS MESHES
 """
@@ -662,10 +663,35 @@ def turning():
               == noted, said[:300])
 
 
+def coarse_fit():
+    """A quarter of a pin, 0.01 mm too thick for its ring: edges of 15 degrees are
+    0.09 mm beside the circle, and no force acts; those of 1 degree push."""
+    def sector(inner, outer):
+        def chart(r, s):
+            radius, angle = inner + (outer - inner) * r, math.pi / 2 * s
+            return radius * math.cos(angle), radius * math.sin(angle)
+        return chart
+    sides = {"bottom": "Below", "top": "Left"}
+    for n, noted in ((6, True), (90, False)):
+        mesh = Mesh()
+        mesh.block("A", 2, n + n // 3, sector(10, 20), {**sides, "left": "Bore"})
+        mesh.block("B", 2, n, sector(5, 10.01), {**sides, "right": "Pin"})
+        mesh.write("coarse_fit")
+        status, said, _ = run("coarse_fit", {
+            "Mesh/File": "coarse_fit.msh", **solids(),
+            "Mesh/Arcs": "Pin: 0, 0, 10.01; Bore: 0, 0, 10",
+            "Contact/Slave": "Pin", "Contact/Master": "Bore",
+            "Boundary conditions/Displacement x": "Left: 0",
+            "Boundary conditions/Displacement y": "Below: 0",
+            "Solution/Increments": "1"})
+        check(f"{n} edges: the overlap is noted: {noted}", status == 0 and
+              ("no force acts between them" in said) == noted, said[:300])
+
+
 for scene in (carried, overlap, cantilever, teeth, own_master, round_off,
               held_ends, dragged, driven, cornered, in_a_corner, roles,
               tied, flank, groove, slide, pinned, clamped, between_nodes, foil,
-              turning):
+              turning, coarse_fit):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)

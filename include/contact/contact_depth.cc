@@ -64,11 +64,13 @@ namespace Contact
             const double depth = behind - sagitta(surface, e, a) -
                                  std::max(sagitta(other, projection.facet, 0),
                                           sagitta(other, projection.facet, 1));
+            deepest.as_drawn = std::max(deepest.as_drawn, behind);
             if (depth > deepest.depth)
               deepest = {depth,
                          is_master,
                          surface.nodes[i].X,
-                         is_master ? projection.facet : e};
+                         is_master ? projection.facet : e,
+                         deepest.as_drawn};
           }
     }
 
@@ -95,9 +97,11 @@ namespace Contact
             const double h       = slave.reference_length(e);
             const double chord =
               h <= closest.radius ? h * h / (8 * closest.radius) : 0.;
-            const double depth = (closest.x - x) * closest.normal - chord;
+            const double behind = (closest.x - x) * closest.normal;
+            const double depth  = behind - chord;
+            deepest.as_drawn    = std::max(deepest.as_drawn, behind);
             if (depth > deepest.depth)
-              deepest = {depth, false, X, e};
+              deepest = {depth, false, X, e, deepest.as_drawn};
           }
     }
   } // namespace

@@ -22,6 +22,7 @@ namespace Contact
     bool         of_master = false;
     Point<dim>   X;               // the undeformed place [mm]
     unsigned int slave_facet = 0; // that it is in, or belongs to
+    double       as_drawn    = 0; // the largest with that overlap [mm]
   };
 
   /**

@@ -78,11 +78,13 @@ namespace Contact
                          sagitta(other, of_other, other_normals, f, b));
             const double depth =
               distance - of_master - sagitta(surface, of_facets, normals, e, a);
+            deepest.as_drawn = std::max(deepest.as_drawn, distance);
             if (depth > deepest.depth)
               deepest = {depth,
                          is_master,
                          surface.nodes[i].X,
-                         is_master ? f : e};
+                         is_master ? f : e,
+                         deepest.as_drawn};
           }
     }
 
@@ -111,9 +113,11 @@ namespace Contact
                 std::sqrt(2.) * slave.reference_length(e); // of the diagonal
               const double chord =
                 h <= closest.radius ? h * h / (8 * closest.radius) : 0.;
-              const double depth = (closest.x - x) * closest.normal - chord;
+              const double behind = (closest.x - x) * closest.normal;
+              const double depth  = behind - chord;
+              deepest.as_drawn    = std::max(deepest.as_drawn, behind);
               if (depth > deepest.depth)
-                deepest = {depth, false, X, e};
+                deepest = {depth, false, X, e, deepest.as_drawn};
             }
     }
   } // namespace

@@ -124,7 +124,7 @@ namespace Contact
   {
     const Vector<double>    none(u_start.size());
     const ContactDepth<dim> now = largest_depth(contact_pair, solution);
-    if (now.depth == 0)
+    if (now.as_drawn == 0)
       return;
     double     way     = 0;
     const auto look_at = [&](const Surface<dim> &surface) {
@@ -135,13 +135,24 @@ namespace Contact
     look_at(contact_pair.slave);
     if (contact_pair.master)
       look_at(*contact_pair.master);
-    const double overlap = largest_depth(contact_pair, none).depth;
     // No less than the digits of a mesh file resolve.
     const double allowed =
       std::max(0.5 * way,
                1e-9 * contact_pair.slave.reference_length(now.slave_facet));
+    const double overlap =
+      now.depth > 0 ? largest_depth(contact_pair, none).depth : 0.;
     if (now.depth - overlap <= allowed)
-      return;
+      {
+        // An overlap of the mesh that no force has undone: a press fit of
+        // polygons that leave more open than that.
+        if (now.as_drawn > allowed && !carries_force(contact_pair))
+          found.notes.push_back(
+            "depth: surfaces that move by " + brief(way) +
+            " mm overlap by up to " + brief(now.as_drawn) +
+            " mm as they are meshed, and no force acts between them. Round "
+            "surfaces want degree 2, or a finer mesh.");
+        return;
+      }
     const std::string what =
       std::string(contact_pair.obstacle ? "the place" : "the node") +
       " of the " + std::string(now.of_master ? "master" : "slave") +
@@ -185,6 +196,19 @@ namespace Contact
                   brief(crossing->depth) + " mm behind the side it went in by",
                 "Take only the side that is to be touched as master, or more "
                 "increments.");
+  }
+
+
+
+  template<int dim>
+  bool
+  ContactCheck<dim>::carries_force(const ContactPair<dim> &contact_pair) const
+  {
+    const auto &points = interface.points();
+    return std::any_of(points.begin(), points.end(), [&](const auto &point) {
+      return &interface.contact_pair(point) == &contact_pair &&
+             point.status.kind != Status::open;
+    });
   }
 
 

@@ -169,6 +169,8 @@ namespace Contact
     Point<dim> position(const Surface<dim> &surface,
                         const unsigned int  node) const;
 
+    /// Whether any node of the slave is pushed.
+    bool carries_force(const ContactPair<dim> &contact_pair) const;
     /// Whether a node of a slave edge is pushed.
     bool carries_force(const ContactPair<dim> &contact_pair,
                        const unsigned int      slave_facet) const;
