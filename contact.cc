@@ -201,10 +201,6 @@ namespace Contact
   void ContactProblem<2>::estimate_effects();
   template<>
   void ContactProblem<3>::estimate_effects();
-  template<>
-  void ContactProblem<2>::flag_cells();
-  template<>
-  void ContactProblem<3>::flag_cells();
 
 
 
@@ -864,9 +860,10 @@ namespace Contact
 
   // @sect4{ContactProblem::flag_cells}
   //
-  // In space all meshes are refined uniformly.
-  template<>
-  void ContactProblem<2>::flag_cells()
+  // All of them, or those with the largest indicators: of the errors of probes
+  // or of the error in the norm of the energy.
+  template<int dim>
+  void ContactProblem<dim>::flag_cells()
   {
     if (!parameters.refines_adaptively(model.mesh->has_only_hypercubes()))
       flag_all_cells(*model.mesh);
@@ -880,12 +877,6 @@ namespace Contact
                          postprocessor.recovered_stresses(),
                          state.solution);
       }
-  }
-
-  template<>
-  void ContactProblem<3>::flag_cells()
-  {
-    flag_all_cells(*model.mesh);
   }
 
 

@@ -18,7 +18,8 @@ namespace Contact
   namespace
   {
     /// All boundary ids of the triangulation.
-    std::set<types::boundary_id> all_boundaries(const Mesh<2> &mesh)
+    template<int dim>
+    std::set<types::boundary_id> all_boundaries(const Mesh<dim> &mesh)
     {
       const auto ids = mesh.triangulation.get_boundary_ids();
       return {ids.begin(), ids.end()};
@@ -26,182 +27,54 @@ namespace Contact
 
 
 
-    /// An edge is known by the first unknowns of its ends, in ascending order.
-    using EdgeName =
-      std::pair<types::global_dof_index, types::global_dof_index>;
-
-    EdgeName edge_name(const NodeDoFs<2> &one, const NodeDoFs<2> &other)
+    /// The stress that acts on facets.
+    SymmetricTensor<2, 2> on_facets(const SymmetricTensor<2, 3> &stress,
+                                    const Mesh<2> &)
     {
-      return std::minmax(one[0], other[0]);
+      return in_plane(stress);
+    }
+
+    const SymmetricTensor<2, 3> &on_facets(const SymmetricTensor<2, 3> &stress,
+                                           const Mesh<3> &)
+    {
+      return stress;
     }
 
 
 
-    EdgeName edge_name(const Surface<2> &surface, const SurfaceFacet<2> &edge)
+    /// The rule of triangles of degree 1 has one point.
+    hp::QCollection<2> quadratures_of_squares(const hp::QCollection<2> &rules)
     {
-      return edge_name(surface.nodes[edge.nodes[0]].dofs,
-                       surface.nodes[edge.nodes[1]].dofs);
+      return hp::QCollection<2>(rules[0],
+                                rules[1].size() == 1 ? QGaussSimplex<2>(2)
+                                                     : rules[1]);
+    }
+
+    const hp::QCollection<3> &
+    quadratures_of_squares(const hp::QCollection<3> &rules)
+    {
+      return rules;
     }
 
 
 
-    /// The edges of a surface by their names.
-    std::map<EdgeName, unsigned int> name_edges(const Surface<2> &surface)
+    /// A quadrature point in the coordinates of a facet.
+    double in_facet(const Point<1> &zeta)
     {
-      std::map<EdgeName, unsigned int> edges;
-      for (unsigned int e = 0; e < surface.facets.size(); ++e)
-        edges.emplace(edge_name(surface, surface.facets[e]), e);
-      return edges;
+      return 2 * zeta[0] - 1;
     }
 
-
-
-    bool is_tied(const Discretization<2> &discretization,
-                 const Surface<2>        &surface,
-                 const SurfaceFacet<2>   &edge)
+    Point<2> in_facet(const Point<2> &zeta)
     {
-      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-        for (const auto dof : surface.nodes[edge.nodes[a]].dofs)
-          if (discretization.is_tied(dof))
-            return true;
-      return false;
+      return {2 * zeta[0] - 1, 2 * zeta[1] - 1};
     }
   } // namespace
 
 
 
-  /// A place on an edge, and how it moves with the coordinate of the edge.
-  struct ErrorEstimator::Place
-  {
-    Place(const Surface<2>      &surface,
-          const SurfaceFacet<2> &edge,
-          const double           xi,
-          const Vector<double>  &u)
-      : xi(xi)
-      , shape(surface.degree, xi)
-    {
-      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-        {
-          const unsigned int node     = edge.nodes[a];
-          const Point<2>     position = surface.position(node, u);
-          x += shape.value[a] * position;
-          along += shape.first[a] * position;
-          along_undeformed += shape.first[a] * surface.nodes[node].X;
-        }
-    }
-
-    /// Deformed by undeformed length.
-    double stretch() const
-    {
-      return along.norm() / along_undeformed.norm();
-    }
-
-    const double    xi;
-    const EdgeShape shape;
-    Point<2>        x;                       // deformed
-    Tensor<1, 2>    along, along_undeformed; // derivatives
-  };
-
-
-
-  /**
-   * The tractions of contact on the edges of its surfaces. On the slave the
-   * traction is p n + q t, on the master the opposite, n the outward normal of
-   * the master and t that normal turned by +90 degrees (contact_points.h). In
-   * terms of the edge's own outward normal, which on the slave is -n, both are
-   *   -(p n + q t),  t = n turned by +90 degrees.
-   */
-  class ErrorEstimator::ContactTractions
-  {
-  public:
-    ContactTractions(const Discretization<2>   &discretization,
-                     const ContactInterface<2> &interface,
-                     const ContactPair<2>      &contact_pair,
-                     const Vector<double>      &solution)
-      : discretization(discretization)
-      , slave(contact_pair.slave)
-      , solution(solution)
-      , search(slave, solution)
-      , slave_edges(name_edges(slave))
-      , at_nodes(slave.nodes.size())
-    {
-      if (contact_pair.master)
-        master_edges = name_edges(*contact_pair.master);
-      for (unsigned int i = 0; i < slave.nodes.size(); ++i)
-        {
-          const unsigned int k = contact_pair.multipliers.of_node[i];
-          if (k == numbers::invalid_unsigned_int)
-            continue;
-          at_nodes[i][0] = solution[interface.normal_index(k)];
-          if (!contact_pair.law.is_frictionless())
-            at_nodes[i][1] = solution[interface.tangential_index(k)];
-        }
-      const auto of_corners = corner_loads(interface, contact_pair, solution);
-      for (unsigned int i = 0; i < of_corners.size(); ++i)
-        at_nodes[i] += of_corners[i].traction();
-    }
-
-    /**
-     * Pressure and shear (p, q) at a place of the edge @p name by undeformed
-     * length [MPa]; zero where nothing faces the edge within its length
-     * @p reach, no value where a tie carries what the multipliers do not know.
-     */
-    std::optional<Tensor<1, 2>> operator()(const EdgeName &name,
-                                           const Place    &place,
-                                           const double    reach) const
-    {
-      const auto own = slave_edges.find(name);
-      if (own != slave_edges.end())
-        return interpolate(slave.facets[own->second], place);
-      if (master_edges.count(name) > 0)
-        return of_facing_slave(place, reach);
-      return Tensor<1, 2>();
-    }
-
-  private:
-    Tensor<1, 2> interpolate(const SurfaceFacet<2> &edge,
-                             const Place           &place) const
-    {
-      Tensor<1, 2> traction;
-      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-        traction += place.shape.value[a] * at_nodes[edge.nodes[a]];
-      return traction;
-    }
-
-    /// Both sides agree on the force by deformed length.
-    std::optional<Tensor<1, 2>> of_facing_slave(const Place &place,
-                                                const double reach) const
-    {
-      const Projection<2> projection = search.closest_point(place.x);
-      if (projection.off_the_end ||
-          search.distance_square(place.x, projection) > reach * reach)
-        return Tensor<1, 2>();
-
-      const SurfaceFacet<2> &edge = slave.facets[projection.facet];
-      if (is_tied(discretization, slave, edge))
-        return {};
-
-      // Values are not extrapolated to the overhang beyond the end.
-      const Place there(slave,
-                        edge,
-                        std::max(-1., std::min(1., projection.xi)),
-                        solution);
-      return place.stretch() / there.stretch() * interpolate(edge, there);
-    }
-
-    const Discretization<2>               &discretization;
-    const Surface<2>                      &slave;
-    const Vector<double>                  &solution;
-    const SurfaceSearch<2>                 search;
-    const std::map<EdgeName, unsigned int> slave_edges;
-    std::map<EdgeName, unsigned int>       master_edges;
-    std::vector<Tensor<1, 2>>              at_nodes; // (p, q) of the slave
-  };
-
-
-
-  ErrorEstimator::ErrorEstimator(const Discretization<2> &discretization,
-                                 const Elasticity<2>     &elasticity)
+  template<int dim>
+  ErrorEstimator<dim>::ErrorEstimator(const Discretization<dim> &discretization,
+                                      const Elasticity<dim>     &elasticity)
     : discretization(discretization)
     , elasticity(elasticity)
     , boundary(discretization,
@@ -213,10 +86,12 @@ namespace Contact
 
 
 
-  void ErrorEstimator::find_neighborhoods()
+  template<int dim>
+  void ErrorEstimator<dim>::find_neighborhoods()
   {
-    const auto &dofs  = discretization.vertex_dofs;
-    const auto  edges = name_edges(boundary);
+    std::map<FacetName<dim>, unsigned int> facets;
+    for (unsigned int e = 0; e < boundary.facets.size(); ++e)
+      facets.emplace(boundary.facets[e].name, e);
     neighborhoods.resize(boundary.facets.size());
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
@@ -224,23 +99,30 @@ namespace Contact
           if (face->at_boundary() &&
               !elasticity.dead_loads.is_loaded(face->boundary_id()))
             {
-              std::array<unsigned int, 2> ends{
-                {face->vertex_index(0), face->vertex_index(1)}};
               const unsigned int e =
-                edges.at(edge_name(dofs[ends[0]], dofs[ends[1]]));
-
-              const unsigned int first = boundary.facets[e].nodes[0];
-              if (boundary.nodes[first].dofs != dofs[ends[0]])
-                std::swap(ends[0], ends[1]);
-              neighborhoods[e] = {cell->active_cell_index(), ends};
+                facets.at(facet_name(discretization, face));
+              neighborhoods[e].cell = cell->active_cell_index();
+              auto &vertices        = neighborhoods[e].vertices;
+              for (unsigned int a = 0; a < vertices.size(); ++a)
+                {
+                  const Point<dim> &X =
+                    boundary.nodes[boundary.facets[e].nodes[a]].X;
+                  unsigned int nearest = 0;
+                  for (unsigned int v = 1; v < vertices.size(); ++v)
+                    if (face->vertex(v).distance(X) <
+                        face->vertex(nearest).distance(X))
+                      nearest = v;
+                  vertices[a] = face->vertex_index(nearest);
+                }
             }
   }
 
 
 
-  Vector<float> ErrorEstimator::indicators(
+  template<int dim>
+  Vector<float> ErrorEstimator<dim>::indicators(
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-    const ContactInterface<2>                *interface,
+    const ContactInterface<dim>              *interface,
     const Vector<double>                     &solution) const
   {
     Vector<double> eta_square(
@@ -256,22 +138,19 @@ namespace Contact
   // The integral is over the undeformed cell, as all others are, in the points
   // of the stresses. In a triangle of degree 1 the stress has one point, for it
   // is constant; the recovered one is linear, and its square takes more points.
-  void ErrorEstimator::add_bulk_terms(
+  template<int dim>
+  void ErrorEstimator<dim>::add_bulk_terms(
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
     const Vector<double>                     &solution,
     Vector<double>                           &eta_square) const
   {
     const auto stresses = elasticity.stresses(solution);
 
-    const Quadrature<2>     &of_triangles = discretization.quadrature[1];
-    const hp::QCollection<2> quadratures(discretization.quadrature[0],
-                                         of_triangles.size() == 1
-                                           ? QGaussSimplex<2>(2)
-                                           : of_triangles);
-    hp::FEValues<2>          hp_fe_values(discretization.mapping,
-                                 discretization.fe,
-                                 quadratures,
-                                 update_JxW_values | update_quadrature_points);
+    hp::FEValues<dim> hp_fe_values(
+      discretization.mapping,
+      discretization.fe,
+      quadratures_of_squares(discretization.quadrature),
+      update_JxW_values | update_quadrature_points);
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
@@ -297,13 +176,14 @@ namespace Contact
 
 
 
-  void ErrorEstimator::add_boundary_terms(
+  template<int dim>
+  void ErrorEstimator<dim>::add_boundary_terms(
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-    const ContactInterface<2>                *interface,
+    const ContactInterface<dim>              *interface,
     const Vector<double>                     &solution,
     Vector<double>                           &eta_square) const
   {
-    std::list<ContactTractions> contact;
+    std::list<ContactTractions<dim>> contact;
     if (interface != nullptr)
       for (const auto &contact_pair : interface->pairs)
         contact.emplace_back(discretization,
@@ -320,75 +200,97 @@ namespace Contact
 
 
 
-  // The recovered stress is linear along an edge. On a straight edge the
+  // The recovered stress is linear along a facet. On a straight edge the
   // residual is of the edge's degree: the points integrate its square.
-  double ErrorEstimator::boundary_term(
+  template<int dim>
+  double ErrorEstimator<dim>::boundary_term(
     const unsigned int                        e,
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-    const std::list<ContactTractions>        &contact,
+    const std::list<ContactTractions<dim>>   &contact,
     const Vector<double>                     &solution) const
   {
-    const SurfaceFacet<2> &edge  = boundary.facets[e];
-    const auto            &ends  = neighborhoods[e].vertices;
-    const auto             first = in_plane(vertex_stresses[ends[0]]);
-    const auto             last  = in_plane(vertex_stresses[ends[1]]);
-    const double           h     = boundary.reference_length(e);
+    const SurfaceFacet<dim> &facet    = boundary.facets[e];
+    const auto              &vertices = neighborhoods[e].vertices;
+    const double             h        = boundary.reference_length(e);
 
-    const QGauss<1> quadrature(boundary.degree + 1);
-    double          integral = 0;
+    const QGauss<dim - 1> quadrature(boundary.degree + 1);
+    double                integral = 0;
     for (unsigned int q = 0; q < quadrature.size(); ++q)
       {
-        const double zeta = quadrature.point(q)[0];
-        const Place  place(boundary, edge, 2 * zeta - 1, solution);
-        const auto   stress = (1 - zeta) * first + zeta * last;
+        const Point<dim - 1> &zeta = quadrature.point(q);
+        const FacetPlace<dim> place(boundary, facet, in_facet(zeta), solution);
+        SymmetricTensor<2, dim> stress;
+        for (unsigned int v = 0; v < vertices.size(); ++v)
+          stress +=
+            GeometryInfo<dim - 1>::d_linear_shape_function(zeta, v) *
+            on_facets(vertex_stresses[vertices[v]], discretization.mesh);
 
-        Tensor<1, 2>       residual = stress_traction(stress, place);
-        const Tensor<1, 2> t        = place.along / place.along.norm();
-        bool               is_known = true;
-        for (const ContactTractions &of_pair : contact)
-          if (const auto p_and_q = of_pair(edge_name(boundary, edge), place, h))
-            residual += (*p_and_q)[0] * cross_product_2d(t) + (*p_and_q)[1] * t;
+        Tensor<1, dim> residual = stress_traction(stress, place);
+        bool           is_known = true;
+        for (const ContactTractions<dim> &of_pair : contact)
+          if (const auto traction = of_pair(facet.name, place, h))
+            residual -= *traction;
           else
             is_known = false;
         if (!is_known)
           continue;
 
-        for (unsigned int c = 0; c < 2; ++c)
-          if (!is_supported(edge, c))
-            integral += 2 * quadrature.weight(q) *
-                        boundary.reference_jacobian(edge, place.shape) *
-                        std::pow(residual[c], 2);
+        const Tensor<1, dim> free = free_part(facet, residual);
+        for (unsigned int c = 0; c < dim; ++c)
+          integral += Utilities::fixed_power<dim - 1>(2.) *
+                      quadrature.weight(q) *
+                      boundary.reference_jacobian(facet, place.shape) *
+                      std::pow(free[c], 2);
       }
-    return h / elasticity.youngs_modulus(edge.body) * integral;
+    return h / elasticity.youngs_modulus(facet.body) * integral;
   }
 
 
 
-  // As the tractions of contact, a force by undeformed length: the true stress
-  // acts on the deformed edge. To small strain both edges are the same.
-  Tensor<1, 2>
-  ErrorEstimator::stress_traction(const SymmetricTensor<2, 2> &stress,
-                                  const Place                 &place) const
+  // As the tractions of contact, a force by undeformed area: the true stress
+  // acts on the deformed one. To small strain both are the same.
+  template<int dim>
+  Tensor<1, dim>
+  ErrorEstimator<dim>::stress_traction(const SymmetricTensor<2, dim> &stress,
+                                       const FacetPlace<dim> &place) const
   {
-    const Tensor<1, 2> &along =
-      elasticity.is_linear() ? place.along_undeformed : place.along;
-    return stress * cross_product_2d(along) / place.along_undeformed.norm();
+    return stress *
+           (elasticity.is_linear() ? place.undeformed_area : place.area) /
+           place.undeformed_area.norm();
   }
 
 
 
-  bool ErrorEstimator::is_supported(const SurfaceFacet<2> &edge,
-                                    const unsigned int     c) const
+  template<int dim>
+  Tensor<1, dim>
+  ErrorEstimator<dim>::free_part(const SurfaceFacet<dim> &facet,
+                                 const Tensor<1, dim>    &traction) const
   {
-    for (unsigned int a = 0; a < boundary.n_nodes_per_facet(); ++a)
-      if (!discretization.is_fixed(boundary.nodes[edge.nodes[a]].dofs[c]))
-        return false;
-    return true;
+    const auto is_held = [&](const Tensor<1, dim> &direction) {
+      const double round_off = 1e-8;
+      for (unsigned int a = 0; a < boundary.n_nodes_per_facet(); ++a)
+        if (discretization
+              .free_part(boundary.nodes[facet.nodes[a]].dofs, direction)
+              .norm() > round_off)
+          return false;
+      return true;
+    };
+    Tensor<1, dim> free = traction;
+    for (unsigned int c = 0; c < dim; ++c)
+      if (is_held(Point<dim>::unit_vector(c)))
+        free[c] = 0;
+    for (const Tensor<1, dim> &normal : discretization.normal_supports.normals(
+           boundary.nodes[facet.nodes[0]].dofs))
+      if (is_held(normal))
+        free -= (free * normal) * normal;
+    return free;
   }
 
 
 
-  void ErrorEstimator::clear_at_nodal_forces(Vector<double> &eta_square) const
+  template<int dim>
+  void
+  ErrorEstimator<dim>::clear_at_nodal_forces(Vector<double> &eta_square) const
   {
     const auto carries_force = [this](const unsigned int vertex) {
       for (const auto dof : discretization.vertex_dofs[vertex])
@@ -400,7 +302,7 @@ namespace Contact
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          Triangulation<2>::cell_iterator ancestor = cell;
+          typename Triangulation<dim>::cell_iterator ancestor = cell;
           while (ancestor->level() > 0)
             ancestor = ancestor->parent();
           for (const unsigned int v : ancestor->vertex_indices())
@@ -411,17 +313,30 @@ namespace Contact
 
 
 
-  void flag_by_estimate(const ContactModel<2>                    &model,
+  template<int dim>
+  void flag_by_estimate(const ContactModel<dim>                  &model,
                         const Parameters::All                    &parameters,
                         const std::vector<SymmetricTensor<2, 3>> &stresses,
                         const Vector<double>                     &solution)
   {
     ++model.discretization->counters.error_estimates;
-    flag_by_indicators(model,
-                       parameters,
-                       ErrorEstimator(*model.discretization, *model.elasticity)
-                         .indicators(stresses,
-                                     model.interface.get(),
-                                     solution));
+    flag_by_indicators(
+      model,
+      parameters,
+      ErrorEstimator<dim>(*model.discretization, *model.elasticity)
+        .indicators(stresses, model.interface.get(), solution));
   }
+
+  template class ErrorEstimator<2>;
+  template class ErrorEstimator<3>;
+  template void
+  flag_by_estimate(const ContactModel<2>                    &model,
+                   const Parameters::All                    &parameters,
+                   const std::vector<SymmetricTensor<2, 3>> &stresses,
+                   const Vector<double>                     &solution);
+  template void
+  flag_by_estimate(const ContactModel<3>                    &model,
+                   const Parameters::All                    &parameters,
+                   const std::vector<SymmetricTensor<2, 3>> &stresses,
+                   const Vector<double>                     &solution);
 } // namespace Contact

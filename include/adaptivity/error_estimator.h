@@ -7,8 +7,8 @@
 #define contact_error_estimator_h
 
 #include <list>
-#include <optional>
 
+#include "adaptivity/contact_tractions.h"
 #include "contact/contact_model.h"
 #include "solid/elasticity.h"
 
@@ -24,34 +24,38 @@ namespace Contact
    * place,
    *
    *   eta_T^2 = integral over T of (s* - s_h) : D^-1 : (s* - s_h)
-   *           + sum over the boundary edges of T of
-   *               h/E integral over the edge of |s* n - t|^2,
+   *           + sum over the boundary facets of T of
+   *               h/E integral over the facet of |s* n - t|^2,
    *
-   * D^-1 the compliance of plane strain, E Young's modulus, h the length of the
-   * edge. The traction t is that of contact on slave and master, and zero
-   * elsewhere; components that a support holds are left out. The second term
-   * is what lets the estimate see contact: s* is an average over the cells of
-   * one body and knows nothing of the pressure, which comes from the other.
+   * D^-1 the compliance, in the plane that of plane strain, E Young's modulus,
+   * h the size of the facet, in the plane an edge. The traction t is that of
+   * contact on slave and master, and zero elsewhere; components that a support
+   * holds are left out. The second term is what lets the estimate see contact:
+   * s* is an average over the cells of one body and knows nothing of the
+   * pressure, which comes from the other.
    *
-   * All values are squares, [N mm per mm of thickness]: they add up to eta^2,
+   * All values are squares, [N mm per mm of thickness; in space N mm]: they add
+   * up to eta^2,
    * of which deal.II's GridRefinement takes a fraction by default. eta itself,
    * the square root of the sum, is the error in the norm of the energy. With
    * elements of degree 1 it tends to the true one where the solution is smooth.
    * With degree 2 the recovered stress, linear in a cell, is only of the order
    * of the element's own: eta falls as fast as the error, but is 0.4 (9-node
-   * quadrangles) to 0.65 (triangles) of it. It still tells where to refine.
+   * quadrangles) to 0.65 (triangles) of it. It still tells where to refine. In
+   * space it is alike.
    *
-   * Nodal forces: in two dimensions their energy is infinite, and no mesh
+   * Nodal forces: their energy is infinite, and no mesh
    * resolves them. Cells of the coarse mesh that touch a vertex with a nodal
    * force, and all that they are refined to, have the indicator zero. The
-   * edges of a resultant force are left out. The force of a tie is no
-   * multiplier: edges with a tied node are left out.
+   * facets of a resultant force are left out. The force of a tie is no
+   * multiplier: facets with a tied node are left out.
    */
+  template<int dim>
   class ErrorEstimator
   {
   public:
-    ErrorEstimator(const Discretization<2> &discretization,
-                   const Elasticity<2>     &elasticity);
+    ErrorEstimator(const Discretization<dim> &discretization,
+                   const Elasticity<dim>     &elasticity);
 
     /**
      * eta_T^2 by the index of the active cell, zero for cells of other
@@ -61,22 +65,20 @@ namespace Contact
      */
     Vector<float>
     indicators(const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-               const ContactInterface<2>                *interface,
+               const ContactInterface<dim>              *interface,
                const Vector<double>                     &solution) const;
 
   private:
-    struct Place;
-    class ContactTractions;
-
-    /// Data of edges that the boundary does not hold.
+    /// Data of facets that the boundary does not hold.
     struct Neighborhood
     {
       /// The cell, or numbers::invalid_unsigned_int if it is of another
-      /// process or the edge is left out.
+      /// process or the facet is left out.
       unsigned int cell = numbers::invalid_unsigned_int;
 
-      /// First and last vertex of the triangulation.
-      std::array<unsigned int, 2> vertices;
+      /// Vertices of the triangulation, in the order of the facet's nodes.
+      std::array<unsigned int, GeometryInfo<dim - 1>::vertices_per_cell>
+        vertices;
     };
 
     void find_neighborhoods();
@@ -88,31 +90,32 @@ namespace Contact
 
     void add_boundary_terms(
       const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-      const ContactInterface<2>                *interface,
+      const ContactInterface<dim>              *interface,
       const Vector<double>                     &solution,
       Vector<double>                           &eta_square) const;
 
     double
-    boundary_term(const unsigned int                        edge,
+    boundary_term(const unsigned int                        facet,
                   const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                  const std::list<ContactTractions>        &contact,
+                  const std::list<ContactTractions<dim>>   &contact,
                   const Vector<double>                     &solution) const;
 
     /// The traction s* n at a place of the boundary, by undeformed length.
-    Tensor<1, 2> stress_traction(const SymmetricTensor<2, 2> &stress,
-                                 const Place                 &place) const;
+    Tensor<1, dim> stress_traction(const SymmetricTensor<2, dim> &stress,
+                                   const FacetPlace<dim>         &place) const;
 
-    /// Whether a component of the displacement is prescribed all along an edge.
-    bool is_supported(const SurfaceFacet<2> &edge, const unsigned int c) const;
+    /// What supports do not hold of a traction all over a facet.
+    Tensor<1, dim> free_part(const SurfaceFacet<dim> &facet,
+                             const Tensor<1, dim>    &traction) const;
 
     void clear_at_nodal_forces(Vector<double> &eta_square) const;
 
-    const Discretization<2> &discretization;
-    const Elasticity<2>     &elasticity;
+    const Discretization<dim> &discretization;
+    const Elasticity<dim>     &elasticity;
 
     /// The whole boundary of all bodies.
-    const Surface<2>          boundary;
-    std::vector<Neighborhood> neighborhoods; // of its edges
+    const Surface<dim>        boundary;
+    std::vector<Neighborhood> neighborhoods; // of its facets
   };
 
 
@@ -121,7 +124,8 @@ namespace Contact
    * Flag the cells by the indicators of ErrorEstimator, from the stresses at
    * the vertices, see flag_by_indicators().
    */
-  void flag_by_estimate(const ContactModel<2>                    &model,
+  template<int dim>
+  void flag_by_estimate(const ContactModel<dim>                  &model,
                         const Parameters::All                    &parameters,
                         const std::vector<SymmetricTensor<2, 3>> &stresses,
                         const Vector<double>                     &solution);

@@ -472,9 +472,11 @@ namespace Contact
                   end != numbers::invalid_unsigned_int)
                 return {{middle, 4. / 3}, {end, -1. / 3}};
             }
-    if (multiplier(node) == numbers::invalid_unsigned_int)
-      return {};
-    return {{multiplier(node), 1.}};
+    std::vector<std::pair<unsigned int, double>> parts;
+    for (const auto &[heir, part] : slave.heirs(node))
+      if (multiplier(heir) != numbers::invalid_unsigned_int)
+        parts.emplace_back(multiplier(heir), part);
+    return parts;
   }
 
 

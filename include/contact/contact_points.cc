@@ -272,7 +272,7 @@ namespace Contact
       for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
         {
           const unsigned int node = slave.facets[e].nodes[a];
-          if (excluded.count(node) > 0)
+          if (excluded.count(node) > 0 || !slave.leaders[node].empty())
             continue;
 
           if (multipliers.of_node[node] == numbers::invalid_unsigned_int)
@@ -284,10 +284,13 @@ namespace Contact
               points.back().psi[0]         = 1;
               points.back().weight         = 0;
             }
-
-          points[multipliers.of_node[node]].weight +=
-            integral_of_shape_function(slave, e, a);
         }
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
+      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+        for (const auto &[node, part] : slave.heirs(slave.facets[e].nodes[a]))
+          if (const unsigned int k = multipliers.of_node[node];
+              k != numbers::invalid_unsigned_int)
+            points[k].weight += part * integral_of_shape_function(slave, e, a);
     weigh_on_axis(slave, points);
     return points;
   }

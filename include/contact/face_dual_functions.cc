@@ -35,7 +35,7 @@ namespace Contact
     const unsigned int              degree,
     const std::vector<FacetSample> &samples,
     const std::vector<double>      &shares,
-    const PerFacetNode<3, bool>    &carries)
+    const Carriers                 &carries)
     : n_nodes(shares.size())
     , degree(degree)
   {
@@ -79,37 +79,50 @@ namespace Contact
 
 
   // Functions that vanish on what faces the master have no part in it.
-  void FacetDualFunctions::find_carriers(const std::vector<double>   &integrals,
-                                         const PerFacetNode<3, bool> &carries)
+  void FacetDualFunctions::find_carriers(const std::vector<double> &integrals,
+                                         const Carriers            &carries)
   {
     double sum = 0;
     for (const double integral : integrals)
       sum += integral;
     const double              round_off = 1e-12;
     std::vector<unsigned int> others;
+    std::vector<unsigned int> with_carriers;
     for (unsigned int a = 0; a < n_nodes; ++a)
       if (integrals[a] > round_off * sum)
-        (carries[a] ? carriers : others).push_back(a);
+        {
+          (carries[a].empty() ? others : with_carriers).push_back(a);
+          for (const auto &carrier : carries[a])
+            if (std::count(carriers.begin(), carriers.end(), carrier.first) ==
+                0)
+              carriers.push_back(carrier.first);
+        }
 
     shared.reinit(carriers.size(), n_nodes);
-    for (unsigned int j = 0; j < carriers.size(); ++j)
-      shared(j, carriers[j]) = 1;
+    const auto hand_over =
+      [&](const unsigned int from, const unsigned int to, const double part) {
+        for (const auto &[carrier, share] : carries[to])
+          shared(std::find(carriers.begin(), carriers.end(), carrier) -
+                   carriers.begin(),
+                 from) += share * part;
+      };
+    for (const unsigned int a : with_carriers)
+      hand_over(a, a, 1);
     for (const unsigned int a : others)
       {
         double                    nearest = std::numeric_limits<double>::max();
         std::vector<unsigned int> heirs;
-        for (unsigned int j = 0; j < carriers.size(); ++j)
+        for (const unsigned int b : with_carriers)
           {
-            const double distance =
-              node_place<3>(a).distance(node_place<3>(carriers[j]));
+            const double distance = node_place<3>(a).distance(node_place<3>(b));
             if (distance < nearest)
               heirs.clear();
             nearest = std::min(nearest, distance);
             if (distance == nearest)
-              heirs.push_back(j);
+              heirs.push_back(b);
           }
-        for (const unsigned int j : heirs)
-          shared(j, a) = 1. / heirs.size();
+        for (const unsigned int b : heirs)
+          hand_over(a, b, 1. / heirs.size());
       }
   }
 

@@ -34,23 +34,28 @@ namespace Contact
    * Pressures need D_k > 0. The M_j are the shape functions, but where a facet
    * of degree 2 faces the master in part, and that takes more than half of its
    * integral from one of them, which may make it negative: there they are the
-   * piecewise bilinear functions of the nine nodes. A node without a multiplier
-   * leaves its function to the nearest ones that have one.
+   * piecewise bilinear functions of the nine nodes. A hanging node leaves its
+   * function to its heirs, of which one may be beyond the facet, and a node
+   * without a multiplier to the nearest ones that have one: the M_j still sum
+   * up to one, and have positive integrals.
    */
   class FacetDualFunctions
   {
   public:
+    using Carriers = PerFacetNode<3, std::vector<Surface<3>::Part>>;
+
     /**
      * @p samples are of the part that faces the master, @p shares [mm^2] the
-     * integrals of the shape functions over the whole facet; @p carries tells
-     * by node whether it has a multiplier.
+     * integrals of the shape functions over the whole facet; @p carries are,
+     * by node of the facet, the nodes of the surface with a multiplier that
+     * its function belongs to, and their parts in it; none if it has none.
      */
     FacetDualFunctions(const unsigned int              degree,
                        const std::vector<FacetSample> &samples,
                        const std::vector<double>      &shares,
-                       const PerFacetNode<3, bool>    &carries);
+                       const Carriers                 &carries);
 
-    /// The nodes of the facet that have a dual function.
+    /// The nodes of the surface that have a dual function here.
     const std::vector<unsigned int> &nodes() const
     {
       return carriers;
@@ -66,8 +71,8 @@ namespace Contact
     /// The M_j of the carriers.
     Vector<double> test_functions(const Point<2> &xi) const;
 
-    void find_carriers(const std::vector<double>   &integrals,
-                       const PerFacetNode<3, bool> &carries);
+    void find_carriers(const std::vector<double> &integrals,
+                       const Carriers            &carries);
 
     const unsigned int        n_nodes;
     const unsigned int        degree;

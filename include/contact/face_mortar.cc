@@ -37,6 +37,24 @@ namespace Contact
           }
       return bends;
     }
+
+
+
+    /// Values that belong to nodes, those of hanging ones handed over to the
+    /// nodes that they follow.
+    std::map<unsigned int, double>
+    followed(const Surface<3>                     &surface,
+             const std::map<unsigned int, double> &of)
+    {
+      std::map<unsigned int, double> values;
+      for (const auto &[node, value] : of)
+        if (surface.leaders[node].empty())
+          values[node] += value;
+        else
+          for (const auto &[leader, part] : surface.leaders[node])
+            values[leader] += part * value;
+      return values;
+    }
   } // namespace
 
 
@@ -55,9 +73,27 @@ namespace Contact
     , slave_bends(bends(slave, planes, discretization))
     , master_bends(bends(master, planes, discretization))
   {
+    find_carriers();
+  }
+
+
+
+  // Where one heir of a hanging node has no multiplier, the other has it all.
+  void MortarDiscretization<3>::find_carriers()
+  {
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-        carries[e][a] = excluded.count(slave.facets[e].nodes[a]) == 0;
+        {
+          double whole = 0;
+          for (const auto &heir : slave.heirs(slave.facets[e].nodes[a]))
+            if (excluded.count(heir.first) == 0)
+              {
+                carries[e][a].push_back(heir);
+                whole += heir.second;
+              }
+          for (auto &heir : carries[e][a])
+            heir.second /= whole;
+        }
   }
 
 
@@ -127,8 +163,8 @@ namespace Contact
                                   carries[e]);
     const auto                  &nodes = slave.facets[e].nodes;
     std::vector<NodeIntegrals *> carriers;
-    for (const unsigned int a : dual.nodes())
-      carriers.push_back(&of_nodes[nodes[a]]);
+    for (const unsigned int node : dual.nodes())
+      carriers.push_back(&of_nodes[node]);
 
     PerFacetNode<3, PerFacetNode<3, double>> of_slave{};
     std::vector<Segment>                     segments;
@@ -243,6 +279,7 @@ namespace Contact
 
     point.weight = integrals.weight;
     add_nodes(integrals, node, point);
+    point.projection = bulge(integrals);
     make_symmetric(point, discretization, u, 1e-6 * length);
     set_tangents(point);
     const Tensor<1, 3> r = move_feet(integrals, now, point);
@@ -255,7 +292,7 @@ namespace Contact
       smallest = std::min(smallest, distance * point.normal);
     const double excess = r * point.normal - smallest + 1e-4 * length;
     if (excess < 0)
-      point.projection = Point<3>(excess * point.normal);
+      point.projection += excess * point.normal;
     point.tangential_row_is_void =
       tangential_row_is_void(point, discretization);
     skip_where_held(point, discretization, u);
@@ -294,7 +331,8 @@ namespace Contact
 
 
 
-  // Biorthogonality leaves round-off where the coefficient is zero.
+  // Biorthogonality leaves round-off where the coefficient is zero. What hangs
+  // is replaced by what it follows.
   void MortarDiscretization<3>::add_nodes(const NodeIntegrals &integrals,
                                           const unsigned int   node,
                                           ContactPoint<3>     &point) const
@@ -303,13 +341,40 @@ namespace Contact
     const auto   add = [&](const SurfaceNode<3> &of, const double integral) {
       point.add_node(of, integral / integrals.weight, 0, 0);
     };
-    add(slave.nodes[node], integrals.slave.at(node));
-    for (const auto &[a, integral] : integrals.slave)
+    const auto of_slave  = followed(slave, integrals.slave);
+    const auto of_master = followed(master, integrals.master);
+    add(slave.nodes[node], of_slave.at(node));
+    for (const auto &[a, integral] : of_slave)
       if (a != node && std::abs(integral) > round_off * integrals.weight)
         add(slave.nodes[a], integral);
     point.n_slave_nodes = point.n_nodes;
-    for (const auto &[m, integral] : integrals.master)
+    for (const auto &[m, integral] : of_master)
       add(master.nodes[m], -integral);
+  }
+
+
+
+  // On round boundaries a hanging node is beside the side that it follows, as
+  // the displacement of the undeformed body says nothing of.
+  Point<3> MortarDiscretization<3>::bulge(const NodeIntegrals &integrals) const
+  {
+    const auto add = [&](const Surface<3>                     &surface,
+                         const std::map<unsigned int, double> &of,
+                         const double                          sign,
+                         Point<3>                             &sum) {
+      for (const auto &[node, integral] : of)
+        if (!surface.leaders[node].empty())
+          {
+            Tensor<1, 3> beside(surface.nodes[node].X);
+            for (const auto &[leader, part] : surface.leaders[node])
+              beside -= part * Tensor<1, 3>(surface.nodes[leader].X);
+            sum -= sign * integral / integrals.weight * beside;
+          }
+    };
+    Point<3> sum;
+    add(slave, integrals.slave, 1, sum);
+    add(master, integrals.master, -1, sum);
+    return sum;
   }
 
 
@@ -346,13 +411,15 @@ namespace Contact
     if (determinant(E) <= smallest)
       return r;
     const Tensor<1, 3> tau = point.along_tangents(invert(E) * offset);
-    unsigned int       a   = point.n_slave_nodes;
+    std::map<unsigned int, double> changes;
     for (const auto &[m, gradient] : integrals.gradients)
       {
-        const double change = gradient * tau / integrals.weight;
-        point.C[a++] -= change;
-        r -= change * now.master_x[m];
+        changes[m] = gradient * tau / integrals.weight;
+        r -= changes[m] * now.master_x[m];
       }
+    unsigned int a = point.n_slave_nodes;
+    for (const auto &[m, change] : followed(master, changes))
+      point.C[a++] -= change;
     return r;
   }
 } // namespace Contact

@@ -97,9 +97,12 @@ namespace Contact
     void         add_nodes(const NodeIntegrals &integrals,
                            const unsigned int   node,
                            ContactPoint<3>     &point) const;
+    Point<3>     bulge(const NodeIntegrals &integrals) const;
     Tensor<1, 3> move_feet(const NodeIntegrals     &integrals,
                            const FaceConfiguration &now,
                            ContactPoint<3>         &point) const;
+
+    void find_carriers();
 
     unsigned int slave_node(const ContactPoint<3> &point) const;
 
@@ -108,8 +111,8 @@ namespace Contact
     const Discretization<3>     &discretization;
     const std::set<unsigned int> excluded;
 
-    /// By facet and node, whether it has a multiplier.
-    std::vector<PerFacetNode<3, bool>> carries;
+    /// By facet and node, see FacetDualFunctions.
+    std::vector<FacetDualFunctions::Carriers> carries;
 
     const SymmetryPlanes planes;
 

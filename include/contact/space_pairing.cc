@@ -6,6 +6,7 @@
 // The pairing of a contact point with the quadrangles of the master.
 
 #include <algorithm>
+#include <map>
 
 #include "contact/contact_points.h"
 
@@ -28,6 +29,30 @@ namespace Contact
                 return true;
           }
       return false;
+    }
+
+
+
+    /// Add a node of the master, or those that it follows. On round boundaries
+    /// a hanging node is beside the side that it follows: that is left.
+    void add_parts(const Surface<3>               &master,
+                   const unsigned int              node,
+                   const double                    value,
+                   std::map<unsigned int, double> &parts,
+                   Point<3>                       &left)
+    {
+      if (master.leaders[node].empty())
+        {
+          parts[node] += value;
+          return;
+        }
+      Tensor<1, 3> beside(master.nodes[node].X);
+      for (const auto &[leader, part] : master.leaders[node])
+        {
+          parts[leader] += part * value;
+          beside -= part * Tensor<1, 3>(master.nodes[leader].X);
+        }
+      left += value * beside;
     }
 
 
@@ -231,13 +256,18 @@ namespace Contact
     point.master_xi    = projection.xi;
 
     point.keep_nodes(point.n_slave_nodes);
-    const FacetShape<3> shape(master.degree, projection.xi);
+    point.projection = Point<3>();
+    const FacetShape<3>            shape(master.degree, projection.xi);
+    std::map<unsigned int, double> parts;
     for (unsigned int a = 0; a < master.n_nodes_per_facet(); ++a)
       if (shape.value[a] != 0)
-        point.add_node(master.nodes[master.facets[projection.facet].nodes[a]],
-                       -shape.value[a],
-                       0,
-                       0);
+        add_parts(master,
+                  master.facets[projection.facet].nodes[a],
+                  shape.value[a],
+                  parts,
+                  point.projection);
+    for (const auto &[node, part] : parts)
+      point.add_node(master.nodes[node], -part, 0, 0);
 
     Tensor<1, 3> normal = search.normal(projection.facet, projection.xi);
     for (const auto &[facet, xi] : projection.twins)

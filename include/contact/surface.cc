@@ -6,8 +6,10 @@
 #include "contact/surface.h"
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_tools.h>
 
 #include <algorithm>
+#include <boost/serialization/utility.hpp>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -26,6 +28,12 @@ namespace Contact
       types::material_id                  body;
       unsigned int                        part;
       Point<dim>                          middle;
+      FacetName<dim>                      name;
+
+      /// The first unknowns of the nodes that a hanging one follows, and by how
+      /// much.
+      PerFacetNode<dim, std::vector<std::pair<types::global_dof_index, double>>>
+        leaders;
 
       template<class Archive>
       void serialize(Archive &archive, const unsigned int)
@@ -37,6 +45,10 @@ namespace Contact
             archive &node.X;
           }
         archive &body &part &middle;
+        for (auto &dof : name)
+          archive &dof;
+        for (auto &of_node : leaders)
+          archive &of_node;
       }
     };
 
@@ -107,6 +119,28 @@ namespace Contact
 
 
 
+    /// Let the hanging nodes of a facet follow others. A node in the middle of
+    /// a larger side of degree 2 is the node that the larger facet has there.
+    template<int dim>
+    void find_leaders(const AffineConstraints<double> &hanging,
+                      LooseFacet<dim>                 &facet)
+    {
+      for (unsigned int a = 0; a < facet.nodes.size(); ++a)
+        {
+          auto       &dofs    = facet.nodes[a].dofs;
+          const auto *entries = hanging.get_constraint_entries(dofs[0]);
+          if (entries == nullptr)
+            continue;
+          if (entries->size() > 1)
+            facet.leaders[a] = *entries;
+          else
+            for (auto &dof : dofs)
+              dof = hanging.get_constraint_entries(dof)->front().first;
+        }
+    }
+
+
+
     /// A face of a cell at the boundary, its part left open. The unknowns of a
     /// face come in the order of its own vertices, then the middles of its
     /// sides, and its centre.
@@ -127,6 +161,7 @@ namespace Contact
       LooseFacet<dim> facet;
       facet.body   = cell->material_id();
       facet.middle = face->center(/*respect_manifold=*/true);
+      facet.name   = facet_name(discretization, face);
       for (unsigned int k = 0; k < dofs.size(); ++k)
         {
           const auto [c, a]      = fe.face_system_to_component_index(k, f);
@@ -177,6 +212,11 @@ namespace Contact
   Surface<dim>::collect_facets(const std::set<types::boundary_id> &boundary_ids)
   {
     const auto parts = connected_parts(discretization.mesh.triangulation);
+    AffineConstraints<double> hanging;
+    if (dim == 3 && discretization.mesh.triangulation.has_hanging_nodes())
+      DoFTools::make_hanging_node_constraints(discretization.dof_handler,
+                                              hanging);
+    hanging.close();
     std::vector<LooseFacet<dim>> own;
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
@@ -187,14 +227,16 @@ namespace Contact
             continue;
 
           own.push_back(make_loose_facet<dim>(discretization, cell, f));
+          find_leaders(hanging, own.back());
           own.back().part =
             parts[coarse_cell<typename Triangulation<dim>::cell_iterator>(
               cell)];
         }
 
     std::map<types::global_dof_index, unsigned int> node_of_dof;
-    for (const auto &of_rank :
-         Utilities::MPI::all_gather(discretization.communicator, own))
+    const auto                                      all_facets =
+      Utilities::MPI::all_gather(discretization.communicator, own);
+    for (const auto &of_rank : all_facets)
       for (const LooseFacet<dim> &loose : of_rank)
         {
           SurfaceFacet<dim> facet;
@@ -202,6 +244,7 @@ namespace Contact
           facet.body   = loose.body;
           facet.part   = loose.part;
           facet.middle = loose.middle;
+          facet.name   = loose.name;
           for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
             {
               const SurfaceNode<dim> &node = loose.nodes[a];
@@ -213,6 +256,30 @@ namespace Contact
             }
           facets.push_back(facet);
         }
+
+    leaders.resize(nodes.size());
+    for (const auto &of_rank : all_facets)
+      for (const LooseFacet<dim> &loose : of_rank)
+        for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+          if (auto &of_node = leaders[node_of_dof.at(loose.nodes[a].dofs[0])];
+              of_node.empty())
+            for (const auto &[dof, part] : loose.leaders[a])
+              of_node.emplace_back(node_of_dof.at(dof), part);
+  }
+
+
+
+  template<int dim>
+  std::vector<typename Surface<dim>::Part>
+  Surface<dim>::heirs(const unsigned int node) const
+  {
+    if (leaders[node].empty())
+      return {{node, 1.}};
+    std::vector<Part> heirs;
+    for (const auto &[leader, part] : leaders[node])
+      if (part > 0)
+        heirs.emplace_back(leader, 0.5);
+    return heirs;
   }
 
 

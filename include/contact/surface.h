@@ -8,6 +8,7 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
@@ -161,6 +162,26 @@ namespace Contact
 
 
 
+  /// A facet is known by the first unknowns of its vertices, in ascending
+  /// order.
+  template<int dim>
+  using FacetName = std::array<types::global_dof_index,
+                               GeometryInfo<dim - 1>::vertices_per_cell>;
+
+  /// The name of a face of a cell at the boundary.
+  template<int dim, typename Face>
+  FacetName<dim> facet_name(const Discretization<dim> &discretization,
+                            const Face                &face)
+  {
+    FacetName<dim> name;
+    for (unsigned int v = 0; v < name.size(); ++v)
+      name[v] = discretization.vertex_dofs[face->vertex_index(v)][0];
+    std::sort(name.begin(), name.end());
+    return name;
+  }
+
+
+
   /// What facets of both dimensions have.
   template<int dim>
   struct FacetOfBody
@@ -176,6 +197,9 @@ namespace Contact
     /// The middle of the curve or the surface that the facet stands for,
     /// undeformed [mm].
     Point<dim> middle;
+
+    /// The same of all surfaces that have it.
+    FacetName<dim> name;
   };
 
   template<int dim>
@@ -258,6 +282,18 @@ namespace Contact
     /// The facets that meet at each node.
     std::vector<std::vector<unsigned int>> facets_of_node;
 
+    /// A node and its part in another one.
+    using Part = std::pair<unsigned int, double>;
+
+    /// The nodes that a hanging node follows, those of the side of a larger
+    /// facet that it is on; none of a node that does not hang. In space.
+    std::vector<std::vector<Part>> leaders;
+
+    /// The nodes that a node hands over to what is its own, as a multiplier:
+    /// itself, or of a hanging node the nearest two that it follows, by halves.
+    /// Unlike the parts of the leaders at degree 2 these are positive.
+    std::vector<Part> heirs(const unsigned int node) const;
+
     /// The largest angle by which one edge turns against the one before it
     /// [degrees], of those that are no corners. In the plane.
     double largest_bend() const;
@@ -321,6 +357,7 @@ namespace Contact
     void measure_turns();
 
     void link_sides();
+    void link_halves_of_sides();
 
     /// The facets around a node of a facet that no corner parts from it.
     std::vector<unsigned int> smooth_around(const unsigned int facet,

@@ -104,7 +104,7 @@ namespace Contact
             node = new_number[node];
           }
       }
-    nodes = ordered;
+    nodes = ordered; // none of them hangs
   }
 
 

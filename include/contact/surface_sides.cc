@@ -31,6 +31,52 @@ namespace Contact
 
 
 
+  // A side that two smaller facets share has the first of them as its neighbor.
+  template<>
+  void Surface<3>::link_halves_of_sides()
+  {
+    std::map<Side, std::vector<unsigned int>> middles; // by the ends
+    for (unsigned int node = 0; node < nodes.size(); ++node)
+      if (leaders[node].size() == 2)
+        middles[std::minmax(leaders[node][0].first, leaders[node][1].first)]
+          .push_back(node);
+
+    std::map<Side, Side> side_of; // by the ends of halves
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      for (unsigned int s = 0; s < 4; ++s)
+        {
+          const auto [a, b] = SurfaceFacet<3>::corners_of_side[s];
+          const Side ends = std::minmax(facets[e].nodes[a], facets[e].nodes[b]);
+          const auto halve = [&](const unsigned int middle) {
+            side_of.emplace(std::minmax(ends.first, middle), Side(e, s));
+            side_of.emplace(std::minmax(middle, ends.second), Side(e, s));
+          };
+          if (degree == 2)
+            halve(facets[e].nodes[4 + s]);
+          else if (const auto found = middles.find(ends);
+                   found != middles.end())
+            for (const unsigned int middle : found->second)
+              halve(middle);
+        }
+
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      for (unsigned int s = 0; s < 4; ++s)
+        {
+          const auto [a, b] = SurfaceFacet<3>::corners_of_side[s];
+          const auto larger =
+            side_of.find(std::minmax(facets[e].nodes[a], facets[e].nodes[b]));
+          if (facets[e].neighbors[s] != numbers::invalid_unsigned_int ||
+              larger == side_of.end())
+            continue;
+          const auto [other, side] = larger->second;
+          facets[e].neighbors[s]   = other;
+          if (facets[other].neighbors[side] == numbers::invalid_unsigned_int)
+            facets[other].neighbors[side] = e;
+        }
+  }
+
+
+
   template<>
   void Surface<3>::link_sides()
   {
@@ -47,6 +93,7 @@ namespace Contact
           facets[e].neighbors[s]        = other;
           facets[other].neighbors[side] = e;
         }
+    link_halves_of_sides();
   }
 
 
@@ -97,7 +144,8 @@ namespace Contact
 
 
 
-  // From facet to facet across the sides at the node that are no corners.
+  // From facet to facet across the sides at the node that are no corners. A
+  // facet that has two smaller ones as neighbors across a side knows one.
   template<>
   std::vector<unsigned int>
   Surface<3>::smooth_around(const unsigned int facet,
@@ -105,20 +153,17 @@ namespace Contact
   {
     const unsigned int        node = facets[facet].nodes[a];
     std::vector<unsigned int> around{facet};
-    for (unsigned int k = 0; k < around.size(); ++k)
+    const auto leads_to = [&](const unsigned int from, const unsigned int to) {
       for (unsigned int s = 0; s < 4; ++s)
-        {
-          const SurfaceFacet<3> &from = facets[around[k]];
-          const unsigned int     next = from.neighbors[s];
-          if (next == numbers::invalid_unsigned_int || from.corner[s] ||
-              std::find(around.begin(), around.end(), next) != around.end())
-            continue;
-          const auto &of_next = facets[next].nodes;
-          if (std::find(of_next.begin(),
-                        of_next.begin() + n_nodes_per_facet(),
-                        node) != of_next.begin() + n_nodes_per_facet())
-            around.push_back(next);
-        }
+        if (facets[from].neighbors[s] == to && !facets[from].corner[s])
+          return true;
+      return false;
+    };
+    for (unsigned int k = 0; k < around.size(); ++k)
+      for (const unsigned int next : facets_of_node[node])
+        if ((leads_to(around[k], next) || leads_to(next, around[k])) &&
+            std::find(around.begin(), around.end(), next) == around.end())
+          around.push_back(next);
     std::sort(around.begin(), around.end());
     return around;
   }

@@ -105,14 +105,35 @@ namespace Contact
         }
       contact_pair.project(make_array_view(points), solution);
       for (unsigned int n = 0; n < rows.size(); ++n)
-        {
-          const ContactState<dim> state =
-            interface.state(points[numbering.of_node[n]], solution, u_start);
-          rows[n].gap  = state.gap;
-          rows[n].slip = in_one_number(state.slip);
-          rows[n].slip_vector =
-            points[numbering.of_node[n]].along_tangents(state.slip);
-        }
+        if (contact_pair.slave.leaders[n].empty())
+          {
+            const ContactState<dim> state =
+              interface.state(points[numbering.of_node[n]], solution, u_start);
+            rows[n].gap  = state.gap;
+            rows[n].slip = in_one_number(state.slip);
+            rows[n].slip_vector =
+              points[numbering.of_node[n]].along_tangents(state.slip);
+          }
+    }
+
+
+
+    /// A hanging node has no point: it has the means of its heirs.
+    template<int dim>
+    void fill_in_hanging(const Surface<dim>           &slave,
+                         std::vector<ProfileRow<dim>> &rows)
+    {
+      for (unsigned int n = 0; n < rows.size(); ++n)
+        if (!slave.leaders[n].empty())
+          for (const auto &[heir, part] : slave.heirs(n))
+            {
+              rows[n].gap += part * rows[heir].gap;
+              rows[n].slip += part * rows[heir].slip;
+              rows[n].slip_vector += part * rows[heir].slip_vector;
+              rows[n].shear += part * rows[heir].shear;
+              rows[n].shear_vector += part * rows[heir].shear_vector;
+              rows[n].status = std::max(rows[n].status, rows[heir].status);
+            }
     }
 
 
@@ -174,6 +195,7 @@ namespace Contact
               row.shear_vector     = point.along_tangents(state.lambda_t);
             }
         }
+      fill_in_hanging(contact_pair.slave, rows);
     }
 
 

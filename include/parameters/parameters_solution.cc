@@ -135,12 +135,14 @@ namespace Contact
                         "How often the mesh is refined after a solution, which "
                         "is transferred [-].",
                         Patterns::Integer(0));
-      prm.add_parameter("Strategy",
-                        strategy,
-                        "uniform: all cells; adaptive: the cells with the "
-                        "largest estimated errors, for meshes of quadrangles; "
-                        "automatic: uniform, but adaptive towards an accuracy "
-                        "where the mesh allows it [-].");
+      prm.add_parameter(
+        "Strategy",
+        strategy,
+        "uniform: all cells; adaptive: the cells with the "
+        "largest estimated errors, for meshes of quadrangles or "
+        "hexahedra; "
+        "automatic: uniform, but adaptive towards an accuracy "
+        "where the mesh allows it [-].");
       prm.add_parameter("Limits",
                         limits,
                         "'unknowns: number, seconds: number, megabytes: "

@@ -62,10 +62,6 @@ namespace Contact::Parameters
            "Probes/Hertz, Probes/Concentric cylinders",
            "the theories are of line contact",
            "remove the entry");
-    refuse(has_levels() && refinement.strategy == Strategy::adaptive,
-           "Refinement/Strategy",
-           "errors are estimated in the plane alone",
-           "set 'Strategy = uniform'");
     All all      = *this;
     all.in_space = true;
 

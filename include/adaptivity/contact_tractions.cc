@@ -1,0 +1,229 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "adaptivity/contact_tractions.h"
+
+#include <algorithm>
+
+#include "contact/contact_results.h"
+
+namespace Contact
+{
+  namespace
+  {
+    template<int dim>
+    std::map<FacetName<dim>, unsigned int>
+    name_facets(const Surface<dim> &surface)
+    {
+      std::map<FacetName<dim>, unsigned int> facets;
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
+        facets.emplace(surface.facets[e].name, e);
+      return facets;
+    }
+
+
+
+    /// Values are not extrapolated to the overhang beyond the end.
+    double onto_facet(const double xi)
+    {
+      return std::max(-1., std::min(1., xi));
+    }
+
+    Point<2> onto_facet(const Point<2> &xi)
+    {
+      return {onto_facet(xi[0]), onto_facet(xi[1])};
+    }
+
+
+
+    /// In terms of an edge's own outward normal n, which on the slave is that
+    /// of the master reversed, both sides have -(p n + q t), t = n turned by
+    /// +90 degrees.
+    Tensor<1, 2> in_frame(const FacetPlace<2> &place,
+                          const Tensor<1, 2>  &p_and_q,
+                          const bool)
+    {
+      const Tensor<1, 2> t = place.along[0] / place.along[0].norm();
+      return -(p_and_q[0] * cross_product_2d(t) + p_and_q[1] * t);
+    }
+
+    Tensor<1, 3> in_frame(const FacetPlace<3> &,
+                          const Tensor<1, 3> &on_slave,
+                          const bool          is_slave)
+    {
+      return is_slave ? on_slave : -on_slave;
+    }
+  } // namespace
+
+
+
+  template<int dim>
+  FacetPlace<dim>::FacetPlace(const Surface<dim>      &surface,
+                              const SurfaceFacet<dim> &facet,
+                              const FacetPoint<dim>   &xi,
+                              const Vector<double>    &u)
+    : shape(surface.degree, xi)
+  {
+    std::array<Tensor<1, dim>, dim - 1> along_undeformed;
+    for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+      {
+        const unsigned int node     = facet.nodes[a];
+        const Point<dim>   position = surface.position(node, u);
+        x += shape.value[a] * position;
+        for (unsigned int k = 0; k < dim - 1; ++k)
+          {
+            along[k] += shape.derivative(a, k) * position;
+            along_undeformed[k] +=
+              shape.derivative(a, k) * surface.nodes[node].X;
+          }
+      }
+    area            = outward_normal(along);
+    undeformed_area = outward_normal(along_undeformed);
+  }
+
+
+
+  template<int dim>
+  bool is_tied(const Discretization<dim> &discretization,
+               const Surface<dim>        &surface,
+               const SurfaceFacet<dim>   &facet)
+  {
+    for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+      for (const auto dof : surface.nodes[facet.nodes[a]].dofs)
+        if (discretization.is_tied(dof))
+          return true;
+    return false;
+  }
+
+
+
+  template<int dim>
+  ContactTractions<dim>::ContactTractions(
+    const Discretization<dim>   &discretization,
+    const ContactInterface<dim> &interface,
+    const ContactPair<dim>      &contact_pair,
+    const Vector<double>        &solution)
+    : discretization(discretization)
+    , slave(contact_pair.slave)
+    , solution(solution)
+    , search(slave, solution)
+    , slave_facets(name_facets(slave))
+    , at_nodes(slave.nodes.size())
+  {
+    if (contact_pair.master)
+      master_facets = name_facets(*contact_pair.master);
+    find_values(interface, contact_pair);
+  }
+
+
+
+  template<>
+  void ContactTractions<2>::find_values(const ContactInterface<2> &interface,
+                                        const ContactPair<2>      &contact_pair)
+  {
+    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+      {
+        const unsigned int k = contact_pair.multipliers.of_node[i];
+        if (k == numbers::invalid_unsigned_int)
+          continue;
+        at_nodes[i][0] = solution[interface.normal_index(k)];
+        if (!contact_pair.law.is_frictionless())
+          at_nodes[i][1] = solution[interface.tangential_index(k)];
+      }
+    const auto of_corners = corner_loads(interface, contact_pair, solution);
+    for (unsigned int i = 0; i < of_corners.size(); ++i)
+      at_nodes[i] += of_corners[i].traction();
+  }
+
+
+
+  template<>
+  void ContactTractions<3>::find_values(const ContactInterface<3> &interface,
+                                        const ContactPair<3>      &contact_pair)
+  {
+    std::vector<Tensor<1, 3>> of_multiplier(interface.n_normal_multipliers());
+    for (const ContactPoint<3> &point : interface.points_of(contact_pair))
+      {
+        const unsigned int k = point.multipliers[0];
+        of_multiplier[k] = solution[interface.normal_index(k)] * point.normal;
+        Tensor<1, 2> shear;
+        if (!contact_pair.law.is_frictionless())
+          for (unsigned int t = 0; t < 2; ++t)
+            shear[t] = solution[interface.tangential_index(k, t)];
+        of_multiplier[k] += point.along_tangents(shear);
+      }
+    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+      for (const auto &[k, part] : contact_pair.pressure_at(i))
+        at_nodes[i] += part * of_multiplier[k];
+  }
+
+
+
+  template<int dim>
+  std::optional<Tensor<1, dim>>
+  ContactTractions<dim>::operator()(const FacetName<dim>  &name,
+                                    const FacetPlace<dim> &place,
+                                    const double           reach) const
+  {
+    const auto own = slave_facets.find(name);
+    if (own != slave_facets.end())
+      return in_frame(place,
+                      interpolate(slave.facets[own->second], place),
+                      /*is_slave=*/true);
+    if (master_facets.count(name) > 0)
+      return of_facing_slave(place, reach);
+    return Tensor<1, dim>();
+  }
+
+
+
+  template<int dim>
+  Tensor<1, dim>
+  ContactTractions<dim>::interpolate(const SurfaceFacet<dim> &facet,
+                                     const FacetPlace<dim>   &place) const
+  {
+    Tensor<1, dim> traction;
+    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      traction += place.shape.value[a] * at_nodes[facet.nodes[a]];
+    return traction;
+  }
+
+
+
+  // Both sides agree on the force by deformed area.
+  template<int dim>
+  std::optional<Tensor<1, dim>>
+  ContactTractions<dim>::of_facing_slave(const FacetPlace<dim> &place,
+                                         const double           reach) const
+  {
+    const Projection<dim> projection = search.closest_point(place.x);
+    if (projection.off_the_end ||
+        search.distance_square(place.x, projection) > reach * reach)
+      return Tensor<1, dim>();
+
+    const SurfaceFacet<dim> &facet = slave.facets[projection.facet];
+    if (is_tied(discretization, slave, facet))
+      return {};
+    const FacetPlace<dim> there(slave,
+                                facet,
+                                onto_facet(projection.xi),
+                                solution);
+    return in_frame(place,
+                    place.stretch() / there.stretch() *
+                      interpolate(facet, there),
+                    /*is_slave=*/false);
+  }
+
+  template struct FacetPlace<2>;
+  template struct FacetPlace<3>;
+  template class ContactTractions<2>;
+  template class ContactTractions<3>;
+  template bool is_tied(const Discretization<2> &,
+                        const Surface<2> &,
+                        const SurfaceFacet<2> &);
+  template bool is_tied(const Discretization<3> &,
+                        const Surface<3> &,
+                        const SurfaceFacet<3> &);
+} // namespace Contact

@@ -1,0 +1,79 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Adaptive refinement in space: a quarter of a round block that is pressed on a
+flat one, with friction.
+
+Proves that at default settings, with elements of degree 1 and 2 and with the mortar
+and the nodal discretization,
+
+- the runs converge and violate no invariant, with hanging nodes on the surface of
+  the slave in contact;
+- the force approaches that of as many uniform levels, on far fewer unknowns;
+- two processes have the results of one to 1e-8.
+
+The patch test with hanging nodes on both surfaces is tests/space_hanging.cc.
+
+Usage: space_adaptive.py CONTACT PARAMETERS MESHES
+"""
+
+import sys
+
+from block_scenes import check, failures, rows, run
+from space_scenes import converged, probes
+from volume_scenes import Volumes
+
+
+def solve(what, degree, rule, levels, strategy, ranks=1):
+    entries = {
+        "Mesh/File": "round.msh", "Element/Degree": degree,
+        "Solids/Young's modulus": "Low: 1000, Up: 3000",
+        "Solids/Poisson's ratio": "Low: 0.3, Up: 0.2",
+        "Boundary conditions/Displacement x": "Low_x0: 0, Up_x0: 0",
+        "Boundary conditions/Displacement y": "Low_y0: 0, Up_y0: 0",
+        "Boundary conditions/Displacement z": "Low_z0: 0, Up_z1: -0.05",
+        "Contact/Slave": "Up_z0", "Contact/Master": "Low_z1",
+        "Contact/Discretization": rule, "Contact/Friction coefficient": 0.2,
+        "Solution/Newton tolerance": 1e-12,
+        "Refinement/Levels": levels, "Refinement/Strategy": strategy,
+        "Output/Profile": "true",
+        "Probes/Probes": "F: reaction z, Low_z0; u: displacement x, Low_101"}
+    status, said, summary = run("round", entries, ranks)
+    if not converged(what, status, summary, said):
+        return None
+    return summary
+
+
+def unknowns(summary):
+    return summary["levels"][-1]["displacements"]
+
+
+mesh = Volumes()
+mesh.block("Low", (4, 4, 3), lambda r, s, t: (1.6 * r, 1.6 * s, t - 1))
+mesh.block("Up", (3, 3, 3), lambda r, s, t: (
+    1.1 * r, s, t + (1 - t) * (0.1 * (1.1 * r) ** 2 + 0.15 * s ** 2)))
+mesh.write("round")
+for degree, rule in ((1, "mortar"), (2, "mortar"), (1, "nodal")):
+    name = f"degree {degree}, {rule}"
+    n = 2 if degree == 1 else 1
+    n_adaptive = 4 if degree == 1 else 3
+    coarse = solve(f"{name}, coarse", degree, rule, 0, "uniform")
+    uniform = solve(f"{name}, uniform", degree, rule, n, "uniform")
+    adaptive = solve(f"{name}, adaptive", degree, rule, n_adaptive,
+                     "adaptive")
+    if not (coarse and uniform and adaptive):
+        continue
+    hanging = [r for r in rows("round") if r["surface"] == "slave" and
+               r["pressure_MPa"] > 0 and r["nodal_force_N"] == 0]
+    check(f"{name}: hanging nodes in contact", hanging, len(hanging))
+    two = solve(f"{name}, two processes", degree, rule, n_adaptive,
+                     "adaptive", 2)
+    F = [probes(s)["F"] for s in (coarse, uniform, adaptive)]
+    check(f"{name}: approaches the uniform mesh",
+          abs(F[2] - F[1]) < 0.5 * abs(F[0] - F[1]), F)
+    sizes = [unknowns(s) for s in (coarse, uniform, adaptive)]
+    check(f"{name}: fewer unknowns", sizes[2] < 0.7 * sizes[1], sizes)
+    if two:
+        a, b = probes(adaptive), probes(two)
+        worst = max(abs(b[k] / a[k] - 1) for k in a)
+        check(f"{name}: the same on two processes", worst < 1e-8, worst)
+sys.exit(bool(failures))
