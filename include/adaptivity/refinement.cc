@@ -18,6 +18,7 @@
 
 #include "base/deal_ii_versions.h"
 #include "base/errors.h"
+#include "solid/followers.h"
 
 namespace Contact
 {
@@ -255,6 +256,9 @@ namespace Contact
 
 
 
+  // In the 20-node element the centres of the new faces are bound, which the
+  // free centre of an old face that may touch does not respect; and updates do
+  // not bring back what is beside the constraints.
   template<int dim>
   void refine_and_transfer(Mesh<dim>                   &mesh,
                            Discretization<dim>         &discretization,
@@ -264,6 +268,15 @@ namespace Contact
       transfer_complete(mesh, discretization, solutions);
     else
       transfer_distributed(mesh, discretization, solutions);
+
+    const auto constraints = followers(discretization);
+    if (Utilities::MPI::max(constraints.n_constraints(),
+                            discretization.communicator) > 0)
+      for (Vector<double> &solution : solutions)
+        {
+          constraints.distribute(solution);
+          discretization.gather(solution);
+        }
   }
 
   template void check_adaptive(const Mesh<2> &mesh);
