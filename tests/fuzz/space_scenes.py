@@ -139,10 +139,10 @@ class SpaceScene(scenes.Scene):
     def mesh(self):
         return self.volumes().text()
 
-    def facets_of_master(self):
-        """The places of the corners of each."""
+    def facets_of(self, surface):
+        """Of "Slave" or "Master", the places of the corners of each."""
         mesh = self.volumes()
-        tag = mesh.groups[2, self.entries["Contact/Master"]]
+        tag = mesh.groups[2, self.entries["Contact/" + surface]]
         return [[mesh.nodes[n - 1] for n in connected[:4]]
                 for _, group, connected in mesh.elements if group == tag]
 

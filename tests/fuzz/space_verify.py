@@ -2,7 +2,8 @@
 of both surfaces in profile.csv and all nodes in nodes.csv.
 
 Penetration of a slave node is its vertical distance from the deformed master,
-whose facets are split in triangles.
+whose facets are split in triangles; with mortar, whose gaps are weighted, the mean
+of that distance around the node.
 """
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import csv
@@ -15,6 +16,8 @@ PENETRATION = {"nodal": 0.02, "mortar": 0.1}
 # Of the largest traction, of all forces.
 TRACTION = 1e-4
 FORCE = 1e-6
+# Of the geometry loop, as it is if not told: Solution/Geometry tolerance.
+GEOMETRY = 1e-3
 
 
 def rows_of(directory, scene, file):
@@ -103,6 +106,34 @@ def check_tractions(scene, slave):
     return []
 
 
+def balanced(scene, row):
+    """Where the forces on a node have no moment together with those opposite: where
+    slave and foot meet along the normal, and are not apart along the surface. If
+    the bodies are paired undeformed, slip is a distance along the surface: then the
+    node has moved along the normal alone, which is that of the flat surface."""
+    if scene.features["geometry"] != "undeformed":
+        return deformed(row)
+    normal = [-scene.slope, 0., 1.]
+    u = vector(row, "displacement", "mm")
+    along = sum(a * b for a, b in zip(u, normal)) / norm(normal) ** 2
+    return [a + along * b for a, b in zip(place(row), normal)]
+
+
+def offset(scene, nodes):
+    """How far slave and foot may be apart along the surface: both have moved since
+    they were paired by the tolerance of the geometry loop in each direction. A mean
+    over slave or master counts nodes with weights of either sign, the sum of whose
+    sizes is 3 in the middle of a facet of eight nodes, and (5/3)^2 for the integral
+    of a dual function of four."""
+    if scene.features["geometry"] != "fixed point":
+        return 0.
+    moved = GEOMETRY * max(abs(u) for row in nodes
+                           for u in vector(row, "displacement", "mm"))
+    master = 3 if scene.features["degree"] == 2 else 1
+    means = (5 / 3) ** 2 if scene.features["rule"] == "mortar" else 1
+    return math.sqrt(2) * moved * (1 + master) * means
+
+
 def check_forces(scene, nodes):
     """Forces and moments of contact on both bodies, and the load."""
     force = {"Lower": [0.] * 3, "Upper": [0.] * 3}
@@ -110,16 +141,18 @@ def check_forces(scene, nodes):
     scale = 0.
     for row in nodes:
         f = vector(row, "contact_force", "N")
-        x = (place(row) if scene.features["geometry"] == "undeformed"
-             else deformed(row))
+        x = balanced(scene, row)
         scale += norm(f)
         for sums, add in ((force, f), (moment, cross(x, f))):
             sums[row["body"]] = [a + b for a, b in zip(sums[row["body"]], add)]
     found = []
     tolerance = FORCE * scale + 1e-12 * scene.traction * scene.size ** 2
-    for what, sums, arm in (("forces", force, 1.), ("moments", moment, scene.size)):
+    for what, sums, most in (
+            ("forces", force, tolerance),
+            ("moments", moment, tolerance * scene.size +
+             offset(scene, nodes) * scale / 2)):
         off = norm([a + b for a, b in zip(sums["Lower"], sums["Upper"])])
-        if off > tolerance * arm:
+        if off > most:
             found.append("%s of contact %s on Lower, %s on Upper" %
                          (what, sums["Lower"], sums["Upper"]))
     for c, load in enumerate(scene.load or ()):
@@ -149,12 +182,14 @@ def check_penetration(scene, slave, master):
     if scene.features["shape"] in ("edge", "corner"):
         return []
     triangles, warp = triangles_of(scene, master)
+    mean = mean_heights(scene, slave, triangles)
     up = 1 if scene.slave_is_upper else -1
     largest = max(norm(vector(r, "displacement", "mm")) for r in slave + master)
     rule = scene.features["rule"]
     lowest = moment = force = 0.
-    for row in slave:
-        height = height_above(deformed(row), triangles)
+    for row, around in zip(slave, mean):
+        height = (around if rule == "mortar"
+                  else height_above(deformed(row), triangles))
         if height is not None:
             lowest = min(lowest, up * height)
             moment += row["nodal_force_N"] * min(0., up * height)
@@ -170,6 +205,35 @@ def check_penetration(scene, slave, master):
         return ["penetration %.3g mm, %.2g of the largest displacement" %
                 (-lowest, -lowest / max(largest, 1e-300))]
     return []
+
+
+def mean_heights(scene, slave, triangles):
+    """Of the deformed slave around each node, its hat function the weight; None
+    where it is beside the master. Each facet is sampled at n x n places."""
+    def key(x):
+        return tuple(round(c / scene.size, 6) for c in x)
+    n = 4
+    at = {key(place(row)): i for i, row in enumerate(slave)}
+    sums, weights = [0.] * len(slave), [0.] * len(slave)
+    for facet in scene.facets_of("Slave"):
+        grid = grid_of(facet, at, key)
+        for four in ((*a, *b) for low, high in zip(grid, grid[1:])
+                     for a, b in zip(zip(low, low[1:]), zip(high, high[1:]))):
+            corners = [deformed(slave[i]) for i in four]
+            a, b, c, d = corners
+            area = norm(cross([y - x for x, y in zip(a, d)],
+                              [y - x for x, y in zip(b, c)])) / 2
+            for k in range(n * n):
+                r, s = (k % n + 0.5) / n, (k // n + 0.5) / n
+                hats = (1 - r) * (1 - s), r * (1 - s), (1 - r) * s, r * s
+                height = height_above(
+                    [sum(h * x[d] for h, x in zip(hats, corners))
+                     for d in range(3)], triangles)
+                if height is not None:
+                    for i, hat in zip(four, hats):
+                        sums[i] += hat * area * height
+                        weights[i] += hat * area
+    return [a / b if b > 0 else None for a, b in zip(sums, weights)]
 
 
 def grid_of(corners, at, key):
@@ -195,7 +259,7 @@ def triangles_of(scene, master):
         return tuple(round(c / scene.size, 6) for c in x)
     at = {key(place(row)): deformed(row) for row in master}
     triangles, warp = [], 0.
-    for facet in scene.facets_of_master():
+    for facet in scene.facets_of("Master"):
         grid = grid_of(facet, at, key)
         for low, high in zip(grid, grid[1:]):
             for a, b, c, d in zip(low, low[1:], high[1:], high):
