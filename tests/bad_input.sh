@@ -124,6 +124,43 @@ $EndElements
 MSH
 expect_entry "element 1" "Mesh/File=tangled.msh"
 
+# A cell or an edge twice in a group, a middle node that is not there
+mesh_of() {
+  cat <<MSH
+\$MeshFormat
+2.2 0 8
+\$EndMeshFormat
+\$PhysicalNames
+2
+1 1 "Ground"
+2 2 "Block"
+\$EndPhysicalNames
+\$Nodes
+8
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+5 .5 0 0
+6 1 .5 0
+7 .5 1 0
+8 0 .5 0
+\$EndNodes
+\$Elements
+3
+1 1 2 1 1 1 2
+2 16 2 2 1 1 2 3 4 5 6 7 $1
+$2
+\$EndElements
+MSH
+}
+mesh_of 8 "3 16 2 2 1 2 3 4 1 6 7 8 5" >cell_twice.msh
+expect_entry "'Block' has the corners of element 2" "Mesh/File=cell_twice.msh"
+mesh_of 8 "3 1 2 1 1 2 1" >edge_twice.msh
+expect_entry "'Ground' has the corners of element 1" "Mesh/File=edge_twice.msh"
+mesh_of 9 "3 15 2 0 1 1" >no_middle.msh
+expect_entry "node 9 does not exist" "Mesh/File=no_middle.msh"
+
 # Groups
 expect_entry "Top_B" "Contact/Slave=Botom_C"
 expect_entry "Encast" "Boundary conditions/Displacement y=Base: 0"

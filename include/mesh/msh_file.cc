@@ -77,6 +77,9 @@ namespace Contact
 
       /// By dimension: sorted nodes of an element -> where it stands.
       std::array<std::map<std::vector<long>, std::size_t>, 4> known;
+
+      /// Nodes that are no corner of an element -> the element's number.
+      std::map<long, long> middle_nodes;
     };
 
 
@@ -139,6 +142,8 @@ namespace Contact
         node = lines.read<long>("the number of a node");
 
       // gmsh lists the corners first.
+      for (unsigned int i = type.n_corners; i < type.n_nodes; ++i)
+        middle_nodes.emplace(nodes[i], number);
       nodes.resize(type.n_corners);
       auto sorted = nodes;
       std::sort(sorted.begin(), sorted.end());
@@ -149,10 +154,17 @@ namespace Contact
       if (is_new)
         elements.push_back({number, nodes, {}});
 
-      const auto &names = msh.names[type.dimension];
+      auto       &element = elements[position->second];
+      const auto &names   = msh.names[type.dimension];
       for (const int tag : tags)
-        if (names.count(tag) > 0)
-          elements[position->second].groups.insert(names.at(tag));
+        if (names.count(tag) > 0 &&
+            !element.groups.insert(names.at(tag)).second && !is_new)
+          lines.fail("element " + std::to_string(number) +
+                       " of the physical group '" + names.at(tag) +
+                       "' has the corners of element " +
+                       std::to_string(element.number),
+                     "an element stands once in each of its groups: delete "
+                     "one of the two, or mesh without overlaps");
     }
 
 
@@ -319,14 +331,18 @@ namespace Contact
     /// volumes are bounded by quadrangles.
     void MshReader::check_nodes() const
     {
+      const auto check = [&](const long node, const long number) {
+        if (msh.nodes.count(node) == 0)
+          throw InputError("node " + std::to_string(node) + " does not exist",
+                           msh.name + ", element " + std::to_string(number),
+                           "write the file again");
+      };
       for (const auto &elements : msh.elements)
         for (const auto &element : elements)
           for (const long node : element.nodes)
-            if (msh.nodes.count(node) == 0)
-              throw InputError("node " + std::to_string(node) +
-                                 " does not exist",
-                               msh.where(element),
-                               "write the file again");
+            check(node, element.number);
+      for (const auto &[node, number] : middle_nodes)
+        check(node, number);
 
       if (msh.dimension() == 3)
         {
