@@ -231,7 +231,8 @@ def sphere():
     case = parameters / "verification" / "3d" / "sphere_on_plane.prm"
     turn = rotation(ANGLES[3])
     n = ", ".join(f"{float(c)!r}" for c in turn[:, 2])
-    common = ("Refinement/Levels=1", "Output/Profile=false",
+    # Multigrid stops at the tolerance, against whose scale this contact is small.
+    common = ("Solution/Linear solver=CHOLMOD", "Refinement/Levels=1", "Output/Profile=false",
               "Solution/Newton tolerance=1e-12")
     status, said, plain = solve(case, *common)
     check("sphere, along the axes: runs", status in (0, 1), said)

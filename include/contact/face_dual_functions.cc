@@ -98,6 +98,12 @@ namespace Contact
               carriers.push_back(carrier.first);
         }
 
+    dual_to_shapes = !piecewise && std::all_of(carries.begin(),
+                                               carries.begin() + n_nodes,
+                                               [](const auto &of_node) {
+                                                 return of_node.size() == 1 &&
+                                                        of_node[0].second == 1;
+                                               });
     shared.reinit(carriers.size(), n_nodes);
     const auto hand_over =
       [&](const unsigned int from, const unsigned int to, const double part) {

@@ -61,6 +61,14 @@ namespace Contact
       return carriers;
     }
 
+    /// Whether the M_j are the shape functions of the nodes(), all others of
+    /// the facet being zero: then integral Phi_k N_j is zero but for the own
+    /// one.
+    bool are_dual_to_shapes() const
+    {
+      return dual_to_shapes;
+    }
+
     /// The values of their dual functions at a place, in the same order.
     std::vector<double> values(const Point<2> &xi) const;
 
@@ -76,7 +84,7 @@ namespace Contact
 
     const unsigned int        n_nodes;
     const unsigned int        degree;
-    bool                      piecewise = false;
+    bool                      piecewise = false, dual_to_shapes = false;
     std::vector<unsigned int> carriers;
     FullMatrix<double>        shared; // M_j = sum_a shared(j, a) functions[a]
     FullMatrix<double>        A;

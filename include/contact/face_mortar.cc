@@ -187,6 +187,10 @@ namespace Contact
       }
     for (unsigned int k = 0; k < carriers.size(); ++k)
       {
+        if (dual.are_dual_to_shapes())
+          keep_own(of_slave[k],
+                   std::find(nodes.begin(), nodes.end(), dual.nodes()[k]) -
+                     nodes.begin());
         for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
           carriers[k]->slave[nodes[a]] += of_slave[k][a];
         for (const Segment &segment : segments)
@@ -327,6 +331,20 @@ namespace Contact
                              of_slave * of_slave * integrals.master_normal /
                                integrals.master_normal.norm();
     return sum / sum.norm();
+  }
+
+
+
+  // Round-off in the integrals of the others is large where the master covers a
+  // sliver of the facet.
+  void MortarDiscretization<3>::keep_own(PerFacetNode<3, double> &of_slave,
+                                         const unsigned int       own)
+  {
+    double sum = 0;
+    for (const double integral : of_slave)
+      sum += integral;
+    of_slave      = {};
+    of_slave[own] = sum;
   }
 
 

@@ -76,6 +76,8 @@ namespace Contact
                            const std::vector<FaceSample> &points,
                            const FaceConfiguration       &now,
                            std::vector<NodeIntegrals>    &of_nodes) const;
+    static void  keep_own(PerFacetNode<3, double> &of_slave,
+                          const unsigned int       own);
     void         add_master(const FaceSample          &point,
                             const std::vector<double> &phi,
                             const FacetShape<3>       &shape,

@@ -73,12 +73,14 @@ namespace Contact
           moving_bound ? interface.contact_pair(point).law.bound(now.p_trial)
                        : point.friction_bound;
         // A point that is about to stick, or begins to slip, would be stiffer
-        // than the bodies without bound. A hundred times as stiff holds it as
-        // well, and multigrid, whose smoother sees a penalty there, still
-        // converges.
-        const double least = 1e-2;
+        // than the bodies without bound. A hundred times as stiff as a facet
+        // holds it as well, and multigrid, whose smoother sees a penalty there,
+        // still converges. The weight is less where the master covers a sliver.
+        const double length  = interface.contact_pair(point).edge_length(point);
+        const double largest = 100 * length * length / point.weight;
+        const double beta    = std::min(bound / size, 1.);
         const double share =
-          std::min(bound / size, 1.) / std::max(1 - bound / size, least);
+          beta < largest * (1 - beta) ? beta / (1 - beta) : largest;
 
         const Tensor<1, 3> d = point.along_tangents(point.status.direction());
         Tensor<2, 3>       across;

@@ -24,8 +24,9 @@ namespace Contact
    * ds the change of the slip: a load, and a stiffness across d,
    *   k = w c beta/(1 - beta),
    * which is symmetric and never negative. Where a point begins to slip, beta
-   * is one: it can hardly turn, but go on; beta/(1 - beta) is at most 100. At
-   * the solution k = w b/|s|, the derivative of the exact law. In the plane there is nothing to turn.
+   * is one: it can hardly turn, but go on; k is at most a hundred times c and
+   * the square of a facet's length. At the solution k = w b/|s|, the derivative
+   * of the exact law. In the plane there is nothing to turn.
    */
   template<int dim>
   class SlipTurning

@@ -126,7 +126,7 @@ CASES = [
     Case("space_upper_soft"),
     Case("space_upper_stiff"),
     Case("space_swapped"),
-    Case("space_fine_slave", unsolved=("mortar",)),
+    Case("space_fine_slave"),
     Case("space_fine_master", unsolved=("nodal",)),
     Case("space_overlap", quick=True),
     Case("space_rim"),
