@@ -232,8 +232,8 @@ def sphere():
     turn = rotation(ANGLES[3])
     n = ", ".join(f"{float(c)!r}" for c in turn[:, 2])
     # Multigrid stops at the tolerance, against whose scale this contact is small.
-    common = ("Solution/Linear solver=CHOLMOD", "Refinement/Levels=1", "Output/Profile=false",
-              "Solution/Newton tolerance=1e-12")
+    common = ("Solution/Linear solver=CHOLMOD", "Solution/Newton tolerance=1e-12",
+              "Refinement/Levels=1", "Output/Profile=false")
     status, said, plain = solve(case, *common)
     check("sphere, along the axes: runs", status in (0, 1), said)
     status, said, turned = solve(

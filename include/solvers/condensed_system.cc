@@ -318,7 +318,8 @@ namespace Contact
   {
     current              = nullptr;
     const bool symmetric = elimination.is_symmetric();
-    Solver    &of_kind   = solvers[symmetric ? 0 : 1];
+    const bool first   = symmetric || DefiniteSolver::serves_both(solver_kind);
+    Solver    &of_kind = solvers[first ? 0 : 1];
     if (!of_kind.solver)
       {
         const auto modes = solver_kind == Parameters::SolverKind::amg
@@ -330,6 +331,7 @@ namespace Contact
                                                 discretization.counters);
       }
     of_kind.solver->set_matrix(matrix,
+                               symmetric,
                                of_kind.pattern_is_new,
                                elimination.eliminated_dofs());
     of_kind.pattern_is_new = false;

@@ -73,7 +73,8 @@ namespace Contact
       }
 
       void set_matrix(const Matrix &matrix,
-                      const bool    new_pattern,
+                      const bool,
+                      const bool new_pattern,
                       const Dofs &) override
       {
         const Columns  columns(matrix);
@@ -153,7 +154,8 @@ namespace Contact
       }
 
       void set_matrix(const Matrix &matrix,
-                      const bool    new_pattern,
+                      const bool,
+                      const bool new_pattern,
                       const Dofs &) override
       {
         columns    = std::make_unique<Columns>(matrix);
@@ -234,7 +236,10 @@ namespace Contact
     public:
       using DefiniteSolver::DefiniteSolver;
 
-      void set_matrix(const Matrix &matrix, const bool, const Dofs &) override
+      void set_matrix(const Matrix &matrix,
+                      const bool,
+                      const bool,
+                      const Dofs &) override
       {
         // It does both with every matrix.
         ++counters.symbolic_factorizations;
@@ -284,20 +289,21 @@ namespace Contact
     class Multigrid : public DefiniteSolver
     {
     public:
-      Multigrid(const Modes &modes, const bool symmetric, Counters &counters)
+      Multigrid(const Modes &modes, Counters &counters)
         : DefiniteSolver(counters)
         , n_modes(modes.size())
-        , symmetric(symmetric)
       {
         for (const auto &mode : modes)
           null_space.insert(null_space.end(), mode.begin(), mode.end());
       }
 
       void set_matrix(const Matrix &matrix,
+                      const bool    symmetric,
                       const bool    new_pattern,
                       const Dofs   &eliminated) override
       {
         this->matrix     = &matrix;
+        this->symmetric  = symmetric;
         this->eliminated = eliminated;
         if (new_pattern || n_changed() > price_in_space ||
             (per_digit > 1.3 * per_digit_when_new &&
@@ -327,7 +333,7 @@ namespace Contact
               }
             std::ostringstream residual;
             residual << control.last_value();
-            throw NotConverged((symmetric ? "conjugate gradients" : "GMRES") +
+            throw NotConverged((is_for_cg() ? "conjugate gradients" : "GMRES") +
                                std::string(" with AMG stall at the "
                                            "residual ") +
                                residual.str() + " N/mm (rings: N) after " +
@@ -352,6 +358,11 @@ namespace Contact
       }
 
     private:
+      bool is_for_cg() const
+      {
+        return symmetric && symmetric_when_new;
+      }
+
       /// The displacements of a node.
       int n_components() const
       {
@@ -383,7 +394,7 @@ namespace Contact
       {
         ++counters.linear_solves;
         x = 0;
-        if (symmetric)
+        if (is_for_cg())
           SolverCG<Vector>(control).solve(*matrix, x, b, preconditioner);
         else // the residual of the system itself is what is measured
           SolverGMRES<Vector>(
@@ -414,18 +425,19 @@ namespace Contact
         preconditioner.initialize(*matrix, parameters);
         is_new              = true;
         eliminated_when_new = eliminated;
+        symmetric_when_new  = symmetric;
       }
 
       static constexpr unsigned int max_iterations = 500;
 
       const int                         n_modes;
-      const bool                        symmetric;
       std::vector<double>               null_space; // one mode after the other
       const Matrix                     *matrix = nullptr;
       TrilinosWrappers::PreconditionAMG preconditioner;
-      bool                              is_new    = false;
-      double                            per_digit = 0, per_digit_when_new = 0;
-      Dofs                              eliminated, eliminated_when_new;
+      bool                              is_new = false;
+      bool   symmetric = true, symmetric_when_new = true;
+      double per_digit = 0, per_digit_when_new = 0;
+      Dofs   eliminated, eliminated_when_new;
 
       /// Iterations beyond those that the hierarchy took when it was new.
       double excess = 0;
@@ -449,7 +461,7 @@ namespace Contact
         case Parameters::SolverKind::mumps:
           return std::make_unique<Mumps>(counters);
         case Parameters::SolverKind::amg:
-          return std::make_unique<Multigrid>(modes, symmetric, counters);
+          return std::make_unique<Multigrid>(modes, counters);
         case Parameters::SolverKind::automatic:
         case Parameters::SolverKind::umfpack:
           break;

@@ -66,12 +66,22 @@ namespace Contact
 
     using Dofs = std::vector<types::global_dof_index>;
 
-    /// Take the matrix, which has to live until it is replaced; say whether it
-    /// has another pattern than the last one, and which unknowns are
-    /// @p eliminated from it, in ascending order, on all ranks the same. Throws
-    /// NotConverged if it can not be factorized: CHOLMOD if it is not positive
-    /// definite, MUMPS if it is singular; AMG finds out when it solves.
+    /// Whether one solver takes symmetric matrices and others in turn.
+    static bool serves_both(const Parameters::SolverKind kind)
+    {
+      return kind == Parameters::SolverKind::amg;
+    }
+
+    /**
+     * Take the matrix, which has to live until it is replaced; say whether it
+     * is @p symmetric, whether it has another pattern than the last one, and
+     * which unknowns are @p eliminated from it, in ascending order, on all
+     * ranks the same. Throws NotConverged if it can not be factorized: CHOLMOD
+     * if it is not positive definite, MUMPS if it is singular; AMG finds out
+     * when it solves.
+     */
     virtual void set_matrix(const Matrix &matrix,
+                            const bool    symmetric,
                             const bool    new_pattern,
                             const Dofs   &eliminated) = 0;
 

@@ -175,7 +175,10 @@ int main(int argc, char **argv)
         /*symmetric=*/true,
         modes,
         counters);
-      definite->set_matrix(matrix, true, {});
+      definite->set_matrix(matrix,
+                           /*symmetric=*/true,
+                           /*new_pattern=*/true,
+                           {});
       // The load is 1 N/mm; the contact program solves to the same.
       definite->solve(b, 1e-9, x);
       std::copy(x.begin(), x.end(), u.begin());
