@@ -139,12 +139,12 @@ namespace
     headline("20 nodes");
     VolumeText quadratic;
     quadratic.block("Body", {{1, 1, 1}}, box({0, 0, 0}, {1, 1, 1}));
-    quadratic.block("Other", {{1, 1, 1}}, box({2, 0, 0}, {3, 1, 1}));
-    // The same cell once more, with twelve nodes behind its corners.
-    quadratic.add(3, "Body", {1, 2, 4, 3, 5,  6,  8,  7,  9,  10,
-                              9, 9, 9, 9, 10, 10, 10, 10, 10, 10});
+    quadratic.block("Body", {{1, 1, 1}}, box({2, 0, 0}, {3, 1, 1}));
+    // A cell between the two, with twelve nodes behind its corners.
+    quadratic.add(3, "Body", {2, 9, 11, 4, 6,  13, 15, 8,  9,  10,
+                              9, 9, 9,  9, 10, 10, 10, 10, 10, 10});
     const Mesh<3> mesh(parameters_for(quadratic));
-    check("a repeated cell is one", mesh.triangulation.n_active_cells() == 2);
+    check("a cell between two", mesh.triangulation.n_active_cells() == 3);
   }
 
 
@@ -339,6 +339,17 @@ namespace
     });
     expect_error("a face inside nothing", "is no face of a cell", [&] {
       with([](VolumeText &text) { text.add(2, "Cut", {1, 2, 8, 7}); });
+    });
+    expect_error("a face in a crossing order", "order that crosses it", [&] {
+      VolumeText text;
+      text.add(2, "Cut", {1, 2, 3, 4});
+      text.block("Body", {{1, 1, 1}}, unit);
+      Mesh<3> mesh(parameters_for(text));
+    });
+    expect_error("a cell twice", "has the corners of element", [&] {
+      with([](VolumeText &text) {
+        text.add(3, "Body", {1, 2, 4, 3, 5, 6, 8, 7});
+      });
     });
     expect_error("a tangled cell", "tangled", [&] {
       VolumeText text;

@@ -243,8 +243,14 @@ namespace Contact
 
 
 
-    /// The faces of all cells, and how many cells each has.
-    using Faces = std::map<Face, unsigned int>;
+    /// How many cells have a face, and its corners one after the other.
+    struct FaceOfCells
+    {
+      unsigned int n_cells = 0;
+      Face         corners;
+    };
+
+    using Faces = std::map<Face, FaceOfCells>;
 
     template<int dim>
     Faces count_faces(const std::vector<CellData<dim>> &cells,
@@ -257,7 +263,8 @@ namespace Contact
           {
             Face face = corners;
             std::sort(face.begin(), face.end());
-            if (++faces[face] > 2)
+            faces[face].corners = corners;
+            if (++faces[face].n_cells > 2)
               throw InputError(std::string("three cells share the ") +
                                  face_name<dim> + " from " +
                                  to_string(points[corners[0]]) + " to " +
@@ -271,6 +278,16 @@ namespace Contact
 
 
 
+    /// Half-way round a face from the first of the @p corners: what is opposite
+    /// of it in a quadrangle, and the other end of an edge.
+    unsigned int opposite_of_first(const Face &corners, const Face &round)
+    {
+      const auto first = std::find(round.begin(), round.end(), corners[0]);
+      return round[(first - round.begin() + round.size() / 2) % round.size()];
+    }
+
+
+
     /// The face that an element of the file is.
     template<int dim>
     Faces::const_iterator find_face(const MshFile::Element &element,
@@ -278,13 +295,24 @@ namespace Contact
                                     const Vertices         &vertices,
                                     const Faces            &faces)
     {
-      Face face;
+      Face corners;
       for (const long node : element.nodes)
         if (const auto vertex = vertices.find(node); vertex != vertices.end())
-          face.push_back(vertex->second);
+          corners.push_back(vertex->second);
+      Face face = corners;
       std::sort(face.begin(), face.end());
       if (const auto found = faces.find(face); found != faces.end())
-        return found;
+        {
+          if (opposite_of_first(corners, corners) !=
+              opposite_of_first(corners, found->second.corners))
+            throw InputError(std::string("a ") + element_name<dim> +
+                               " has the corners of a " + face_name<dim> +
+                               " of a cell, but in an order that crosses it",
+                             msh.where(element),
+                             "list the corners one after the other: write the "
+                             "file again");
+          return found;
+        }
 
       throw InputError(std::string("a ") + element_name<dim> +
                          " of the physical group '" + *element.groups.begin() +
@@ -342,7 +370,8 @@ namespace Contact
             // A group of faces inside of a body is known, but empty: deal.II
             // wants no ids there.
             const bool is_inner =
-              find_face<dim>(element, msh, vertices, faces)->second == 2;
+              find_face<dim>(element, msh, vertices, faces)->second.n_cells ==
+              2;
             for (const std::string &group : element.groups)
               {
                 coarse.boundaries[group];
