@@ -127,6 +127,37 @@ namespace
 
 
 
+  // Proves that Newton's method is lost where forces rise above what a step can
+  // cancel, not where it begins with them. A residual that grows by 31 per
+  // step, as it did while points changed one at a time, is stopped: 1e-5 N are
+  // the round-off of 4.5e10 N = 1e-2 N 31^8.5.
+  void check_runaway()
+  {
+    headline("runaway of Newton's method");
+    const double        tolerance = 1e-5;
+    NewtonGlobalization guard;
+    check("large forces at the beginning", !guard.is_lost(1e15, tolerance));
+    guard.advance(1e15);
+    check("smaller ones behind them", !guard.is_lost(1e14, tolerance));
+    guard.advance(1e-3);
+    check("a rise that one step takes back", !guard.is_lost(4e10, tolerance));
+    check("a rise that none does", guard.is_lost(5e10, tolerance));
+    check("a wider tolerance", !guard.is_lost(5e10, 2 * tolerance));
+    guard.forget();
+    check("another problem", !guard.is_lost(5e10, tolerance));
+
+    double       residual = 1e-2;
+    unsigned int n        = 0;
+    for (; n < 100 && !guard.is_lost(residual, tolerance); ++n)
+      {
+        guard.advance(residual);
+        residual *= 31;
+      }
+    check("growth by 31 for nine steps", n == 9);
+  }
+
+
+
   // Proves that x -> s x + 1 is solved for slopes of -2.5 and -20 as well, and
   // in as many steps as without where it contracts from one side.
   void check_relaxation()
@@ -159,5 +190,6 @@ int main()
   check_plan();
   check_cuts();
   check_guard();
+  check_runaway();
   check_relaxation();
 }

@@ -19,6 +19,15 @@ namespace Contact
 
 
 
+  bool NewtonGlobalization::is_lost(const double residual,
+                                    const double tolerance) const
+  {
+    return residual > best &&
+           std::numeric_limits<double>::epsilon() * residual > tolerance;
+  }
+
+
+
   bool NewtonGlobalization::advance(const double residual)
   {
     residuals.push_back(residual);

@@ -28,6 +28,12 @@ namespace Contact
    * come below the smallest residual so far. Residuals are forces, not
    * relative to a scale, which may change from step to step.
    *
+   * While points change their status there is no line search. Then steps may
+   * lead away for ever, each by the same factor. The next step has to cancel
+   * forces of the size of the residual, and can to their round-off only: where
+   * that is above the tolerance, and the steps so far led there, the method is
+   * lost.
+   *
    * Cycles: all points change their status at once, as long as fewer and
    * fewer want to. If their number has not come below its minimum for ten
    * steps in which points change at all, one point at a time changes, until it
@@ -39,6 +45,10 @@ namespace Contact
   public:
     /// Whether a step may end with this residual.
     bool accepts(const double residual) const;
+
+    /// Whether a step that ended with this residual has lost the way to one as
+    /// small as @p tolerance.
+    bool is_lost(const double residual, const double tolerance) const;
 
     /// A step has ended with this residual: returns whether it is the smallest.
     bool advance(const double residual);

@@ -216,6 +216,12 @@ namespace Contact
   {
     if (!std::isfinite(convergence.residual()))
       throw NotConverged("the residual is not a number");
+    if (guard.is_lost(convergence.residual_norm(),
+                      convergence.tolerance() * convergence.force_scale()))
+      throw NotConverged("Newton's method runs away: the residual is " +
+                         brief(convergence.residual()) +
+                         ", and its round-off above the tolerance " +
+                         brief(convergence.tolerance()) + changes());
     if (smallest_volume.value > 0)
       return;
     std::ostringstream message;
