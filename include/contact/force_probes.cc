@@ -6,8 +6,10 @@
 #include "contact/force_probes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/errors.h"
+#include "base/string_utilities.h"
 
 namespace Contact
 {
@@ -100,6 +102,38 @@ namespace Contact
             "contact force"
           : "name a boundary of 'Contact', or ask for a reaction");
   }
+
+  std::vector<std::string> notes_on_reactions(
+    const Parameters::Probes                                   &probes,
+    const std::map<std::string, double>                        &values,
+    const std::map<std::string, std::map<std::string, double>> &reactions)
+  {
+    const double             noticed = 1e-3;
+    std::vector<std::string> notes;
+    for (const auto &[name, definition] : probes.definitions())
+      {
+        const auto value = values.find(name);
+        const auto group = reactions.find(definition.places[0]);
+        if (!is_reaction(definition.quantity) || value == values.end() ||
+            definition.places.size() > 1 || group == reactions.end())
+          continue;
+        const auto of_supports = group->second.find(
+          std::string(1, "xyz"[Parameters::component_of(definition.quantity)]));
+        if (of_supports == group->second.end() ||
+            std::abs(value->second - of_supports->second) <=
+              noticed * std::max(std::abs(value->second),
+                                 std::abs(of_supports->second)))
+          continue;
+        notes.push_back(
+          "the probe '" + name + "' is " + brief(value->second) +
+          " N, of which supports exert " + brief(of_supports->second) +
+          " N and contact the rest: it acts on nodes that they hold; the supports "
+          "alone are in summary.json, increments/reactions");
+      }
+    return notes;
+  }
+
+
 
   template void check_force(const std::string         &probe,
                             const Parameters::Quantity quantity,

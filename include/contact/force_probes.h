@@ -34,6 +34,15 @@ namespace Contact
   Resultant<dim> resultant(const Parameters::Quantity quantity,
                            const std::string         &boundary,
                            const ContactModel<dim>   &model);
+
+  /// A sentence on each reaction that is another than the force of the supports
+  /// alone, because contact acts on nodes that they hold: by name the values of
+  /// the @p probes, and the @p reactions of the groups of supports by
+  /// direction.
+  std::vector<std::string> notes_on_reactions(
+    const Parameters::Probes                                   &probes,
+    const std::map<std::string, double>                        &values,
+    const std::map<std::string, std::map<std::string, double>> &reactions);
 } // namespace Contact
 
 #endif

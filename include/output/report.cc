@@ -10,6 +10,7 @@
 #include <iostream>
 
 #include "base/string_utilities.h"
+#include "contact/force_probes.h"
 #include "output/accuracy.h"
 #include "output/effects.h"
 #include "output/estimated_effects.h"
@@ -360,6 +361,9 @@ namespace Contact
     std::ostringstream where;
     where << ", load factor " << record.load_factor;
     for (const std::string &note : found.notes)
+      print_error(where.str() + ": note: " + note);
+    for (const std::string &note :
+         notes_on_reactions(parameters.probes, record.probes, record.reactions))
       print_error(where.str() + ": note: " + note);
     for (const std::string &violation : found.violations)
       print_error(where.str() + ": violated: " + violation);
