@@ -8,6 +8,7 @@
 #include <deal.II/lac/sparse_direct.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace Contact
 {
@@ -276,7 +277,10 @@ namespace Contact
 
 
   // By the normal equations. A little on the diagonal chooses among unknowns
-  // that are not unique; where they are, it is taken back by iterating.
+  // that are not unique; where they are, it is taken back by iterating with the
+  // residuals of the equations themselves, in which the condition of the normal
+  // equations is not squared (A. Bjorck, Numerical Methods for Least Squares
+  // Problems, SIAM 1996, section 2.9.2).
   template<int dim>
   Vector<double>
   MultiplierRecovery<dim>::least_squares(const std::vector<Equation> &system,
@@ -292,14 +296,11 @@ namespace Contact
     SparsityPattern pattern;
     pattern.copy_from(couplings);
     SparseMatrix<double> matrix(pattern);
-    Vector<double>       rhs(n), x(n), change(n);
+    Vector<double>       x(n), change(n);
     for (const Equation &equation : system)
       for (const auto &a : equation.row)
-        {
-          rhs[a.first] += a.second * equation.rhs;
-          for (const auto &b : equation.row)
-            matrix.add(a.first, b.first, a.second * b.second);
-        }
+        for (const auto &b : equation.row)
+          matrix.add(a.first, b.first, a.second * b.second);
     double largest = 0;
     for (unsigned int j = 0; j < n; ++j)
       largest = std::max(largest, matrix.diag_element(j));
@@ -312,11 +313,22 @@ namespace Contact
       shifted.add(j, j, 1e-10 * largest);
     SparseDirectUMFPACK solver;
     solver.factorize(shifted);
-    for (unsigned int turn = 0; turn < 4; ++turn)
+    for (unsigned int turn = 0; turn < 10; ++turn)
       {
-        matrix.residual(change, x, rhs);
+        change = 0;
+        for (const Equation &equation : system)
+          {
+            double left = equation.rhs;
+            for (const auto &[j, coefficient] : equation.row)
+              left -= coefficient * x[j];
+            for (const auto &[j, coefficient] : equation.row)
+              change[j] += coefficient * left;
+          }
         solver.solve(change);
         x += change;
+        if (change.l2_norm() <=
+            std::numeric_limits<double>::epsilon() * x.l2_norm())
+          break;
       }
     return x;
   }
