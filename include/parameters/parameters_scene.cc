@@ -85,8 +85,9 @@ namespace Contact
         centre_node,
         "The node in the middle of a quadrilateral of degree "
         "2 [-]; serendipity: half the sum of the mid-sides minus a "
-        "quarter of the sum of the corners (8-node element), "
-        "free: an unknown (9-node element).");
+        "quarter of the sum of the corners (8-node element; of a hexahedron, "
+        "whose sides it holds for as well, the 20-node element), "
+        "free: an unknown (9-node, in space 27-node element).");
       prm.leave_subsection();
     }
 
