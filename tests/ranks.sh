@@ -19,9 +19,18 @@ values() {
 # one in the last
 decisions() {
   grep -E '"(level|active|stick|slip)": [0-9]+,?$' "$1/summary.json"
+  # In space the order of the nodes depends on the processes: by their places.
   awk -F, '
-    NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /^status/) column = i }
-    { print $column }' "$1/profile.csv"
+    NR == 1 {
+      for (i = 1; i <= NF; ++i) {
+        if ($i ~ /^status/) column = i
+        if ($i == "Z_mm") space = 1
+      }
+      next
+    }
+    space { printf "%s %.4f %.4f %.4f ", $1, $2 + 1e-6, $3 + 1e-6, $4 + 1e-6 }
+    !space { printf "%06d ", NR }
+    { print $column }' "$1/profile.csv" | LC_ALL=C sort
 }
 
 # pieces DIRECTORY RANKS: whether each process has written its part

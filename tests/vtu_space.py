@@ -249,8 +249,12 @@ def check_profile(directory, grid, with_block):
                   for part in (slave, master)]
         check("forces on both sides", near(*forces), forces)
         below = max(float(row["pressure_MPa"]) for row in master)
+        # The peak is in a node at the rim, that no node of the master need face.
         largest = data.GetArray("pressure").GetRange()[1]
-        check("pressures on the master", 0.5 * largest < below <= largest,
+        pressed = sorted(float(row["pressure_MPa"]) for row in slave
+                         if float(row["nodal_force_N"]) > 0)
+        middle = pressed[len(pressed) // 2]
+        check("pressures on the master", 0.5 * middle < below <= largest,
               (below, largest))
 
 
