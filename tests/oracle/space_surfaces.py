@@ -13,6 +13,8 @@ CUTS = {1: 2, 2: 4}
 PAIRS = 200000
 # Of a face: facets that come so close to a place meet there.
 MEET = 1e-6
+# Along an edge.
+RIM = 65
 # Of Newton's method for a place on a face.
 STEPS = 6
 
@@ -96,10 +98,10 @@ class Facets:
         return distance[first], t, feet[first], shapes
 
     def feet(self, points):
-        """For each point: face and shape functions of the closest place, on the
-        face itself and not on the triangles that it is cut into: by Newton's
-        method for the place, from that on the triangle; where that leaves the
-        face or goes further away, the latter."""
+        """For each point: face, place on it and shape functions of the closest
+        place, on the face itself and not on the triangles that it is cut into:
+        by Newton's method for the place, from that on the triangle; where that
+        leaves the face or goes further away, the latter."""
         _, t, _, _, weights, first = self.pairs(points)
         t = t[first]
         face = self.face[t]
@@ -124,7 +126,49 @@ class Facets:
             axis=1) for at in (start, place)]
         worse = distance[1] > distance[0]
         place[worse] = start[worse]
-        return face, shape_functions(place, self.degree)[0]
+        return face, place, shape_functions(place, self.degree)[0]
+
+    def signed(self, points):
+        """For each point: the foot on the face itself, and the distance, minus
+        it behind the face."""
+        face, place, shapes = self.feet(points)
+        foot = np.einsum("pa,pai->pi", shapes, self.x[face])
+        along = np.einsum("pad,pai->dpi", shape_functions(
+            place, self.degree)[1], self.x[face])
+        normal = np.cross(*along)
+        normal *= np.sign(np.einsum("pi,pi->p", normal, self.face_normal[
+            face]))[:, None]
+        off = points - foot
+        return foot, np.copysign(np.linalg.norm(off, axis=1),
+                                 np.einsum("pi,pi->p", off, normal))
+
+    def rim(self):
+        """Places along the edges that belong to one face only."""
+        n = round(self.faces.shape[1] ** 0.5)
+        grid_ = np.arange(n * n).reshape(n, n)
+        edges = np.concatenate([self.faces[:, side] for side in (
+            grid_[0], grid_[-1], grid_[:, 0], grid_[:, -1])])
+        of_face = np.tile(np.arange(len(self.faces)), 4)
+        _, first, count = np.unique(np.sort(edges[:, [0, -1]], axis=1), axis=0,
+                                    return_index=True, return_counts=True)
+        places = np.linspace(-1, 1, RIM)
+        sides = [np.stack(p, 1) for p in (
+            (places, 0 * places - 1), (places, 0 * places + 1),
+            (0 * places - 1, places), (0 * places + 1, places))]
+        shapes = np.array([shape_functions(side, self.degree)[0]
+                           for side in sides])
+        rim = first[count == 1]
+        return np.einsum("esa,eai->esi", shapes[rim // len(self.faces)],
+                         self.x[of_face[rim]]).reshape(-1, 3)
+
+    def crossed(self, points):
+        """Faces with a place straight before one of these points, which is
+        nearer to it than the size of the face."""
+        face, place, shapes = self.feet(points)
+        foot = np.einsum("pa,pai->pi", shapes, self.x[face])
+        inside = (np.abs(place) < 1 - MEET).all(1)
+        near = np.linalg.norm(points - foot, axis=1) < self.face_size[face]
+        return np.isin(np.arange(len(self.faces)), face[inside & near])
 
     def mean_normals(self, points):
         """Where the closest place is on an edge or a corner, the mean of the
@@ -227,6 +271,17 @@ class DeformedBody:
             depth = depths(outline, points)
             gap = np.where(depth > 0, -depth, gap)
         return gap
+
+    def exact_gap(self, points):
+        """The same on the faces of the group themselves: triangles have chords,
+        behind which a place on the face may be."""
+        gap, (distance, _, chord, _) = self.gap(points), self.group.closest(
+            points)
+        foot, exact = self.group.signed(points)
+        of_group = np.abs(gap) >= (1 - MEET) * distance
+        at_chord = np.abs(gap) <= np.linalg.norm(foot - chord, axis=1)
+        gap[of_group] = np.copysign(exact, gap)[of_group]
+        return np.where(at_chord, exact, gap)
 
     def covers(self, points):
         """Whether the closest place of the group is straight ahead."""

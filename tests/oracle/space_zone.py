@@ -121,7 +121,9 @@ class SpaceZoneCheck:
         master covers in part are judged by their sum."""
         self.weights = DualWeights(self)
         share = self.weights.share
-        partly = (share > 0) & (share < 1)
+        # Strips narrower than the distance of the points are seen by the rim.
+        partly = (share > 0) & (share < 1) | self.own.crossed(
+            self.master.group.rim())
         for nodes in connected(self.faces[partly]):
             together = np.isin(self.nodes, list(nodes))
             self.acting[together] = self.force[together].sum(0)
@@ -193,16 +195,16 @@ class SpaceZoneCheck:
             off, self.largest))]
 
     def check_penetration(self):
-        allowed = PENETRATION[self.rule] * self.slack + self.sagitta()
+        allowed = PENETRATION[self.rule] * self.slack
         if self.rule == "nodal":
             n = self.nodes[self.state.held[self.nodes].sum(1) < 3]
-            lowest = self.master.gap(self.state.x[n]).min(initial=0)
+            lowest = self.master.exact_gap(self.state.x[n]).min(initial=0)
         else:
             # In the mean over a face, and at single places of it.
             deepest = min(self.gaps.min(), -self.depth_of_master())
             lowest = min(self.gaps.mean(1).min(),
                          deepest * PENETRATION[self.rule] / PLACES)
-            allowed += self.facets()
+            allowed += self.facets() + self.sagitta()
         if lowest >= -allowed:
             return []
         return [Problem("penetration", "%.3g mm, displacements %.3g mm, "
@@ -399,7 +401,7 @@ class SpaceZoneCheck:
         if self.zone.obstacle:
             return of_slave, self.master.normals(x)
         group = self.master.group
-        face, shapes = group.feet(x)
+        face, _, shapes = group.feet(x)
         of_master = np.einsum("pa,pai->pi", shapes, field(group.faces[face]))
         return of_slave - of_master, group.mean_normals(x)
 

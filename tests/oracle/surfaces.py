@@ -59,6 +59,9 @@ class Obstacle:
     def faces(self, points):
         return np.ones(len(points), bool)
 
+    def exact_gap(self, points):
+        return self.gap(points)
+
 
 class Half(Obstacle):
     """Of the plane or of space: a point of its boundary, the normal."""

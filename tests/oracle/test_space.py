@@ -29,7 +29,7 @@ from results import Run
 from space_fem import SpaceModel
 from space_grids import brick
 from space_scene import SpaceScene, rotation
-from space_zone import cone_angle
+from space_zone import cone_angle, unit
 from test_fem import energy, expect
 
 ELEMENTS = ((1, None), (2, "serendipity"), (2, "free"))
@@ -166,6 +166,45 @@ def geometry():
     exact = [0, math.pi / 4, math.pi / 2, math.pi / 4]
     expect("angles to a cone", np.allclose(angles, exact, atol=1e-7),
            str(angles))
+
+
+def bent_face():
+    """Gaps of a bent face, which has chords; and faces that a rim passes over,
+    however narrow the strip is that it cuts off."""
+    def block(low, side, n):
+        scene = SpaceScene("face", 0, [brick(
+            "B", low, (low[0] + side, low[1] + side, low[2] + 1), (n, n, 1))],
+            {"B": (1.0, 0.0)})
+        scene.entries["Element/Degree"] = 2
+        return SpaceModel(scene.contact("B_below", "B_above", 0.0))
+
+    model = block((0, 0, 0), 2, 2)
+    bend = lambda X, Y: 0.1 * (X * X + X * Y)
+    x = model.X.copy()
+    x[:, 2] -= bend(x[:, 0], x[:, 1])
+    master = space_surfaces.DeformedBody(model, model.scene.zones[0], x)
+    a, b = np.random.default_rng(4).uniform(0.01, 1.99, (2, 300))
+    on = np.stack([a, b, 1 - bend(a, b)], 1)
+    chords = np.abs(master.gap(on)).max()
+    expect("a bent face has chords", chords > 1e-3, "%.1e" % chords)
+    normal = unit(np.stack([0.1 * (2 * a + b), 0.1 * a, np.ones_like(a)], 1))
+    for up in (-0.01, -1e-5, 0, 1e-5, 0.01):
+        off = np.abs(master.exact_gap(on + up * normal) - up)
+        # Beyond its edges the closest place is another one.
+        off = off[np.abs(on + up * normal - 1)[:, :2].max(1) < 0.98].max()
+        expect("gap %g of a bent face" % up, off < 1e-9, "%.1e" % off)
+    beside = np.array([[-0.1, 1.0, 0.99], [2.001, 1.0, 0.0]])
+    expect("beside a face", (master.exact_gap(beside) > 0).all())
+
+    ground = block((0, 0, 0), 3, 3)
+    ground = space_surfaces.Facets(ground.lines["B_above"], ground.X)
+    for low, high, faces in ((1, 2, []), (0.999, 2, [0, 1, 3]),
+                             (1.001, 1.999, [4]), (1, 2.001, [5, 7, 8])):
+        block_ = block((low, low, 1.0001), high - low, 1)
+        rim = space_surfaces.Facets(block_.lines["B_below"], block_.X).rim()
+        found = list(np.flatnonzero(ground.crossed(rim)))
+        expect("faces that a rim from %g to %g passes over" % (low, high),
+               found == faces, str(found))
 
 
 # Damage.
@@ -341,7 +380,7 @@ def scenes():
 
 
 if __name__ == "__main__":
-    for test in (derivatives, patch, rigid, bar, cantilever, geometry, damage,
-                 turned, scenes):
+    for test in (derivatives, patch, rigid, bar, cantilever, geometry,
+                 bent_face, damage, turned, scenes):
         test()
     sys.exit(test_fem.failures > 0)
