@@ -78,20 +78,40 @@ namespace Contact
 
 
 
-  // Functions that vanish on what faces the master have no part in it.
+  // Functions that vanish on what faces the master have no part in it. A node
+  // that the master covers much less of than of another one would have a gap
+  // extrapolated to where no master is, on a strip the slope of the gap: it
+  // leaves its function to others. What is much less is between a half and a
+  // quarter, as of a rim and of a corner of the master that are on the node.
   void FacetDualFunctions::find_carriers(const std::vector<double> &integrals,
                                          const Carriers            &carries)
   {
-    double sum = 0;
-    for (const double integral : integrals)
-      sum += integral;
-    const double              round_off = 1e-12;
+    const double        much_less = 0.4, round_off = 1e-12;
+    std::vector<double> covered(n_nodes, 1.); // but for a common factor
+    double              sum = 0, most = 0;
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      {
+        sum += integrals[a];
+        if (piecewise) // those of the middles are twice as wide
+          {
+            covered[a] = integrals[a];
+            for (const unsigned int i : FacetShape<3>::factors[a])
+              covered[a] *= node_coordinates[i] == 0 ? 1 : 2;
+          }
+        if (!carries[a].empty())
+          most = std::max(most, covered[a]);
+      }
     std::vector<unsigned int> others;
     std::vector<unsigned int> with_carriers;
     for (unsigned int a = 0; a < n_nodes; ++a)
       if (integrals[a] > round_off * sum)
         {
-          (carries[a].empty() ? others : with_carriers).push_back(a);
+          if (carries[a].empty() || covered[a] < much_less * most)
+            {
+              others.push_back(a);
+              continue;
+            }
+          with_carriers.push_back(a);
           for (const auto &carrier : carries[a])
             if (std::count(carriers.begin(), carriers.end(), carrier.first) ==
                 0)

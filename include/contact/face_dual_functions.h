@@ -35,9 +35,10 @@ namespace Contact
    * of degree 2 faces the master in part, and that takes more than half of its
    * integral from one of them, which may make it negative: there they are the
    * piecewise bilinear functions of the nine nodes. A hanging node leaves its
-   * function to its heirs, of which one may be beyond the facet, and a node
-   * without a multiplier to the nearest ones that have one: the M_j still sum
-   * up to one, and have positive integrals.
+   * function to its heirs, of which one may be beyond the facet; and a node
+   * without a multiplier, or that the master covers much less of than of
+   * others, to the nearest ones that keep theirs: the M_j still sum up to one,
+   * and have positive integrals.
    */
   class FacetDualFunctions
   {

@@ -164,7 +164,8 @@ namespace Contact
         if (other.is_condensed() != is_condensed(n_displacements))
           other.solution.linear_solver = SolverKind::automatic;
         if (other.is_condensed() != is_condensed(n_displacements) ||
-            other.solution.friction != solution.friction)
+            other.solution.friction != solution.friction ||
+            solution.geometry == GeometryLoop::fixed_point)
           others.push_back(other);
       };
       const bool can_have_multipliers =
