@@ -101,20 +101,17 @@ namespace Contact
         if (!carries[a].empty())
           most = std::max(most, covered[a]);
       }
-    std::vector<unsigned int> others;
-    std::vector<unsigned int> with_carriers;
+    std::vector<unsigned int> others, with_carriers;
     for (unsigned int a = 0; a < n_nodes; ++a)
       if (integrals[a] > round_off * sum)
         {
-          if (carries[a].empty() || covered[a] < much_less * most)
-            {
-              others.push_back(a);
-              continue;
-            }
-          with_carriers.push_back(a);
+          const bool leaves =
+            carries[a].empty() || covered[a] < much_less * most;
+          (leaves ? others : with_carriers).push_back(a);
           for (const auto &carrier : carries[a])
-            if (std::count(carriers.begin(), carriers.end(), carrier.first) ==
-                0)
+            if (!leaves &&
+                std::count(carriers.begin(), carriers.end(), carrier.first) ==
+                  0)
               carriers.push_back(carrier.first);
         }
 

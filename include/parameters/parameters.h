@@ -87,12 +87,12 @@ namespace Contact
       /// moves, unless the file asks for another one.
       GeometryLoop geometry(const std::size_t n_displacements) const;
 
-      /// The same problem by another loop of friction or in the other system,
-      /// what converges most often first: Newton's method with projections and
-      /// friction in its tangent, and with multipliers where one process and
-      /// one mesh allow that; elsewhere, and of several pairs, which may share
-      /// nodes, in the condensed system. Last, instead of uniform levels, their
-      /// finest mesh alone, with multipliers.
+      /// The same problem by another loop of friction or of geometry, or in
+      /// the other system, what converges most often first: Newton's method
+      /// with projections and friction in its tangent, and with multipliers
+      /// where one process and one mesh allow that; elsewhere, and of several
+      /// pairs, which may share nodes, in the condensed system. Last, instead
+      /// of uniform levels, their finest mesh alone, with multipliers.
       std::vector<All>
       with_other_loops(const std::size_t n_displacements) const;
 
