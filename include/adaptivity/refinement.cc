@@ -284,15 +284,8 @@ namespace Contact
   template void flag_cells(Mesh<2>             &mesh,
                            const Vector<float> &indicators,
                            const double         fraction);
-  template void flag_cells(Mesh<3>             &mesh,
-                           const Vector<float> &indicators,
-                           const double         fraction);
   template void
-  flag_slave_like_master(Mesh<2>                            &mesh,
-                         const std::set<types::boundary_id> &slave,
-                         const std::set<types::boundary_id> &master);
-  template void
-                flag_slave_like_master(Mesh<3>                            &mesh,
+                flag_slave_like_master(Mesh<2>                            &mesh,
                                        const std::set<types::boundary_id> &slave,
                                        const std::set<types::boundary_id> &master);
   template void flag_by_indicators(const ContactModel<2> &model,

@@ -302,9 +302,21 @@ namespace Contact
                 point.psi[k] *
                 solution[tangential_index(point.multipliers[k], t)];
         }
+    if (point.springs.norm() > 0)
+      state.slip += point.springs * (state.lambda_t - point.shear_at_start) /
+                    point.augmentation_parameter;
     state.p_trial = state.lambda_n - point.augmentation_parameter * state.gap;
     state.q_trial = state.lambda_t - point.augmentation_parameter * state.slip;
     return state;
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::remember_shears(const Vector<double> &solution)
+  {
+    for (ContactPoint<dim> &point : all_points)
+      point.shear_at_start = state(point, solution, solution).lambda_t;
   }
 
 

@@ -265,6 +265,9 @@ namespace Contact
     /// a point that only they move along its tangent slips with them.
     void set_support_motion(const Vector<double> &motion);
 
+    /// An increment begins with @p solution.
+    void remember_shears(const Vector<double> &solution);
+
     /// The tractions that follow from a status and trial values.
     Traction<dim> traction(const ContactPoint<dim>  &point,
                            const PointStatus<dim>   &status,
@@ -272,6 +275,8 @@ namespace Contact
                            const Tensor<1, dim - 1> &q_trial,
                            const bool                moving_bound) const;
 
+    /// The slip is without what springs give way, see
+    /// PointPairing::springs.
     ContactState<dim> state(const ContactPoint<dim> &point,
                             const Vector<double>    &solution,
                             const Vector<double>    &u_start) const;

@@ -257,6 +257,8 @@ namespace Contact
     n_of_discretization                   = points.size();
     make_axis_points(points);
     n_of_slave = points.size();
+    if (!tied && !law.is_frictionless())
+      mark_rims(slave, multipliers, discretization, points);
     if (can_have_corner_points())
       for (ContactPoint<dim> &corner :
            make_corner_points(*master, parameters.ends_are_corners))

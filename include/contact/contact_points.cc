@@ -94,22 +94,6 @@ namespace Contact
 
 
 
-    /// Add what is new in @p direction, if anything, to an orthonormal basis.
-    template<int dim>
-    void add_orthonormal(const Tensor<1, dim>        &direction,
-                         std::vector<Tensor<1, dim>> &basis)
-    {
-      const double   sine = 1e-3;
-      Tensor<1, dim> rest = direction;
-      for (unsigned int pass = 0; pass < 2; ++pass) // because of round-off
-        for (const Tensor<1, dim> &other : basis)
-          rest -= (rest * other) * other;
-      if (rest.norm() > sine)
-        basis.push_back(rest / rest.norm());
-    }
-
-
-
     /// The share of a facet in the integral of the shape function of its node
     /// @p a: the trapezoidal rule, and Simpson's.
     double integral_of_shape_function(const Surface<2>  &slave,
@@ -199,21 +183,15 @@ namespace Contact
 
 
   template<int dim>
-  void PointPairing<dim>::add_void_slip(const Tensor<1, dim> &direction)
-  {
-    add_orthonormal(direction, void_slips);
-  }
-
-
-
-  template<int dim>
   std::vector<Tensor<1, dim>> PointPairing<dim>::directions_of_slip() const
   {
     std::vector<Tensor<1, dim>> directions = void_slips;
+    for (unsigned int t = 0; t < dim - 1; ++t)
+      add_orthonormal(along_tangents(springs[t]), directions);
+    const unsigned int n_others = directions.size();
     for (unsigned int i = 0; i < dim; ++i)
       add_orthonormal(Tensor<1, dim>(Point<dim>::unit_vector(i)), directions);
-    directions.erase(directions.begin(),
-                     directions.begin() + void_slips.size());
+    directions.erase(directions.begin(), directions.begin() + n_others);
     return directions;
   }
 
@@ -420,47 +398,27 @@ namespace Contact
                     const std::set<unsigned int> &excluded,
                     MultiplierSpace              &multipliers);
   template std::vector<ContactPoint<3>>
-                         make_nodal_points(const Surface<3>             &slave,
-                                           const std::set<unsigned int> &excluded,
-                                           MultiplierSpace              &multipliers);
-  template void          skip_where_held(ContactPoint<2>         &point,
-                                         const Discretization<2> &discretization,
-                                         const Vector<double>    &u);
-  template void          skip_where_held(ContactPoint<3>         &point,
-                                         const Discretization<3> &discretization,
-                                         const Vector<double>    &u);
-  template Point<2>      slave_position(const ContactPoint<2> &point,
-                                        const Vector<double>  &u);
-  template Point<3>      slave_position(const ContactPoint<3> &point,
-                                        const Vector<double>  &u);
-  template NormalCone<2> directions_of(const ContactPoint<2> &point,
-                                       const Surface<2>      &slave,
-                                       const FacetNormals<2> &normals);
-  template NormalCone<3> directions_of(const ContactPoint<3> &point,
-                                       const Surface<3>      &slave,
-                                       const FacetNormals<3> &normals);
-  template void          pair_with_master(ContactPoint<2>         &point,
-                                          const NormalCone<2>     &directions,
-                                          const Surface<2>        &master,
-                                          const SurfaceSearch<2>  &search,
-                                          const Discretization<2> &discretization,
-                                          const Vector<double>    &u,
-                                          const bool               keeps_edge);
-  template void          pair_with_master(ContactPoint<3>         &point,
-                                          const NormalCone<3>     &directions,
-                                          const Surface<3>        &master,
-                                          const SurfaceSearch<3>  &search,
-                                          const Discretization<3> &discretization,
-                                          const Vector<double>    &u,
-                                          const bool               keeps_edge);
-  template void          pair_with_obstacle(ContactPoint<2>         &point,
-                                            const Obstacle<2>       &obstacle,
-                                            const Discretization<2> &discretization,
-                                            const Vector<double>    &u);
-  template void          pair_with_obstacle(ContactPoint<3>         &point,
-                                            const Obstacle<3>       &obstacle,
-                                            const Discretization<3> &discretization,
-                                            const Vector<double>    &u);
+                    make_nodal_points(const Surface<3>             &slave,
+                                      const std::set<unsigned int> &excluded,
+                                      MultiplierSpace              &multipliers);
+  template void     skip_where_held(ContactPoint<2>         &point,
+                                    const Discretization<2> &discretization,
+                                    const Vector<double>    &u);
+  template void     skip_where_held(ContactPoint<3>         &point,
+                                    const Discretization<3> &discretization,
+                                    const Vector<double>    &u);
+  template Point<2> slave_position(const ContactPoint<2> &point,
+                                   const Vector<double>  &u);
+  template Point<3> slave_position(const ContactPoint<3> &point,
+                                   const Vector<double>  &u);
+  template void     pair_with_obstacle(ContactPoint<2>         &point,
+                                       const Obstacle<2>       &obstacle,
+                                       const Discretization<2> &discretization,
+                                       const Vector<double>    &u);
+  template void     pair_with_obstacle(ContactPoint<3>         &point,
+                                       const Obstacle<3>       &obstacle,
+                                       const Discretization<3> &discretization,
+                                       const Vector<double>    &u);
   template struct PointPairing<2>;
   template struct PointPairing<3>;
 } // namespace Contact

@@ -157,11 +157,31 @@ namespace Contact
                                 // rings, and in space, the area [mm^2]
     double augmentation_parameter = 0; // the c of p - c g [MPa/mm]
 
+    // What supports hold the slave's node along, but not all nodes around it:
+    // see mark_rims().
+    std::vector<Tensor<1, dim>> rim;
+
     // The multipliers that act here: p = sum_k psi_k lambda_k.
     unsigned int                              n_multipliers = 0;
     std::array<unsigned int, max_multipliers> multipliers{};
     std::array<double, max_multipliers>       psi{};
   };
+
+
+
+  /// Add what is new in @p direction, if anything, to an orthonormal basis.
+  template<int dim>
+  void add_orthonormal(const Tensor<1, dim>        &direction,
+                       std::vector<Tensor<1, dim>> &basis)
+  {
+    const double   sine = 1e-3;
+    Tensor<1, dim> rest = direction;
+    for (unsigned int pass = 0; pass < 2; ++pass) // because of round-off
+      for (const Tensor<1, dim> &other : basis)
+        rest -= (rest * other) * other;
+    if (rest.norm() > sine)
+      basis.push_back(rest / rest.norm());
+  }
 
 
 
@@ -242,9 +262,11 @@ namespace Contact
     // them are in the row. Orthonormal.
     std::vector<Tensor<1, dim>> void_slips;
 
-    void add_void_slip(const Tensor<1, dim> &direction);
+    // The projection on the rim, where the master is free along the surface: a
+    // spring of the stiffness c holds what sticks there.
+    Tensor<2, dim - 1> springs;
 
-    /// The unit vectors, or what void slips leave of them: orthonormal.
+    /// The unit vectors, or what void slips and springs leave: orthonormal.
     std::vector<Tensor<1, dim>> directions_of_slip() const;
   };
 
@@ -278,6 +300,9 @@ namespace Contact
 
     // Bound of the shear traction while a Tresca problem is solved [MPa].
     double friction_bound = 0;
+
+    // At the increment's start, which springs go on from [MPa].
+    Tensor<1, dim - 1> shear_at_start;
 
     /// The number of the node that has the multipliers, where it is one.
     unsigned int own_node() const
@@ -383,11 +408,27 @@ namespace Contact
    * and their mean with their images is. The plane is one that supports hold
    * the slave node across, and a node of the master alike that is in the same
    * place within @p tolerance [mm]. Not of a surface that lies in the plane.
+   * The tangents, and the springs of the rim.
    */
   void make_symmetric(ContactPoint<3>         &point,
                       const Discretization<3> &discretization,
                       const Vector<double>    &u,
                       const double             tolerance);
+
+  /// Mark where what supports hold of the slave ends. A node there that sticks
+  /// gives no way. Where the master has fewer in such a row it could not
+  /// follow, and shears would alternate between their bounds.
+  void mark_rims(const Surface<3>             &slave,
+                 const MultiplierSpace        &multipliers,
+                 const Discretization<3>      &discretization,
+                 std::vector<ContactPoint<3>> &points);
+
+  inline void mark_rims(const Surface<2> &,
+                        const MultiplierSpace &,
+                        const Discretization<2> &,
+                        std::vector<ContactPoint<2>> &)
+  {
+  }
 
   /// The current position of the place on the slave.
   template<int dim>
@@ -401,15 +442,9 @@ namespace Contact
 
   /// The direction in which a point of the slave looks for the master, by the
   /// normals of Surface::facet_normals.
-  template<int dim>
-  NormalCone<dim> directions_of(const ContactPoint<dim> &point,
-                                const Surface<dim>      &slave,
-                                const FacetNormals<dim> &normals);
-  template<>
   NormalCone<2> directions_of(const ContactPoint<2> &point,
                               const Surface<2>      &slave,
                               const FacetNormals<2> &normals);
-  template<>
   NormalCone<3> directions_of(const ContactPoint<3> &point,
                               const Surface<3>      &slave,
                               const FacetNormals<3> &normals);
@@ -433,31 +468,20 @@ namespace Contact
    * there. At a vertex that belongs to two edges alike the tangent is the sum
    * of those of both edges.
    */
-  template<int dim>
-  void pair_with_master(ContactPoint<dim>         &point,
-                        const NormalCone<dim>     &directions,
-                        const Surface<dim>        &master,
-                        const SurfaceSearch<dim>  &search,
-                        const Discretization<dim> &discretization,
-                        const Vector<double>      &u,
-                        const bool                 keeps_edge = false);
-
-  template<>
   void pair_with_master(ContactPoint<2>         &point,
                         const NormalCone<2>     &directions,
                         const Surface<2>        &master,
                         const SurfaceSearch<2>  &search,
                         const Discretization<2> &discretization,
                         const Vector<double>    &u,
-                        const bool               keeps_edge);
-  template<>
+                        const bool               keeps_edge = false);
   void pair_with_master(ContactPoint<3>         &point,
                         const NormalCone<3>     &directions,
                         const Surface<3>        &master,
                         const SurfaceSearch<3>  &search,
                         const Discretization<3> &discretization,
                         const Vector<double>    &u,
-                        const bool               keeps_facet);
+                        const bool               keeps_facet = false);
 
   /// The same on a rigid obstacle.
   template<int dim>

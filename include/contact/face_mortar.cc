@@ -285,7 +285,6 @@ namespace Contact
     add_nodes(integrals, node, point);
     point.projection = bulge(integrals);
     make_symmetric(point, discretization, u, 1e-6 * length);
-    set_tangents(point);
     const Tensor<1, 3> r = move_feet(integrals, now, point);
 
     // A mean with weights of either sign is no less than the least of the

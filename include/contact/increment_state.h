@@ -39,9 +39,11 @@ namespace Contact
       start       = solution;
       if (model.interface)
         points_at_start = model.interface->points();
-      if (model.has_friction())
-        model.interface->set_support_motion(
-          model.discretization->support_motion(start, to));
+      if (!model.has_friction())
+        return;
+      model.interface->set_support_motion(
+        model.discretization->support_motion(start, to));
+      model.interface->remember_shears(start);
     }
 
     /// Back to its start, also of what the points know and which edges they

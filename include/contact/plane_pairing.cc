@@ -9,7 +9,6 @@
 
 namespace Contact
 {
-  template<>
   NormalCone<2> directions_of(const ContactPoint<2> &point,
                               const Surface<2>      &slave,
                               const FacetNormals<2> &normals)
@@ -110,7 +109,6 @@ namespace Contact
 
 
 
-  template<>
   void pair_with_master(ContactPoint<2>         &point,
                         const NormalCone<2>     &directions,
                         const Surface<2>        &master,

@@ -482,16 +482,9 @@ namespace Contact
   template double probe_value(const Parameters::Probes::Definition &probe,
                               const ContactModel<2>                &model,
                               const IncrementState<2>              &state);
-  template double probe_value(const Parameters::Probes::Definition &probe,
-                              const ContactModel<3>                &model,
-                              const IncrementState<3>              &state);
 
   template Vector<double>
   probe_derivative(const Parameters::Probes::Definition &probe,
                    const ContactModel<2>                &model,
-                   const Vector<double>                 &solution);
-  template Vector<double>
-  probe_derivative(const Parameters::Probes::Definition &probe,
-                   const ContactModel<3>                &model,
                    const Vector<double>                 &solution);
 } // namespace Contact

@@ -57,13 +57,23 @@ namespace Contact
 
 
 
-    /// The directions that supports may hold the node of the slave in.
+    bool is_held(const NodeDoFs<3>       &node,
+                 const Tensor<1, 3>      &direction,
+                 const Discretization<3> &discretization)
+    {
+      const double round_off = 1e-8;
+      return discretization.free_part(node, direction).norm() < round_off;
+    }
+
+
+
+    /// The directions that supports may hold a node in.
     std::vector<Tensor<1, 3>>
-    directions_of_supports(const ContactPoint<3>   &point,
+    directions_of_supports(const NodeDoFs<3>       &node,
                            const Discretization<3> &discretization)
     {
       std::vector<Tensor<1, 3>> directions =
-        discretization.normal_supports.normals(point.dofs[0]);
+        discretization.normal_supports.normals(node);
       for (unsigned int c = 3; c-- > 0;)
         directions.insert(directions.begin(), Point<3>::unit_vector(c));
       return directions;
@@ -71,25 +81,16 @@ namespace Contact
 
 
 
-    /// A component of the relative displacement of a point that supports
-    /// prescribe: in all nodes.
-    struct PrescribedComponent
-    {
-      Tensor<1, 3> direction;
-      Tensor<1, 2> along; // its part along the tangents
-    };
-
-
-
-    /// Without those that are next to the normal.
-    std::vector<PrescribedComponent>
+    /// The components of the relative displacement of a point that supports
+    /// prescribe, in all nodes, without those that are next to the normal.
+    std::vector<Tensor<1, 3>>
     prescribed_components(const ContactPoint<3>   &point,
                           const Discretization<3> &discretization)
     {
-      const double                     round_off = 1e-8, sine = 1e-3;
-      std::vector<PrescribedComponent> components;
+      const double              round_off = 1e-8, sine = 1e-3;
+      std::vector<Tensor<1, 3>> components;
       for (const Tensor<1, 3> &direction :
-           directions_of_supports(point, discretization))
+           directions_of_supports(point.dofs[0], discretization))
         {
           double free = 0, all = 0;
           for (unsigned int a = 0; a < point.n_nodes; ++a)
@@ -98,9 +99,9 @@ namespace Contact
               free += std::abs(point.C[a]) *
                       discretization.free_part(point.dofs[a], direction).norm();
             }
-          const Tensor<1, 2> along = point.tangential_part(direction);
-          if (free <= round_off * all && along.norm() > sine)
-            components.push_back({direction, along});
+          if (free <= round_off * all &&
+              point.tangential_part(direction).norm() > sine)
+            components.push_back(direction);
         }
       return components;
     }
@@ -114,11 +115,11 @@ namespace Contact
     const auto held = prescribed_components(point, discretization);
     if (held.empty())
       return {Tensor<1, 2>({1., 0.}), Tensor<1, 2>({0., 1.})};
-    const Tensor<1, 2> across =
-      cross_product_2d(held[0].along / held[0].along.norm());
+    Tensor<1, 2> across = cross_product_2d(point.tangential_part(held[0]));
+    across /= across.norm();
     const double sine = 1e-3;
     for (const auto &other : held)
-      if (std::abs(other.along * across) > sine)
+      if (std::abs(point.tangential_part(other) * across) > sine)
         return {};
     return {across};
   }
@@ -135,9 +136,10 @@ namespace Contact
     const auto   free      = free_slips(point, discretization);
     Tensor<2, 2> A;
     Tensor<1, 2> b;
-    for (const auto &[direction, along] : held)
+    for (const auto &direction : held)
       {
-        double slip = 0, size = 0;
+        const Tensor<1, 2> along = point.tangential_part(direction);
+        double             slip = 0, size = 0;
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           for (unsigned int c = 0; c < 3; ++c)
             {
@@ -168,7 +170,7 @@ namespace Contact
     Tensor<1, 3> normal = point.normal;
     point.void_slips.clear();
     for (const Tensor<1, 3> &across :
-         directions_of_supports(point, discretization))
+         directions_of_supports(point.dofs[0], discretization))
       {
         const auto x = [&](const unsigned int a) {
           double sum = 0;
@@ -184,18 +186,55 @@ namespace Contact
                                                            point.dofs[a],
                                                            across));
         if (is_symmetric && std::abs(point.normal * across) < sine)
-          point.add_void_slip(across);
+          add_orthonormal(across, point.void_slips);
       }
     for (const Tensor<1, 3> &across : point.void_slips)
       normal -= (normal * across) * across;
     if (normal.norm() > 0)
       point.normal = normal / normal.norm();
+    set_tangents(point);
+
+    std::vector<Tensor<1, 2>> basis;
+    for (const Tensor<1, 3> &across : point.void_slips)
+      basis.push_back(point.tangential_part(across));
+    point.springs = 0;
+    for (const Tensor<1, 3> &held : point.rim)
+      for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
+        if (std::abs(point.normal * held) < sine &&
+            !is_held(point.dofs[a], held, discretization))
+          add_orthonormal(point.tangential_part(held), basis);
+    for (unsigned int k = point.void_slips.size(); k < basis.size(); ++k)
+      point.springs += outer_product(basis[k], basis[k]);
+  }
+
+
+
+  void mark_rims(const Surface<3>             &slave,
+                 const MultiplierSpace        &multipliers,
+                 const Discretization<3>      &discretization,
+                 std::vector<ContactPoint<3>> &points)
+  {
+    for (unsigned int node = 0; node < slave.nodes.size(); ++node)
+      for (const Tensor<1, 3> &direction :
+           directions_of_supports(slave.nodes[node].dofs, discretization))
+        {
+          bool one_is_free = false;
+          for (const unsigned int e : slave.facets_of_node[node])
+            for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+              one_is_free = one_is_free ||
+                            !is_held(slave.nodes[slave.facets[e].nodes[a]].dofs,
+                                     direction,
+                                     discretization);
+          const unsigned int k = multipliers.of_node[node];
+          if (k < points.size() && one_is_free &&
+              is_held(slave.nodes[node].dofs, direction, discretization))
+            points[k].rim.push_back(direction);
+        }
   }
 
 
 
   // The normal in the facet; at a node those of all facets around it.
-  template<>
   NormalCone<3> directions_of(const ContactPoint<3> &point,
                               const Surface<3>      &slave,
                               const FacetNormals<3> &normals)
@@ -231,7 +270,6 @@ namespace Contact
 
   // Where several facets have the same closest point, which of them was found
   // first must not matter: the normal is the mean of theirs.
-  template<>
   void pair_with_master(ContactPoint<3>         &point,
                         const NormalCone<3>     &directions,
                         const Surface<3>        &master,
@@ -277,7 +315,6 @@ namespace Contact
                    discretization,
                    u,
                    1e-6 * master.reference_length(projection.facet));
-    set_tangents(point);
     point.projection_is_clipped = projection.clipped;
     point.tangential_row_is_void =
       tangential_row_is_void(point, discretization);

@@ -369,14 +369,6 @@ namespace Contact
                 const Vector<double>                     &solution,
                 const Vector<double>                     &u_start,
                 const std::optional<ExactSolution>       &exact);
-  template std::vector<ProfileRow<3>>
-  slave_profile(const ContactInterface<3>                &interface,
-                const ContactPair<3>                     &contact_pair,
-                const Discretization<3>                  &discretization,
-                const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                const Vector<double>                     &solution,
-                const Vector<double>                     &u_start,
-                const std::optional<ExactSolution>       &exact);
   template std::vector<PairProfile<2>>
   pair_profiles(const ContactInterface<2>                &interface,
                 const Discretization<2>                  &discretization,

@@ -112,7 +112,12 @@ namespace Contact
   {
     const ContactPoint<dim> &point = points[k];
     if (point.status.kind == Status::stick)
-      return free_slips(point, discretization);
+      {
+        std::vector<Tensor<1, dim - 1>> free;
+        for (const auto &direction : free_slips(point, discretization))
+          add_orthonormal(direction - point.springs * direction, free);
+        return free;
+      }
     if (dim == 2 || !point.status.has_direction())
       return {};
     for (const auto dof : point.dofs[0])
@@ -134,6 +139,9 @@ namespace Contact
     for (const Tensor<1, dim - 1> &direction : shear_directions[share.point])
       factors.q.push_back(share.factor *
                           point.along_tangents(direction)[share.coordinate]);
+    if (point.status.kind == Status::stick)
+      factors.known = share.factor * point.along_tangents(
+                                       turned[share.point])[share.coordinate];
     if (!factors.q.empty() || !point.status.has_direction())
       return factors;
     const double along =
@@ -167,7 +175,9 @@ namespace Contact
     if (any_coupled)
       solve_coupled(residual, tractions);
     for (unsigned int k = 0; k < points.size(); ++k)
-      if (points[k].status.kind == Status::slip)
+      if (points[k].status.kind == Status::stick)
+        tractions[k].q += turned[k];
+      else if (points[k].status.kind == Status::slip)
         {
           const Tensor<1, dim - 1> d = points[k].status.direction();
           tractions[k].q             = shear_directions[k].empty()

@@ -16,23 +16,18 @@ namespace Contact
    * running away and the active set from cycling, without being in the way
    * where the method converges.
    *
-   * Runaway: the merit function is the norm of the residual. Where an active
-   * set is looked for it need not fall in every step, so that the line search
-   * is not monotone (Grippo, Lampariello and Lucidi, SIAM J. Numer. Anal. 23,
-   * 1986): a step is too long if the residual rises above the largest of the
-   * last five steps. Nor has it where a slender body turns: the first step
-   * stretches it, and the ones behind it take that back. So full steps are
-   * taken for a while even if they lead uphill (the watchdog technique, R. M.
-   * Chamberlain, M. J. D. Powell, C. Lemarechal and H. C. Pedersen, Math. Prog.
-   * Study 16, 1982): the line search begins when ten steps in a row have not
-   * come below the smallest residual so far. Residuals are forces, not
-   * relative to a scale, which may change from step to step.
+   * Runaway: a step is too long if the norm of the residual rises above the
+   * largest of the last five steps (Grippo, Lampariello and Lucidi, SIAM J.
+   * Numer. Anal. 23, 1986): it need not fall where an active set is looked for,
+   * nor where a slender body turns, which the first step stretches. So the line
+   * search begins when ten steps in a row have not come below the smallest
+   * residual so far (the watchdog technique, R. M. Chamberlain, M. J. D.
+   * Powell, C. Lemarechal and H. C. Pedersen, Math. Prog. Study 16, 1982).
+   * Residuals are forces: a scale may change from step to step.
    *
-   * While points change their status there is no line search. Then steps may
-   * lead away for ever, each by the same factor. The next step has to cancel
-   * forces of the size of the residual, and can to their round-off only: where
-   * that is above the tolerance, and the steps so far led there, the method is
-   * lost.
+   * While points change their status there is no line search, and steps may
+   * lead away for ever. The next step cancels the residual to its round-off
+   * only: where that is above the tolerance, the method is lost.
    *
    * Cycles: all points change their status at once, as long as fewer and
    * fewer want to. If their number has not come below its minimum for ten

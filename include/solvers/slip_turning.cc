@@ -13,17 +13,37 @@ namespace Contact
   {
     using Term = SlipTurning<3>::Term;
 
-    /// The load along @p across, and the stiffness @p k in the directions that
-    /// @p projection leaves.
+    /// The slip with what springs give way.
+    template<int dim>
+    Tensor<1, dim - 1> way(const ContactPoint<dim> &point,
+                           const ContactState<dim> &now)
+    {
+      return now.slip - point.springs * (now.lambda_t - point.shear_at_start) /
+                          point.augmentation_parameter;
+    }
+
+
+
+    /// The shear, and what it does to the displacements.
     Term make_term(const ContactPoint<3> &point,
                    const unsigned int     number,
-                   const double           share,
-                   const Tensor<2, 3>    &projection,
-                   const double           k,
-                   const Tensor<1, 3>    &load)
+                   const Tensor<2, 2>    &stiffness,
+                   const Tensor<1, 2>    &shear,
+                   const ContactState<3> &now)
     {
       const unsigned int n = 3 * point.n_nodes;
-      Term term{number, share, {}, FullMatrix<double>(n, n), Vector<double>(n)};
+      Term               term{number,
+                stiffness,
+                shear + stiffness * way(point, now),
+                {},
+                FullMatrix<double>(n, n),
+                Vector<double>(n)};
+      const Tensor<1, 3> load = point.weight * point.along_tangents(shear);
+      Tensor<2, 3>       k;
+      for (unsigned int s = 0; s < 2; ++s)
+        for (unsigned int t = 0; t < 2; ++t)
+          k += point.weight * stiffness[s][t] *
+               outer_product(point.tangents[s], point.tangents[t]);
       for (unsigned int a = 0; a < point.n_nodes; ++a)
         for (unsigned int i = 0; i < 3; ++i)
           {
@@ -32,7 +52,7 @@ namespace Contact
             for (unsigned int b = 0; b < point.n_nodes; ++b)
               for (unsigned int j = 0; j < 3; ++j)
                 term.stiffness(3 * a + i, 3 * b + j) =
-                  k * point.C[a] * point.C[b] * projection[i][j];
+                  point.C[a] * point.C[b] * k[i][j];
           }
       return term;
     }
@@ -63,11 +83,22 @@ namespace Contact
     for (unsigned int k = 0; k < interface.points().size(); ++k)
       {
         const ContactPoint<3> &point = interface.points()[k];
-        if (point.status.kind != Status::slip || !point.status.has_direction())
+        if (point.status.kind == Status::open)
           continue;
-        const ContactState<3> now  = interface.state(point, solution, u_start);
-        const double          size = now.q_trial.norm();
-        if (size == 0) // supports move it, and nothing turns
+        const ContactState<3> now = interface.state(point, solution, u_start);
+        const double          c   = point.augmentation_parameter;
+        if (point.status.kind == Status::stick && point.springs.norm() > 0)
+          {
+            all.push_back(make_term(point,
+                                    k,
+                                    c * point.springs,
+                                    point.springs * now.q_trial,
+                                    now));
+            all.back().load = 0; // it acts already
+          }
+        const double size = now.q_trial.norm();
+        if (!point.status.has_direction() ||
+            size == 0) // supports move it, and nothing turns
           continue;
         const double bound =
           moving_bound ? interface.contact_pair(point).law.bound(now.p_trial)
@@ -79,22 +110,18 @@ namespace Contact
         const double length  = interface.contact_pair(point).edge_length(point);
         const double largest = 100 * length * length / point.weight;
         const double beta    = std::min(bound / size, 1.);
-        const double share =
-          beta < largest * (1 - beta) ? beta / (1 - beta) : largest;
 
-        const Tensor<1, 3> d = point.along_tangents(point.status.direction());
-        Tensor<2, 3>       across;
-        for (const Tensor<1, 3> &t : point.tangents)
-          across += outer_product(t, t);
-        across -= outer_product(d, d);
+        const Tensor<1, 2> &d      = point.status.direction();
+        const Tensor<1, 2>  across = cross_product_2d(d);
+        const Tensor<1, 2>  rigid  = across - point.springs * across;
+        const double        left   = 1 - beta * (across * rigid);
+        const double share = beta < largest * left ? beta / left : largest;
         all.push_back(
           make_term(point,
                     k,
-                    share,
-                    across,
-                    point.weight * point.augmentation_parameter * share,
-                    -point.weight * share *
-                      (across * point.along_tangents(now.lambda_t))));
+                    c * share * outer_product(across, across),
+                    share * (rigid * (bound * d - now.lambda_t)) * across,
+                    now));
       }
     return all;
   }
@@ -111,12 +138,10 @@ namespace Contact
     std::vector<Tensor<1, dim - 1>> turned(interface.points().size());
     for (const Term &term : terms)
       {
-        const ContactPoint<dim>  &point = interface.points()[term.point];
-        const Tensor<1, dim - 1> &d     = point.status.direction();
-        const Tensor<1, dim - 1>  slip =
-          interface.state(point, solution, u_start).slip;
+        const ContactPoint<dim> &point = interface.points()[term.point];
         turned[term.point] =
-          -term.share * point.augmentation_parameter * (slip - (slip * d) * d);
+          term.shear_at_rest -
+          term.of_slip * way(point, interface.state(point, solution, u_start));
       }
     return turned;
   }

@@ -27,6 +27,11 @@ namespace Contact
    * is one: it can hardly turn, but go on; k is at most a hundred times c and
    * the square of a facet's length. At the solution k = w b/|s|, the derivative
    * of the exact law. In the plane there is nothing to turn.
+   *
+   * Along a spring (PointPairing::springs) q_trial changes by -c ds alone: with
+   * P the projection across springs and the unit vector a across d, beta/(1 -
+   * beta) becomes beta/(1 - beta a.P a), and the load that times a.P (b d -
+   * lambda). Where the point sticks, it has the stiffness c of the spring.
    */
   template<int dim>
   class SlipTurning
@@ -35,8 +40,13 @@ namespace Contact
     /// What a point adds to the system, over unknowns of the displacement.
     struct Term
     {
-      unsigned int                         point;
-      double                               share; // beta/(1 - beta)
+      unsigned int point;
+
+      /// The shear that it adds, by tangent, is that without slip less what the
+      /// slip takes [MPa/mm, MPa].
+      Tensor<2, dim - 1> of_slip;
+      Tensor<1, dim - 1> shear_at_rest;
+
       std::vector<types::global_dof_index> dofs;
       FullMatrix<double>                   stiffness; // [N/mm]
       Vector<double>                       load;      // [N]
@@ -49,9 +59,8 @@ namespace Contact
                                    const Vector<double>        &u_start,
                                    const bool                   moving_bound);
 
-    /// By point, what a step has added across the direction of the shear,
-    /// -beta/(1 - beta) T c s with the slip s in the state after it: for lambda
-    /// is c s across d before. In the frame of the tangents.
+    /// By point, the shear that a step has added, with the slip in the state
+    /// after it.
     static std::vector<Tensor<1, dim - 1>>
     turned_shears(const std::vector<Term>     &terms,
                   const ContactInterface<dim> &interface,
