@@ -338,12 +338,11 @@ namespace Contact
 
   /**
    * The nodal discretization: one point per slave node, mid-sides included,
-   * weighted by the integral of its shape function (trapezoidal and Simpson's
-   * discretization; of rings, times the circumference where the shape function
-   * has its centroid, which is exact on straight edges); the constraint is
-   * collocated. Without the nodes in @p excluded. On an axis at degree 2 the
-   * integral vanishes: what holds the node there is a force, with a weight for
-   * its units only.
+   * weighted by the integral of its shape function (of rings, times the
+   * circumference where that has its centroid, which is exact on straight
+   * edges); the constraint is collocated. Without the nodes in @p excluded. On
+   * an axis at degree 2 the integral vanishes: what holds the node there is a
+   * force, with a weight for its units only.
    */
   template<int dim>
   std::vector<ContactPoint<dim>>

@@ -125,18 +125,25 @@ namespace Contact
           symmetric = false;
 
     add_base_lines(surroundings, lines);
+    turning.clear();
     if (interface != nullptr)
-      for (const ContactPoint<dim> &point : interface->points())
-        if (point.status.kind != Status::open)
-          eliminate_point(point, interface->state(point, solution, u_start));
+      {
+        turning =
+          SlipTurning<dim>::terms(*interface, solution, u_start, moving_bound);
+        const auto                     &points = interface->points();
+        std::vector<Tensor<1, dim - 1>> turns(points.size());
+        for (const auto &term : turning)
+          turns[term.point] = term.turn;
+        for (unsigned int k = 0; k < points.size(); ++k)
+          if (points[k].status.kind != Status::open)
+            eliminate_point(points[k],
+                            interface->state(points[k], solution, u_start),
+                            turns[k]);
+      }
 
     add_contact_lines(rows, lines);
     for (const auto &line : rows.lines())
       eliminated.push_back(line.first);
-    turning.clear();
-    if (interface != nullptr)
-      turning =
-        SlipTurning<dim>::terms(*interface, solution, u_start, moving_bound);
     if (!symmetric)
       {
         add_base_lines(surroundings, test_lines);
@@ -151,8 +158,9 @@ namespace Contact
 
   // Normal and tangent of a sticking point span both coordinates.
   template<int dim>
-  void ContactElimination<dim>::eliminate_point(const ContactPoint<dim> &point,
-                                                const ContactState<dim> &now)
+  void ContactElimination<dim>::eliminate_point(const ContactPoint<dim>  &point,
+                                                const ContactState<dim>  &now,
+                                                const Tensor<1, dim - 1> &turn)
   {
     if (point.status.kind == Status::stick)
       {
@@ -166,12 +174,14 @@ namespace Contact
           }
         return;
       }
-    const Row row = equation(point, point.normal, -now.gap);
+    const Row    row = equation(point, point.normal, -now.gap);
+    const double by_p =
+      interface->contact_pair(point).law.bound_derivative(now.p_trial);
+    const Tensor<1, dim> along =
+      point.along_tangents(by_p * (point.status.direction() + turn));
     eliminate(point,
               row,
-              symmetric
-                ? row
-                : equation(point, force_direction(point, now.p_trial), 0));
+              symmetric ? row : equation(point, point.normal + along, 0));
   }
 
 
@@ -205,19 +215,6 @@ namespace Contact
             }
         }
     return row;
-  }
-
-
-
-  template<int dim>
-  Tensor<1, dim>
-  ContactElimination<dim>::force_direction(const ContactPoint<dim> &point,
-                                           const double p_trial) const
-  {
-    return point.normal +
-           point.along_tangents(
-             point.status.direction() *
-             interface->contact_pair(point).law.bound_derivative(p_trial));
   }
 
 

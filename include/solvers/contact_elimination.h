@@ -25,23 +25,21 @@ namespace Contact
    * update du has to fulfil
    *   n . sum_a C_a du_a = -g,
    *   t . sum_a C_a du_a = -s      if it sticks
-   * (there both are written by coordinates). These equations are solved by
-   * Gauss' elimination. The pivot is an unknown of the point's own slave node,
-   * that with the larger coefficient after substitution of what is known. Where
-   * a support or another point has taken it (two normals at one node, a slave
-   * that is the master of another one, a slave node that is held), another
-   * unknown of the equation serves. An equation without one follows from
-   * others: it is dropped. This is the way of step-42, with any normal and a
-   * deformable master.
+   * (there both are written by coordinates). The pivot of Gauss' elimination is
+   * an unknown of the point's own slave node, that with the larger coefficient
+   * after substitution of what is known. Where a support or another point has
+   * taken it, another unknown of the equation serves. An equation without one
+   * follows from others: it is dropped. This is the way of step-42, with any
+   * normal and a deformable master.
    *
    * A slipping point whose bound moves with the pressure, q = s bound(p),
-   * exerts per unit of pressure a force along m = n + s bound'(p) t, while its
-   * constraint is along n. The virtual displacements under which the pressures
-   * do no work are then others than the displacements: they fulfil
+   * exerts per unit of pressure a force along m = n + s bound'(p) t (t with the
+   * turn of SlipTurning), while its constraint is along n. The virtual
+   * displacements under which the pressures do no work fulfil
    *   m . sum_a C_a v_a = 0
-   * and are eliminated by the same pivots into lines of their own. The
-   * condensed matrix is unsymmetric, as that of the saddle point is, and the
-   * Newton step the same.
+   * and are eliminated by the same pivots into lines of their own. The matrix
+   * is unsymmetric, as that of the saddle point is, and the Newton step the
+   * same.
    */
   template<int dim>
   class ContactElimination
@@ -137,8 +135,9 @@ namespace Contact
                         AffineConstraints<double> &to) const;
     void add_contact_lines(const RowElimination      &rows,
                            AffineConstraints<double> &to) const;
-    void eliminate_point(const ContactPoint<dim> &point,
-                         const ContactState<dim> &now);
+    void eliminate_point(const ContactPoint<dim>  &point,
+                         const ContactState<dim>  &now,
+                         const Tensor<1, dim - 1> &turn);
     void eliminate(const ContactPoint<dim> &point, Row row, Row test_row);
     void
     drop(const ContactPoint<dim> &point, const Row &row, const bool is_held);
@@ -147,10 +146,6 @@ namespace Contact
     Row equation(const ContactPoint<dim> &point,
                  const Tensor<1, dim>    &direction,
                  const double             constant) const;
-
-    /// m = n + s bound'(p) t.
-    Tensor<1, dim> force_direction(const ContactPoint<dim> &point,
-                                   const double             p_trial) const;
 
     Dof pivot(const ContactPoint<dim> &point,
               const Row               &row,

@@ -14,11 +14,11 @@ namespace Contact
 {
   template<int dim>
   MultiplierRecovery<dim>::MultiplierRecovery(
-    const Discretization<dim>             &discretization,
-    const ContactInterface<dim>           &interface,
-    const std::vector<Dof>                &eliminated,
-    const std::vector<Tensor<1, dim - 1>> &turned,
-    const bool                             moving_bound)
+    const Discretization<dim>   &discretization,
+    const ContactInterface<dim> &interface,
+    const std::vector<Dof>      &eliminated,
+    const std::vector<Turned>   &turned,
+    const bool                   moving_bound)
     : discretization(discretization)
     , points(interface.points())
     , interface(interface)
@@ -140,12 +140,13 @@ namespace Contact
       factors.q.push_back(share.factor *
                           point.along_tangents(direction)[share.coordinate]);
     if (point.status.kind == Status::stick)
-      factors.known = share.factor * point.along_tangents(
-                                       turned[share.point])[share.coordinate];
+      factors.known =
+        share.factor *
+        point.along_tangents(turned[share.point].shear)[share.coordinate];
     if (!factors.q.empty() || !point.status.has_direction())
       return factors;
-    const double along =
-      point.along_tangents(point.status.direction())[share.coordinate];
+    const double along = point.along_tangents(
+      point.status.direction() + turned[share.point].turn)[share.coordinate];
     if (moving_bound)
       {
         factors.p = share.factor * (normal + law.coulomb_coefficient * along);
@@ -154,8 +155,9 @@ namespace Contact
     else
       factors.known = share.factor * point.friction_bound * along;
     if (dim == 3)
-      factors.known += share.factor * point.along_tangents(
-                                        turned[share.point])[share.coordinate];
+      factors.known +=
+        share.factor *
+        point.along_tangents(turned[share.point].shear)[share.coordinate];
     return factors;
   }
 
@@ -176,13 +178,17 @@ namespace Contact
       solve_coupled(residual, tractions);
     for (unsigned int k = 0; k < points.size(); ++k)
       if (points[k].status.kind == Status::stick)
-        tractions[k].q += turned[k];
+        tractions[k].q += turned[k].shear;
       else if (points[k].status.kind == Status::slip)
         {
           const Tensor<1, dim - 1> d = points[k].status.direction();
-          tractions[k].q             = shear_directions[k].empty()
-                                         ? turned[k]
-                                         : tractions[k].q - (tractions[k].q * d) * d;
+          const double             bound =
+            moving_bound
+                          ? interface.contact_pair(points[k]).law.bound(tractions[k].p)
+                          : points[k].friction_bound;
+          tractions[k].q = shear_directions[k].empty()
+                             ? turned[k].shear + bound * turned[k].turn
+                             : tractions[k].q - (tractions[k].q * d) * d;
         }
     return tractions;
   }

@@ -6,7 +6,7 @@
 #ifndef contact_multiplier_recovery_h
 #define contact_multiplier_recovery_h
 
-#include "contact/contact_interface.h"
+#include "solvers/slip_turning.h"
 
 namespace Contact
 {
@@ -14,29 +14,29 @@ namespace Contact
 
   /**
    * The multipliers of eliminated points, from the forces f that the bodies
-   * exert on the nodes:
-   * sum over the active points of w C_k (p n + q t) = f_k. The shear of a
-   * slipping point is known, q = s bound, or with a bound that moves a part of
-   * it is: q = s (tresca_limit + mu p). Equations are those of the unknowns of
+   * exert on the nodes: sum over the active points of w C_k (p n + q t) = f_k.
+   * The shear of a slipping point is known, or with a moving bound a part of
+   * it: q = s (tresca_limit + mu p). Equations are those of the unknowns of
    * slave nodes that no support holds, and of what else was eliminated.
    *
-   * Most points are alone with the two equations of their node. The others
-   * (coupled by slave nodes that several see, by chains of contact pairs, by
-   * supports) are solved for together: the least squares min |sum of w C (p n +
-   * q t) - f|^2, because there may be more equations than multipliers; where
-   * active points say the same twice, the multipliers with the smallest
-   * integral of their square share the force.
+   * Most points are alone with the equations of their node. The others are
+   * solved for together: the least squares min |sum of w C (p n + q t) - f|^2,
+   * because there may be more equations than multipliers; where active points
+   * say the same twice, the multipliers with the smallest integral of their
+   * square share the force.
    */
   template<int dim>
   class MultiplierRecovery
   {
   public:
+    using Turned = typename SlipTurning<dim>::Turned;
+
     /// @p eliminated: what the points eliminate; @p turned: by point, what is
-    /// known of the shear across the direction of slip, see SlipTurning.
+    /// known of the shear besides its bound.
     MultiplierRecovery(const Discretization<dim>   &discretization,
                        const ContactInterface<dim> &interface,
                        const std::vector<types::global_dof_index> &eliminated,
-                       const std::vector<Tensor<1, dim - 1>>      &turned,
+                       const std::vector<Turned>                  &turned,
                        const bool moving_bound);
 
     /// Pressure and shear of a point [MPa].
@@ -100,7 +100,7 @@ namespace Contact
     const Discretization<dim>            &discretization;
     const std::vector<ContactPoint<dim>> &points;
     const ContactInterface<dim>          &interface;
-    const std::vector<Tensor<1, dim - 1>> turned;
+    const std::vector<Turned>             turned;
     const bool                            moving_bound;
 
     std::map<Dof, std::vector<Share>> equations;

@@ -24,25 +24,20 @@ namespace Contact
 
 
 
-    /// The shear, and what it does to the displacements.
+    /// With the load of @p acting, a shear by tangent.
     Term make_term(const ContactPoint<3> &point,
-                   const unsigned int     number,
-                   const Tensor<2, 2>    &stiffness,
-                   const Tensor<1, 2>    &shear,
-                   const ContactState<3> &now)
+                   const Term            &of_shear,
+                   const Tensor<1, 2>    &acting)
     {
       const unsigned int n = 3 * point.n_nodes;
-      Term               term{number,
-                stiffness,
-                shear + stiffness * way(point, now),
-                {},
-                FullMatrix<double>(n, n),
-                Vector<double>(n)};
-      const Tensor<1, 3> load = point.weight * point.along_tangents(shear);
+      Term               term(of_shear);
+      term.stiffness.reinit(n, n);
+      term.load.reinit(n);
+      const Tensor<1, 3> load = point.weight * point.along_tangents(acting);
       Tensor<2, 3>       k;
       for (unsigned int s = 0; s < 2; ++s)
         for (unsigned int t = 0; t < 2; ++t)
-          k += point.weight * stiffness[s][t] *
+          k += point.weight * term.of_slip[s][t] *
                outer_product(point.tangents[s], point.tangents[t]);
       for (unsigned int a = 0; a < point.n_nodes; ++a)
         for (unsigned int i = 0; i < 3; ++i)
@@ -87,15 +82,16 @@ namespace Contact
           continue;
         const ContactState<3> now = interface.state(point, solution, u_start);
         const double          c   = point.augmentation_parameter;
+        const Tensor<1, 2>    whole_slip = way(point, now);
+        // The shear of the springs acts already.
         if (point.status.kind == Status::stick && point.springs.norm() > 0)
-          {
-            all.push_back(make_term(point,
-                                    k,
-                                    c * point.springs,
-                                    point.springs * now.q_trial,
-                                    now));
-            all.back().load = 0; // it acts already
-          }
+          all.push_back(
+            make_term(point,
+                      {k,
+                       {},
+                       c * point.springs,
+                       point.springs * (now.q_trial + c * whole_slip)},
+                      {}));
         const double size = now.q_trial.norm();
         if (!point.status.has_direction() ||
             size == 0) // supports move it, and nothing turns
@@ -103,10 +99,9 @@ namespace Contact
         const double bound =
           moving_bound ? interface.contact_pair(point).law.bound(now.p_trial)
                        : point.friction_bound;
-        // A point that is about to stick, or begins to slip, would be stiffer
-        // than the bodies without bound. A hundred times as stiff as a facet
-        // holds it as well, and multigrid, whose smoother sees a penalty there,
-        // still converges. The weight is less where the master covers a sliver.
+        // Next to sticking it would be stiff without bound. A hundred times as
+        // stiff as a facet holds it as well, and multigrid, whose smoother sees
+        // a penalty, converges. A sliver of a facet has less weight.
         const double length  = interface.contact_pair(point).edge_length(point);
         const double largest = 100 * length * length / point.weight;
         const double beta    = std::min(bound / size, 1.);
@@ -115,13 +110,13 @@ namespace Contact
         const Tensor<1, 2>  across = cross_product_2d(d);
         const Tensor<1, 2>  rigid  = across - point.springs * across;
         const double        left   = 1 - beta * (across * rigid);
-        const double share = beta < largest * left ? beta / left : largest;
-        all.push_back(
-          make_term(point,
-                    k,
-                    c * share * outer_product(across, across),
-                    share * (rigid * (bound * d - now.lambda_t)) * across,
-                    now));
+        const double share      = beta < largest * left ? beta / left : largest;
+        const Tensor<1, 2> turn = share * (rigid * d) * across;
+        const Tensor<1, 2> rest = -share * (rigid * now.lambda_t) * across;
+        const Tensor<2, 2> of_slip = c * share * outer_product(across, across);
+        all.push_back(make_term(point,
+                                {k, turn, of_slip, rest + of_slip * whole_slip},
+                                bound * turn + rest));
       }
     return all;
   }
@@ -129,19 +124,21 @@ namespace Contact
 
 
   template<int dim>
-  std::vector<Tensor<1, dim - 1>>
+  std::vector<typename SlipTurning<dim>::Turned>
   SlipTurning<dim>::turned_shears(const std::vector<Term>     &terms,
                                   const ContactInterface<dim> &interface,
                                   const Vector<double>        &solution,
                                   const Vector<double>        &u_start)
   {
-    std::vector<Tensor<1, dim - 1>> turned(interface.points().size());
+    std::vector<Turned> turned(interface.points().size());
     for (const Term &term : terms)
       {
         const ContactPoint<dim> &point = interface.points()[term.point];
-        turned[term.point] =
-          term.shear_at_rest -
-          term.of_slip * way(point, interface.state(point, solution, u_start));
+        turned[term.point]             = {
+                      term.turn,
+                      term.shear_at_rest -
+                        term.of_slip *
+                          way(point, interface.state(point, solution, u_start))};
       }
     return turned;
   }

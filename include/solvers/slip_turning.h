@@ -17,21 +17,19 @@ namespace Contact
   /**
    * The turning of the shear of a slipping point in space. Its shear traction
    * is q = b d, with the bound b and the direction d = q_trial/|q_trial|,
-   * q_trial = lambda - c s. Of Newton's method for q = lambda, with beta =
-   * b/|q_trial| and T = I - d d^T the projection across d, the multiplier of
-   * the next step is
-   *   lambda_new = b d - beta/(1 - beta) T (lambda + c ds),
-   * ds the change of the slip: a load, and a stiffness across d,
-   *   k = w c beta/(1 - beta),
+   * q_trial = lambda - c s. With beta = b/|q_trial| and the unit vector a
+   * across d, Newton's method for q = lambda has the multiplier of the next
+   * step lambda_new = b d - beta/(1 - beta) a a.(lambda + c ds), ds the change
+   * of the slip: a load, and a stiffness across d, k = w c beta/(1 - beta),
    * which is symmetric and never negative. Where a point begins to slip, beta
-   * is one: it can hardly turn, but go on; k is at most a hundred times c and
-   * the square of a facet's length. At the solution k = w b/|s|, the derivative
-   * of the exact law. In the plane there is nothing to turn.
+   * is one: k is at most a hundred times c and the square of a facet's length.
+   * At the solution k = w b/|s|, the derivative of the exact law. In the plane
+   * there is nothing to turn.
    *
    * Along a spring (PointPairing::springs) q_trial changes by -c ds alone: with
-   * P the projection across springs and the unit vector a across d, beta/(1 -
-   * beta) becomes beta/(1 - beta a.P a), and the load that times a.P (b d -
-   * lambda). Where the point sticks, it has the stiffness c of the spring.
+   * P the projection across springs, alpha = beta/(1 - beta a.P a),
+   *   lambda_new = b (d + alpha a.P d a) - alpha a (a.P lambda + c a.ds).
+   * A point that sticks has the stiffness c of its springs.
    */
   template<int dim>
   class SlipTurning
@@ -42,8 +40,9 @@ namespace Contact
     {
       unsigned int point;
 
-      /// The shear that it adds, by tangent, is that without slip less what the
-      /// slip takes [MPa/mm, MPa].
+      /// The shear by tangent is d + turn times the bound, and shear_at_rest -
+      /// of_slip times the slip [MPa/mm, MPa].
+      Tensor<1, dim - 1> turn;
       Tensor<2, dim - 1> of_slip;
       Tensor<1, dim - 1> shear_at_rest;
 
@@ -59,9 +58,14 @@ namespace Contact
                                    const Vector<double>        &u_start,
                                    const bool                   moving_bound);
 
-    /// By point, the shear that a step has added, with the slip in the state
-    /// after it.
-    static std::vector<Tensor<1, dim - 1>>
+    /// Of a point, the turn of the shear with the bound, and what the slip adds
+    /// to the shear in the state behind a step.
+    struct Turned
+    {
+      Tensor<1, dim - 1> turn, shear;
+    };
+
+    static std::vector<Turned>
     turned_shears(const std::vector<Term>     &terms,
                   const ContactInterface<dim> &interface,
                   const Vector<double>        &solution,
