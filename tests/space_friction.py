@@ -286,8 +286,48 @@ def round_surfaces(rule, degree, slave, way):
           support)
 
 
+def held_side():
+    """A support holds a side of the upper block, down to the surface of contact,
+    and the lower one reaches beyond it on a coarser mesh."""
+    mesh = Volumes()
+    mesh.block("Low", (8, 8, 4), lambda r, s, t: (8 * r - 2, 8 * s - 1,
+                                                  6 * t - 6))
+    mesh.block("Up", (9, 9, 5), lambda r, s, t: (6 * r, 6 * s, 5 * t))
+    mesh.write("held")
+    entries = {
+        "Mesh/File": "held.msh", "Element/Degree": 1,
+        "Solids/Young's modulus": "Low: 70000, Up: 210000",
+        "Solids/Poisson's ratio": "Low: 0.3, Up: 0.3",
+        "Boundary conditions/Displacement x": "Low_z0: 0, Up_z1: 0.03",
+        "Boundary conditions/Displacement y": "Low_z0: 0.2, Up_y0: 0",
+        "Boundary conditions/Displacement z": "Low_z0: 0, Up_z1: -0.05",
+        "Boundary conditions/Histories":
+            "Displacement z: min(1, 4*t); Displacement x: min(1, max(0, 4*t-1));"
+            " Displacement y: max(0, 2*t-1)",
+        "Contact/Slave": "Up_z0", "Contact/Master": "Low_z1",
+        "Contact/Friction coefficient": 0.3, "Solution/Increments": 4,
+        "Output/Profile": "true", "Probes/Probes": "; ".join(
+            f"{c}: reaction {c}, Low_z0" for c in AXES)}
+    status, said, summary = run("held", entries)
+    if not converged("a side that is held", status, summary, said):
+        return
+    steps = [i["newton_iterations"] for i in summary["increments"]]
+    check("  at most 8 Newton steps an increment", max(steps) <= 8, steps)
+    force = [probes(summary)[c] for c in AXES]
+    check("  all of the edge slips, too",
+          0.29 < math.hypot(*force[:2]) / force[2] < 0.3, force)
+    status, said, summary = run("held", {**entries, "Boundary conditions/"
+                                         "Displacement y": "Low_z0: 0, Up_y0: 0"})
+    edge = [row for row in rows("held") if row["surface"] == "slave" and
+            abs(row["Y_mm"]) < 1e-9]
+    shears = [row["shear_y_MPa"] for row in sorted(edge, key=lambda row: row["X_mm"])]
+    turns = sum(a * b < 0 for a, b in zip(shears, shears[1:]))
+    check("  shears along the edge do not alternate", turns <= 2, shears)
+
+
 turning_path()
 turned_punch()
+held_side()
 DEEP, SHALLOW = (0.7, 0.4, -0.5), (0.5, 0.3, -0.15)
 for settings in (("mortar", 1, "Up", DEEP), ("mortar", 2, "Up", DEEP),
                  ("nodal", 1, "Up", SHALLOW), ("nodal", 2, "Up", DEEP)):

@@ -26,11 +26,10 @@ namespace Contact
 
     /// With the load of @p acting, a shear by tangent.
     Term make_term(const ContactPoint<3> &point,
-                   const Term            &of_shear,
+                   Term                   term,
                    const Tensor<1, 2>    &acting)
     {
       const unsigned int n = 3 * point.n_nodes;
-      Term               term(of_shear);
       term.stiffness.reinit(n, n);
       term.load.reinit(n);
       const Tensor<1, 3> load = point.weight * point.along_tangents(acting);
