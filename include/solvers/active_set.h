@@ -17,17 +17,14 @@ namespace Contact
    * factorization: the primal-dual active set method on LinearizedContact,
    * where a point that changes its status costs one back substitution.
    *
-   * With a bound of the shear that moves with the pressure the linearised
-   * problem is not symmetric, and the iteration may cycle. Then it is run with
-   * frozen bounds, which is a convex problem, and the bounds follow the
-   * pressures from turn to turn: the fixed point over Tresca's problems, on
-   * the contact points alone. That may fail as well, where friction is large
-   * beside what holds a body, as soft springs do. Lemke's method does not: see
-   * search_by_pivoting().
+   * With a bound of the shear that moves with the pressure the iteration may
+   * cycle. Then it is run with frozen bounds, a convex problem, and the bounds
+   * follow the pressures from turn to turn. That may fail as well, where
+   * friction is large beside what holds a body, as soft springs do. Lemke's
+   * method does not: see search_by_pivoting().
    *
-   * The step that results is one of sequential quadratic programming: the
-   * number of Newton steps does not grow with the number of points by which
-   * the guess of the contact area was wrong.
+   * The step is one of sequential quadratic programming: the number of steps
+   * does not grow with the number of points that were guessed wrong.
    */
   class ActiveSetSearch
   {

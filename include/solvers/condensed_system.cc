@@ -255,8 +255,7 @@ namespace Contact
       b.begin()[row++] =
         base.is_constrained(i) || lines.is_constrained(i) ? 0. : rhs[i];
 
-    // In any case a digit is gained: else a point with a pressure below the
-    // tolerance might open and close for ever, and nothing move.
+    // A digit is gained: else a point might open and close for ever.
     const double       size = b.l2_norm();
     const unsigned int n_iterations =
       current->solve(b,

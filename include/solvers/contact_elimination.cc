@@ -15,8 +15,7 @@ namespace Contact
   namespace
   {
     /// An unknown of its own node is the pivot of a point if no coefficient of
-    /// the equation is a hundred times as large: two of sixteen digits may be
-    /// lost.
+    /// the equation is a hundred times as large.
     const double smallest_of_own = 1e-2;
 
     /// The rest of an equation that follows from others is round-off: of the

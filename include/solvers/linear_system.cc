@@ -164,10 +164,9 @@ namespace Contact
       {
       }
 
-      // A bound that follows the pressure does so in between. In space no
-      // search of the active set helps where the bodies leave their tangent
-      // behind: of nearly incompressible ones the forces at the new place say
-      // which strain is of second order, and the wrong points would open.
+      // A bound that follows the pressure does so in between. In space nearly
+      // incompressible bodies have forces at the new place that are of second
+      // order, and the wrong points would open.
       void recover_multipliers(const Vector<double> &rhs,
                                const double          part,
                                IncrementState<dim>  &state) override
@@ -192,9 +191,8 @@ namespace Contact
       {
       }
 
-      // Inexact Newton: a step that others follow is not solved further than it
-      // is good for, a thousandth of the residual, and well enough for the new
-      // statuses. Linear bodies under statuses that stay are solved in one.
+      // Inexact Newton: a step that others follow is solved to a thousandth of
+      // the residual, linear bodies under statuses that stay in one.
       unsigned int make_step(const Step          &step,
                              Vector<double>      &rhs,
                              IncrementState<dim> &state) override

@@ -23,17 +23,15 @@ namespace Contact
    * search begins when ten steps in a row have not come below the smallest
    * residual so far (the watchdog technique, R. M. Chamberlain, M. J. D.
    * Powell, C. Lemarechal and H. C. Pedersen, Math. Prog. Study 16, 1982).
-   * Residuals are forces: a scale may change from step to step.
    *
    * While points change their status there is no line search, and steps may
    * lead away for ever. The next step cancels the residual to its round-off
    * only: where that is above the tolerance, the method is lost.
    *
-   * Cycles: all points change their status at once, as long as fewer and
-   * fewer want to. If their number has not come below its minimum for ten
-   * steps in which points change at all, one point at a time changes, until it
-   * has: the safeguarded block pivoting of Portugal, Judice and Vicente (Math.
-   * Comp. 63, 1994), finite for every uniquely solvable linear problem.
+   * Cycles: all points change their status at once. If their number has not
+   * come below its minimum for ten steps in which points change at all, one
+   * does, until it has: the safeguarded block pivoting of Portugal, Judice and
+   * Vicente (Math. Comp. 63, 1994), finite for uniquely solvable problems.
    */
   class NewtonGlobalization
   {

@@ -285,10 +285,8 @@ namespace Contact
 
 
 
-  // Nothing in the linear problem stops a body that springs hold alone: it
-  // would be far behind the one that it is to touch, and never come back. In
-  // the plane the search of the active set sees the touch. Here the step ends
-  // behind the first touch of another point, and before a turn that is large.
+  // Nothing in the linear problem stops a body that springs hold alone. The
+  // step ends behind the first touch of a point, and before a large turn.
   template<int dim>
   double NewtonState<dim>::part_until_touch() const
   {

@@ -52,11 +52,9 @@ namespace Contact
     /// no state of the bodies.
     void accept();
 
-    /**
-     * Whether the residual is small enough and no point changes its status, or
-     * would if it had none before: after a step a point may change it for ever
-     * where pressure and gap both vanish.
-     */
+    /// Whether the residual is small enough and no point changes its status, or
+    /// would if it had none before: where pressure and gap vanish one may for
+    /// ever.
     bool has_converged() const;
 
     /// The points are paired anew: another problem. Returns whether that has

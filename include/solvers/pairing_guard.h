@@ -16,16 +16,13 @@ namespace Contact
    * side in turn, and no state is a solution under the pairing it leads to. The
    * pairing is frozen after four steps that each moved the surfaces by less
    * than the geometry tolerance, relative to their way since the start of the
-   * increment, and after four steps in a row without progress. From then on the
-   * points are paired anew only where Newton's method has converged, as in the
-   * geometry loop, until the surfaces are no further than the geometry
-   * tolerance from where they were paired. If that goes on for three turns, the
-   * pairing jumps between two states for good, neither of which is wrong if
-   * under the one the gaps of the other vanish, within the same tolerance.
-   * Otherwise points from then on keep the edge that they face, which goes on a
-   * little beyond its ends, and the gaps are compared again in the end: with
-   * the way of a whole increment, for a jump does not get smaller with its
-   * steps.
+   * increment, and after four steps in a row without progress. Then points are
+   * paired anew where Newton's method has converged, until the surfaces are
+   * within this tolerance of that place. After three turns the pairing jumps
+   * between two states for good, neither of which is wrong if under the one the
+   * gaps of the other vanish within the same tolerance. Otherwise points keep
+   * the edge that they face, which goes on a little beyond its ends, and the
+   * gaps are compared with the way of a whole increment in the end.
    */
   class PairingGuard
   {

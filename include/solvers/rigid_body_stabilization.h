@@ -19,10 +19,9 @@ namespace Contact
   /**
    * The stabilization of rigid body modes: a piece of a body that neither
    * supports nor contact hold is held by springs so soft that the load carries
-   * it to where contact holds it. From there the springs are hung up anew where
-   * the piece is now, and so on: the proximal point method (Rockafellar, SIAM
-   * J. Control Optim. 14, 1976), at whose end the springs do nothing. Where the
-   * piece goes on moving, nothing holds it.
+   * it to where contact holds it. Then they are hung up where the piece is, and
+   * so on: the proximal point method (Rockafellar, SIAM J. Control Optim. 14,
+   * 1976), at whose end they do nothing. Where it goes on, nothing holds it.
    */
   template<int dim>
   class RigidBodyStabilization

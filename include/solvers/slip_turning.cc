@@ -98,9 +98,8 @@ namespace Contact
         const double bound =
           moving_bound ? interface.contact_pair(point).law.bound(now.p_trial)
                        : point.friction_bound;
-        // Next to sticking it would be stiff without bound. A hundred times as
-        // stiff as a facet holds it as well, and multigrid, whose smoother sees
-        // a penalty, converges. A sliver of a facet has less weight.
+        // Stiffer than a hundred facets multigrid would not converge. A sliver
+        // of a facet has less weight.
         const double length  = interface.contact_pair(point).edge_length(point);
         const double largest = 100 * length * length / point.weight;
         const double beta    = std::min(bound / size, 1.);
