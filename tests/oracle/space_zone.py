@@ -165,6 +165,12 @@ class SpaceZoneCheck:
             self.state.error[nodes], axis=1)).sum()
         allowed = LEVER * self.slack * total + 3 * noise + 1e-6 * (
             max(total, 1e-2 * self.state.scale) * np.ptp(arm))
+        if self.rule == "mortar":
+            # What facets of round surfaces overlap by is a lever of the shear.
+            n = np.array([self.mean_normal(where) for where in self.around])
+            push = np.einsum("ki,ki->k", self.force, n)[:, None] * n
+            allowed += self.facets() * np.linalg.norm(self.force - push,
+                                                      axis=1).sum()
         if moment <= allowed:
             return []
         return [Problem("moment", "%.3g N mm of %.3g N on arms up to %.3g mm" %
@@ -351,8 +357,10 @@ class SpaceZoneCheck:
     def is_flat(self):
         if self.zone.obstacle:
             return self.zone.obstacle.startswith("half")
-        drawn = space_surfaces.Facets(self.model.lines[self.zone.master],
-                                      self.model.X).normal
+        return self.is_drawn_flat(self.model.lines[self.zone.master])
+
+    def is_drawn_flat(self, faces):
+        drawn = space_surfaces.Facets(faces, self.model.X).normal
         return np.abs(drawn - drawn[0]).max() < 1e-9
 
     def check_resultant(self):
@@ -378,8 +386,12 @@ class SpaceZoneCheck:
                                               np.linalg.norm(total)))]
 
     def slip(self, step):
-        """Of the slave's nodes along the master, and its normals there."""
+        """Of the slave's nodes along the master, and the normals there: those
+        that forces are along, of a flat slave its own with the mortar
+        discretization."""
         relative, n = self.at_nodes(lambda nodes: step[nodes])
+        if self.rule == "mortar" and self.is_drawn_flat(self.faces):
+            n = np.array([self.mean_normal(where) for where in self.around])
         return relative - np.einsum("ki,ki->k", relative, n)[:, None] * n, n
 
     def at_nodes(self, field):
