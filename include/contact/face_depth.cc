@@ -48,17 +48,20 @@ namespace Contact
               const Vector<double> &u,
               ContactDepth<3>      &deepest)
     {
-      const SurfaceSearch<3> own(surface, u), search(other, u);
-      const auto             normals       = surface.facet_normals(u);
-      const auto             of_facets     = single_normals(surface, own);
-      const auto             other_normals = other.facet_normals(u);
-      const auto             of_other      = single_normals(other, search);
+      const SurfaceSearch<3>     own(surface, u), search(other, u);
+      const auto                 normals       = surface.facet_normals(u);
+      const auto                 of_facets     = single_normals(surface, own);
+      const auto                 other_normals = other.facet_normals(u);
+      const auto                 of_other      = single_normals(other, search);
+      std::vector<Projection<3>> closest;
+      for (unsigned int i = 0; i < surface.nodes.size(); ++i)
+        closest.push_back(search.closest_point(surface.position(i, u)));
       for (unsigned int e = 0; e < surface.facets.size(); ++e)
         for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
           {
-            const unsigned int  i          = surface.facets[e].nodes[a];
-            const Point<3>      x          = surface.position(i, u);
-            const Projection<3> projection = search.closest_point(x);
+            const unsigned int   i          = surface.facets[e].nodes[a];
+            const Point<3>       x          = surface.position(i, u);
+            const Projection<3> &projection = closest[i];
             if (projection.off_the_end || projection.clipped)
               continue;
             const unsigned int f       = projection.facet;

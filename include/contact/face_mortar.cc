@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "contact/point_exchange.h"
+
 namespace Contact
 {
   namespace
@@ -122,21 +124,47 @@ namespace Contact
                                      const Vector<double>             &u,
                                      const bool) const
   {
+    const auto [first, end] =
+      share_of_rank(points.size(), discretization.communicator);
+    std::vector<bool> is_own(slave.nodes.size(), false);
+    for (unsigned int q = first; q < end; ++q)
+      is_own[slave_node(points[q])] = true;
+
     const FaceConfiguration    now(slave, master, planes, u);
     const FaceSegments         segments(slave, master, now);
     std::vector<NodeIntegrals> of_nodes(slave.nodes.size());
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
-      integrate(e, segments.samples(e), now, of_nodes);
+      if (carries_any(e, is_own))
+        integrate(e, segments.samples(e), now, of_nodes);
 
-    bool changed = false;
-    for (ContactPoint<3> &point : points)
+    std::vector<PointPairing<3>::PerNode<NodeDoFs<3>>> old_dofs;
+    for (const ContactPoint<3> &point : points)
+      old_dofs.push_back(point.dofs);
+    for (unsigned int q = first; q < end; ++q)
       {
-        const auto         old_dofs = point.dofs;
-        const unsigned int node     = slave_node(point);
-        fill_in(of_nodes[node], node, now, u, point);
-        changed = changed || point.dofs != old_dofs;
+        const unsigned int node = slave_node(points[q]);
+        fill_in(of_nodes[node], node, now, u, points[q]);
       }
-    return changed;
+    exchange_pairings(points, discretization.communicator);
+    return !std::equal(points.begin(),
+                       points.end(),
+                       old_dofs.begin(),
+                       [](const ContactPoint<3> &point, const auto &old) {
+                         return point.dofs == old;
+                       });
+  }
+
+
+
+  bool
+  MortarDiscretization<3>::carries_any(const unsigned int       e,
+                                       const std::vector<bool> &nodes) const
+  {
+    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      for (const auto &carrier : carries[e][a])
+        if (nodes[carrier.first])
+          return true;
+    return false;
   }
 
 

@@ -108,6 +108,10 @@ namespace Contact
 
     unsigned int slave_node(const ContactPoint<3> &point) const;
 
+    /// Whether a multiplier of one of these nodes acts on a facet.
+    bool carries_any(const unsigned int       slave_facet,
+                     const std::vector<bool> &nodes) const;
+
     const Surface<3>            &slave;
     const Surface<3>            &master;
     const Discretization<3>     &discretization;

@@ -60,13 +60,13 @@ namespace Contact
 
 
 
-    /// The unknowns of the free nodes and the gradients of their shape
-    /// functions. A bound node moves with others and hands its shape function
-    /// on to them.
+    /// The unknowns of the free nodes, and their shape functions. A bound node
+    /// moves with others and hands its shape function on to them.
     template<int dim, typename Cell>
     void tabulate_nodes(const Cell                &dof_cell,
                         const FEValues<dim>       &fe_values,
                         const Discretization<dim> &discretization,
+                        CellTables<dim>           &tables,
                         CellTable<dim>            &cell)
     {
       const auto                  &fe = fe_values.get_fe();
@@ -87,6 +87,7 @@ namespace Contact
 
       std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
       dof_cell->get_dof_indices(dofs);
+      cell.dofs.reserve(dim * free.size());
       for (const unsigned int a : free)
         for (unsigned int c = 0; c < dim; ++c)
           cell.dofs.push_back(dofs[fe.component_to_system_index(c, a)]);
@@ -97,25 +98,27 @@ namespace Contact
           value += factor * of(node);
         return value;
       };
-      for (const unsigned int q : fe_values.quadrature_point_indices())
-        for (const unsigned int a : free)
-          {
-            cell.gradients.push_back(
+      auto &unit_gradients =
+        tables.unit_gradients[{dof_cell->active_fe_index(), takes}];
+      if (unit_gradients.empty())
+        for (const Point<dim> &point : fe_values.get_quadrature().get_points())
+          for (const unsigned int a : free)
+            unit_gradients.push_back(
               handed_over(a, [&](const unsigned int node) {
-                return fe_values.shape_grad(fe.component_to_system_index(0,
-                                                                         node),
-                                            q);
+                return fe.base_element(0).shape_grad(node, point);
               }));
-            if (discretization.axisymmetric)
-              cell.hoop_gradients.push_back(
-                handed_over(a,
-                            [&](const unsigned int node) {
-                              return fe_values.shape_value(
-                                fe.component_to_system_index(0, node),
-                                q);
-                            }) /
-                cell.points[q][0]);
-          }
+      cell.unit_gradients = &unit_gradients;
+      if (discretization.axisymmetric)
+        for (const unsigned int q : fe_values.quadrature_point_indices())
+          for (const unsigned int a : free)
+            cell.hoop_gradients.push_back(
+              handed_over(a,
+                          [&](const unsigned int node) {
+                            return fe_values.shape_value(
+                              fe.component_to_system_index(0, node),
+                              q);
+                          }) /
+              cell.points[q][0]);
     }
   } // namespace
 
@@ -131,7 +134,7 @@ namespace Contact
       discretization.mapping,
       discretization.fe,
       discretization.quadrature,
-      update_gradients | update_JxW_values | update_quadrature_points |
+      update_inverse_jacobians | update_JxW_values | update_quadrature_points |
         (discretization.axisymmetric ? update_values : update_default));
 
     CellTables<dim> tables;
@@ -152,7 +155,11 @@ namespace Contact
         cell.JxW          = fe_values.get_JxW_values();
         cell.points       = fe_values.get_quadrature_points();
         for (unsigned int q = 0; q < cell.JxW.size(); ++q)
-          cell.JxW[q] *= discretization.circumference(cell.points[q]);
+          {
+            cell.JxW[q] *= discretization.circumference(cell.points[q]);
+            cell.gradient_maps.push_back(
+              transpose(Tensor<2, dim>(fe_values.inverse_jacobian(q))));
+          }
         if (projected.count(cell.body) > 0)
           cell.modes = orthonormal_modes<dim>(
             fe_values.get_quadrature(),
@@ -162,7 +169,7 @@ namespace Contact
               ? dim + 1
               : 1);
 
-        tabulate_nodes(dof_cell, fe_values, discretization, cell);
+        tabulate_nodes(dof_cell, fe_values, discretization, tables, cell);
         (dof_cell->is_locally_owned() ? tables.own : tables.neighbors)
           .push_back(std::move(cell));
       }

@@ -9,6 +9,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "solid/discretization.h"
@@ -18,12 +19,14 @@ namespace Contact
 {
   using namespace dealii;
 
-  /**
-   * The data of a cell that stay the same on a mesh. The gradients of the shape
-   * functions are with respect to the reference configuration. Where the centre
-   * of a quadrangle is bound (of a hexahedron also those of its faces), they
-   * are those of the free nodes, so that the centre costs nothing in assembly.
-   */
+  /// Gradients of shape functions on the unit cell, by point, then node. Where
+  /// the centre of a quadrangle is bound (of a hexahedron also those of its
+  /// faces), they are those of the free nodes, so that the centre costs nothing
+  /// in assembly.
+  template<int dim>
+  using UnitGradients = std::vector<Tensor<1, dim>>;
+
+  /// The data of a cell that stay the same on a mesh.
   template<int dim>
   struct CellTable
   {
@@ -31,10 +34,11 @@ namespace Contact
     types::material_id                   body;
     unsigned int                         piece; // of its body, see MeshPieces
     const Material                      *material;
-    std::vector<types::global_dof_index> dofs;           // (x, y, z) by node
-    std::vector<double>                  JxW;            // by point
-    std::vector<Point<dim>>              points;         // X by point
-    std::vector<Tensor<1, dim>>          gradients;      // by point, then node
+    std::vector<types::global_dof_index> dofs;          // (x, y, z) by node
+    std::vector<double>                  JxW;           // by point
+    std::vector<Point<dim>>              points;        // X by point
+    std::vector<Tensor<2, dim>>          gradient_maps; // J^-T by point
+    const UnitGradients<dim>            *unit_gradients;
     std::vector<double>                  hoop_gradients; // N_a/X, of rings
 
     /// Modes of the projected dilatation: polynomials phi_m with sum_q JxW
@@ -44,6 +48,13 @@ namespace Contact
     unsigned int n_nodes() const
     {
       return dofs.size() / dim;
+    }
+
+    /// The unit gradients of the nodes at a point. Those with respect to the
+    /// reference configuration are gradient_maps[q] times these.
+    const Tensor<1, dim> *unit_gradients_at(const unsigned int q) const
+    {
+      return unit_gradients->data() + q * n_nodes();
     }
 
     /// The first nodes are the corners.
@@ -62,6 +73,12 @@ namespace Contact
   struct CellTables
   {
     std::vector<CellTable<dim>> own, neighbors;
+
+    /// By element and, for each node, what bound ones hand over to it.
+    using Pattern =
+      std::pair<unsigned int,
+                std::vector<std::vector<std::pair<unsigned int, double>>>>;
+    std::map<Pattern, UnitGradients<dim>> unit_gradients;
   };
 
   /// Tabulate the cells. Those of bodies that are @p projected get modes: dim +

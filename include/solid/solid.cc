@@ -62,19 +62,19 @@ namespace Contact
       /// By direction, what an unknown of a node adds to the strains.
       using StrainRows = std::array<typename Symmetry::StrainRow, dim>;
 
-      /// A quadrature point: the derivatives N_a,i and N_a/X of the shape
-      /// functions, the gradient F of the motion, the stress S, and the rows
-      /// B_a. What is across the plane only rings use.
+      /// A quadrature point: the gradient F of the motion, the stress S, and
+      /// for the tangent the derivatives N_a,i and N_a/X of the shape functions
+      /// and the rows B_a. What is across the plane only rings use.
       struct PointState
       {
-        double                        JxW;
-        const Tensor<1, dim>         *N;
-        const double                 *N_X;
-        Tensor<2, dim>                F;
-        double                        f33;
-        SymmetricTensor<2, dim>       S;
-        double                        S33;
-        std::array<StrainRows, n_max> B;
+        double                            JxW;
+        const double                     *N_X;
+        Tensor<2, dim>                    F;
+        double                            f33;
+        SymmetricTensor<2, dim>           S;
+        double                            S33;
+        std::array<Tensor<1, dim>, n_max> N;
+        std::array<StrainRows, n_max>     B;
 
         void drop_stresses()
         {
@@ -94,13 +94,13 @@ namespace Contact
                                                   const unsigned int    q,
                                                   const Vector<double> &u)
       {
-        const unsigned int    n = cell.n_nodes();
-        const Tensor<1, dim> *N = cell.gradients.data() + q * n;
+        const Tensor<1, dim> *unit = cell.unit_gradients_at(q);
+        const unsigned int    n    = cell.n_nodes();
         Tensor<2, dim>        H;
         for (unsigned int a = 0; a < n; ++a)
           for (unsigned int i = 0; i < dim; ++i)
-            H[i] += u[cell.dofs[dim * a + i]] * N[a];
-        return H;
+            H[i] += u[cell.dofs[dim * a + i]] * unit[a];
+        return H * transpose(cell.gradient_maps[q]);
       }
 
       /// The hoop part of it, u_x/X; zero if nothing strains across the plane.
@@ -150,69 +150,75 @@ namespace Contact
       }
 
       template<bool projected>
-      static PointState state_at(const CellTable<dim> &cell,
-                                 const unsigned int    q,
-                                 const Vector<double> &u,
-                                 const AtPoints       &P_tr_E)
+      static void find_state_at(const CellTable<dim> &cell,
+                                const unsigned int    q,
+                                const Vector<double> &u,
+                                const AtPoints       &P_tr_E,
+                                PointState           &at)
       {
-        const unsigned int   n    = cell.n_nodes();
         const Tensor<2, dim> H    = displacement_gradient(cell, q, u);
         const double         h    = hoop_gradient(cell, q, u);
         const auto           E    = Kinematics::strain(H);
         const double         E33  = Kinematics::strain(h);
         const double         tr_E = projected ? P_tr_E[q] : trace(E) + E33;
 
-        PointState at;
         at.JxW = cell.JxW[q];
-        at.N   = cell.gradients.data() + q * n;
-        at.N_X = Symmetry::has_hoop ? &cell.hoop_gradients[q * n] : nullptr;
+        at.N_X = Symmetry::has_hoop ? &cell.hoop_gradients[q * cell.n_nodes()]
+                                    : nullptr;
         at.F   = Kinematics::gradient_of_motion(H);
         at.f33 = Kinematics::gradient_of_motion(h);
         at.S   = cell.material->stress(E, tr_E);
         at.S33 = cell.material->hoop_stress(E33, tr_E);
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int i = 0; i < dim; ++i)
-            {
-              for (unsigned int d = 0; d < dim; ++d)
-                at.B[a][i][d] = at.F[i][d] * at.N[a][d];
-              for (unsigned int k = dim; k < dim + n_shears; ++k)
-                {
-                  const auto [d, e] = Symmetry::components[k];
-                  at.B[a][i][k] =
-                    at.F[i][d] * at.N[a][e] + at.F[i][e] * at.N[a][d];
-                }
-            }
-        if constexpr (Symmetry::has_hoop)
-          for (unsigned int a = 0; a < n; ++a)
-            {
-              at.B[a][0][3] = at.f33 * at.N_X[a];
-              at.B[a][1][3] = 0;
-            }
-        return at;
       }
 
-      /// Add the contributions of a point to the forces of the @p n nodes of
-      /// its cell, and to the upper half of their tangent.
-      static void add_forces(const PointState  &at,
-                             const unsigned int n,
-                             Vector<double>    &residual)
+      /// What the tangent needs besides.
+      static void
+      add_rows(const CellTable<dim> &cell, const unsigned int q, PointState &at)
       {
-        std::array<double, dim + n_shears> S; // in the order of the strains
-        for (unsigned int k = 0; k < dim + n_shears; ++k)
-          S[k] = at.S[Symmetry::components[k][0]][Symmetry::components[k][1]];
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int i = 0; i < dim; ++i)
-            {
-              double work = at.B[a][i][0] * S[0];
-              for (unsigned int k = 1; k < dim + n_shears; ++k)
-                work += at.B[a][i][k] * S[k];
-              residual[dim * a + i] += at.JxW * work;
-            }
-        if constexpr (Symmetry::has_hoop)
-          for (unsigned int a = 0; a < n; ++a)
-            residual[dim * a] += at.JxW * at.B[a][0][3] * at.S33;
+        const Tensor<1, dim> *unit = cell.unit_gradients_at(q);
+        const Tensor<2, dim>  map  = cell.gradient_maps[q];
+        for (unsigned int a = 0; a < cell.n_nodes(); ++a)
+          {
+            at.N[a] = map * unit[a];
+            for (unsigned int i = 0; i < dim; ++i)
+              {
+                for (unsigned int d = 0; d < dim; ++d)
+                  at.B[a][i][d] = at.F[i][d] * at.N[a][d];
+                for (unsigned int k = dim; k < dim + n_shears; ++k)
+                  {
+                    const auto [d, e] = Symmetry::components[k];
+                    at.B[a][i][k] =
+                      at.F[i][d] * at.N[a][e] + at.F[i][e] * at.N[a][d];
+                  }
+              }
+            if constexpr (Symmetry::has_hoop)
+              {
+                at.B[a][0][3] = at.f33 * at.N_X[a];
+                at.B[a][1][3] = 0;
+              }
+          }
       }
 
+      /// Add the contributions of a point to the forces of the nodes of its
+      /// cell: JxW F S grad N_a.
+      static void add_forces(const CellTable<dim> &cell,
+                             const unsigned int    q,
+                             const PointState     &at,
+                             Vector<double>       &residual)
+      {
+        const Tensor<2, dim> P =
+          at.JxW * (at.F * Tensor<2, dim>(at.S) * cell.gradient_maps[q]);
+        const Tensor<1, dim> *unit = cell.unit_gradients_at(q);
+        const unsigned int    n    = cell.n_nodes();
+        for (unsigned int a = 0; a < n; ++a)
+          for (unsigned int i = 0; i < dim; ++i)
+            residual[dim * a + i] += P[i] * unit[a];
+        if constexpr (Symmetry::has_hoop)
+          for (unsigned int a = 0; a < n; ++a)
+            residual[dim * a] += at.JxW * at.f33 * at.S33 * at.N_X[a];
+      }
+
+      /// Add those to the upper half of the tangent of the @p n nodes.
       static void add_tangent(const PointState   &at,
                               const unsigned int  n,
                               const double        lambda,
@@ -307,21 +313,25 @@ namespace Contact
         }
 
       SmallestInCell smallest;
+      PointState     at;
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)
         {
-          PointState at = state_at<projected>(cell, q, u, P_tr_E);
+          find_state_at<projected>(cell, q, u, P_tr_E, at);
           if constexpr (Kinematics::has_geometric_stiffness)
             {
               const double det_F = determinant(at.F) * at.f33;
               if (det_F < smallest.value)
                 smallest = {det_F, q};
             }
-          add_forces(at, n, residual);
+          add_forces(cell, q, at, residual);
           // In the tangent stresses are in nothing else.
           if (stress_stiffness == StressStiffness::without)
             at.drop_stresses();
           if constexpr (with_tangent)
-            add_tangent(at, n, lambda, cell.material->mu, matrix);
+            {
+              add_rows(cell, q, at);
+              add_tangent(at, n, lambda, cell.material->mu, matrix);
+            }
           if constexpr (with_tangent && projected)
             for (unsigned int m = 0; m < n_modes; ++m)
               for (unsigned int a = 0; a < n; ++a)

@@ -107,7 +107,8 @@ namespace Contact
       for (unsigned int a = 0; a < cell.n_nodes(); ++a)
         {
           const Tensor<1, dim> mean =
-            cell.JxW[q] / (2 * volume) * cell.gradients[q * cell.n_nodes() + a];
+            cell.JxW[q] / (2 * volume) *
+            (cell.gradient_maps[q] * cell.unit_gradients_at(q)[a]);
           row[dim * a + i] -= mean[j];
           row[dim * a + j] += mean[i];
         }

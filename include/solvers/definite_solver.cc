@@ -422,6 +422,7 @@ namespace Contact
         parameters.set("null space: add default vectors", false);
         parameters.set("null space: dimension", n_modes);
         parameters.set("null space: vectors", null_space.data());
+        parameters.set("low memory usage", true);
         preconditioner.initialize(*matrix, parameters);
         is_new              = true;
         eliminated_when_new = eliminated;
