@@ -61,11 +61,13 @@ namespace Contact
     Vector<double>     D(n);
     for (const FacetSample &sample : samples)
       {
-        const Vector<double> M = test_functions(sample.slave_xi);
-        D.add(sample.weight, M);
+        const Values M = test_functions(sample.slave_xi);
         for (unsigned int k = 0; k < n; ++k)
-          for (unsigned int j = 0; j < n; ++j)
-            G(k, j) += sample.weight * M[k] * M[j];
+          {
+            D[k] += sample.weight * M[k];
+            for (unsigned int j = 0; j < n; ++j)
+              G(k, j) += sample.weight * M[k] * M[j];
+          }
       }
     if (n == 0)
       return;
@@ -158,10 +160,11 @@ namespace Contact
 
 
 
-  Vector<double> FacetDualFunctions::test_functions(const Point<2> &xi) const
+  FacetDualFunctions::Values
+  FacetDualFunctions::test_functions(const Point<2> &xi) const
   {
-    const auto     all = functions(xi);
-    Vector<double> M(carriers.size());
+    const auto all = functions(xi);
+    Values     M(carriers.size(), 0.);
     for (unsigned int j = 0; j < carriers.size(); ++j)
       for (unsigned int a = 0; a < n_nodes; ++a)
         M[j] += shared(j, a) * all[a];
@@ -170,10 +173,11 @@ namespace Contact
 
 
 
-  std::vector<double> FacetDualFunctions::values(const Point<2> &xi) const
+  FacetDualFunctions::Values
+  FacetDualFunctions::values(const Point<2> &xi) const
   {
-    const Vector<double> M = test_functions(xi);
-    std::vector<double>  phi(carriers.size(), 0.);
+    const Values M = test_functions(xi);
+    Values       phi(carriers.size(), 0.);
     for (unsigned int k = 0; k < phi.size(); ++k)
       for (unsigned int j = 0; j < phi.size(); ++j)
         phi[k] += A(k, j) * M[j];

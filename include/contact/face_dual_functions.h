@@ -8,6 +8,8 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include "contact/surface.h"
 
 namespace Contact
@@ -45,6 +47,9 @@ namespace Contact
   public:
     using Carriers = PerFacetNode<3, std::vector<Surface<3>::Part>>;
 
+    /// By node with a dual function. Heirs may be beyond the facet.
+    using Values = boost::container::small_vector<double, 9>;
+
     /**
      * @p samples are of the part that faces the master, @p shares [mm^2] the
      * integrals of the shape functions over the whole facet; @p carries are,
@@ -71,14 +76,14 @@ namespace Contact
     }
 
     /// The values of their dual functions at a place, in the same order.
-    std::vector<double> values(const Point<2> &xi) const;
+    Values values(const Point<2> &xi) const;
 
   private:
     /// The M_j before nodes without a multiplier left theirs, by node.
     FacetShape<3>::Values functions(const Point<2> &xi) const;
 
     /// The M_j of the carriers.
-    Vector<double> test_functions(const Point<2> &xi) const;
+    Values test_functions(const Point<2> &xi) const;
 
     void find_carriers(const std::vector<double> &integrals,
                        const Carriers            &carries);

@@ -202,7 +202,7 @@ namespace Contact
             segments.back().master_facet != point.master_facet)
           segments.push_back({point.master_facet, {}, {}});
         const auto values = FacetShape<3>::values(slave.degree, point.slave_xi);
-        std::vector<double> phi = dual.values(point.slave_xi);
+        FacetDualFunctions::Values phi = dual.values(point.slave_xi);
         for (unsigned int k = 0; k < phi.size(); ++k)
           {
             phi[k] *= point.weight;
@@ -235,11 +235,12 @@ namespace Contact
 
 
   // Gradients are along the master: by the dual basis of its tangents.
-  void MortarDiscretization<3>::add_master(const FaceSample          &point,
-                                           const std::vector<double> &phi,
-                                           const FacetShape<3>       &shape,
-                                           const FaceConfiguration   &now,
-                                           Segment &segment) const
+  void
+  MortarDiscretization<3>::add_master(const FaceSample                 &point,
+                                      const FacetDualFunctions::Values &phi,
+                                      const FacetShape<3>              &shape,
+                                      const FaceConfiguration          &now,
+                                      Segment &segment) const
   {
     const auto                 &facet = master.facets[point.master_facet];
     std::array<Tensor<1, 3>, 2> t;
@@ -264,7 +265,7 @@ namespace Contact
 
   void MortarDiscretization<3>::add_normals(
     const FaceSample                   &point,
-    const std::vector<double>          &phi,
+    const FacetDualFunctions::Values   &phi,
     const FacetShape<3>                &shape,
     const FaceConfiguration            &now,
     const std::vector<NodeIntegrals *> &carriers) const

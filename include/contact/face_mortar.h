@@ -78,13 +78,13 @@ namespace Contact
                            std::vector<NodeIntegrals>    &of_nodes) const;
     static void  keep_own(PerFacetNode<3, double> &of_slave,
                           const unsigned int       own);
-    void         add_master(const FaceSample          &point,
-                            const std::vector<double> &phi,
-                            const FacetShape<3>       &shape,
-                            const FaceConfiguration   &now,
-                            Segment                   &segment) const;
+    void         add_master(const FaceSample                 &point,
+                            const FacetDualFunctions::Values &phi,
+                            const FacetShape<3>              &shape,
+                            const FaceConfiguration          &now,
+                            Segment                          &segment) const;
     void         add_normals(const FaceSample                   &point,
-                             const std::vector<double>          &phi,
+                             const FacetDualFunctions::Values   &phi,
                              const FacetShape<3>                &shape,
                              const FaceConfiguration            &now,
                              const std::vector<NodeIntegrals *> &carriers) const;

@@ -9,9 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
-
-#include "contact/face_clipping.h"
+#include <map>
 
 namespace Contact
 {
@@ -52,11 +50,18 @@ namespace Contact
 
 
 
-    bool is_parallelogram(const PlaneQuadrangle &q)
+    /// By how much the determinant of the bilinear map of a quadrangle varies,
+    /// relative to that in the middle: zero of a parallelogram.
+    double variation(const PlaneQuadrangle &q)
     {
-      const double round_off = 1e-10;
-      return ((q[3] - q[2]) - (q[1] - q[0])).norm() <=
-             round_off * (q[3] - q[0]).norm();
+      const auto cross = [](const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
+        return a[0] * b[1] - a[1] * b[0];
+      };
+      const Tensor<1, 2> x     = (q[1] - q[0]) + (q[3] - q[2]);
+      const Tensor<1, 2> y     = (q[2] - q[0]) + (q[3] - q[1]);
+      const Tensor<1, 2> mixed = (q[3] - q[2]) - (q[1] - q[0]);
+      return (std::abs(cross(x, mixed)) + std::abs(cross(mixed, y))) /
+             std::abs(cross(x, y));
     }
 
 
@@ -73,13 +78,28 @@ namespace Contact
 
 
 
-    /// The Gauss points of a triangle. Of parallelograms products of two shape
-    /// functions are polynomials, and integrated exactly; of others they are
-    /// quotients.
-    const Quadrature<2> &rule(const unsigned int degree, const bool polynomial)
+    /**
+     * The Gauss points of a triangle, exact for degree 2 n - 1. On
+     * parallelograms products of two shape functions are polynomials of degree
+     * p = 4, of quadratic ones 8. On others the coordinates are power series in
+     * the place, whose k-th term has the factor (variation / 2)^k and raises
+     * the degree by k: what is not integrated exactly is round-off, or else n
+     * is the largest.
+     */
+    const Quadrature<2> &rule(const unsigned int degree, const double variation)
     {
-      static const QWitherdenVincentSimplex<2> linear(3), quadratic(5), most(7);
-      return !polynomial ? most : degree == 1 ? linear : quadratic;
+      static const std::vector<Quadrature<2>> rules{
+        QWitherdenVincentSimplex<2>(3),
+        QWitherdenVincentSimplex<2>(4),
+        QWitherdenVincentSimplex<2>(5),
+        QWitherdenVincentSimplex<2>(6),
+        QWitherdenVincentSimplex<2>(7)};
+      const double       round_off = 1e-13;
+      const unsigned int p         = 4 * degree;
+      unsigned int       n         = p / 2 + 1;
+      while (n < 7 && std::pow(variation / 2, 2. * n - p) > round_off)
+        ++n;
+      return rules[n - 3];
     }
 
 
@@ -216,7 +236,7 @@ namespace Contact
               continue;
             const Quadrature<2> &quadrature =
               rule(std::max(slave.degree, master.degree),
-                   is_parallelogram(s) && is_parallelogram(t));
+                   std::max(variation(s), variation(t)));
             const auto distance = [&](const Point<2> &xi,
                                       const Point<2> &master_xi) {
               return position(now.slave_search, own.index, xi) -
@@ -262,26 +282,31 @@ namespace Contact
   void FaceSegments::remove_hidden(const SlaveFacet        &own,
                                    std::vector<FaceSample> &samples) const
   {
-    std::set<unsigned int> facets;
-    double                 least = 0, largest = 0;
+    std::map<unsigned int, std::vector<PlaneQuadrangle>> facets;
+    double                                               least = 0, largest = 0;
     for (const FaceSample &sample : samples)
       {
         const double along = sample.distance * own.normal;
         least              = facets.empty() ? along : std::min(least, along);
         largest            = facets.empty() ? along : std::max(largest, along);
-        facets.insert(sample.master_facet);
+        facets[sample.master_facet];
       }
     const double thin = 0.1;
     if (facets.size() < 2 ||
         largest - least <= thin * slave.reference_length(own.index))
       return;
+    for (auto &[m, parts] : facets)
+      for (const Part &part : parts_of_facet(master.degree))
+        parts.push_back(
+          project(own.plane, part, master.facets[m].nodes, now.master_x));
     const auto is_hidden = [&](const FaceSample &sample) {
-      return std::any_of(facets.begin(),
-                         facets.end(),
-                         [&](const unsigned int m) {
-                           return m != sample.master_facet &&
-                                  is_behind(sample, own, m);
-                         });
+      const Point<3> on_slave =
+        position(now.slave_search, own.index, sample.slave_xi);
+      const Point<2> place = own.plane.project(on_slave);
+      return std::any_of(facets.begin(), facets.end(), [&](const auto &facet) {
+        return facet.first != sample.master_facet &&
+               is_behind(sample, own, on_slave, place, facet);
+      });
     };
     const std::vector<FaceSample> all = samples;
     samples.clear();
@@ -294,24 +319,24 @@ namespace Contact
 
 
   // A place on a line that facets share is behind none of them.
-  bool FaceSegments::is_behind(const FaceSample  &sample,
-                               const SlaveFacet  &own,
-                               const unsigned int m) const
+  bool FaceSegments::is_behind(const FaceSample     &sample,
+                               const SlaveFacet     &own,
+                               const Point<3>       &on_slave,
+                               const Point<2>       &place,
+                               const ProjectedFacet &facet) const
   {
-    const Point<3> on_slave =
-      position(now.slave_search, own.index, sample.slave_xi);
-    const Point<2> place = own.plane.project(on_slave);
-    for (const Part &part : parts_of_facet(master.degree))
+    const auto &[m, quadrangles] = facet;
+    const auto &parts            = parts_of_facet(master.degree);
+    for (unsigned int k = 0; k < parts.size(); ++k)
       {
-        const PlaneQuadrangle t =
-          project(own.plane, part, master.facets[m].nodes, now.master_x);
-        if (!is_in_box(t, place))
+        if (!is_in_box(quadrangles[k], place))
           continue;
-        const Point<2> xi = coordinates_in(t, place);
+        const Point<2> xi = coordinates_in(quadrangles[k], place);
         if (!(std::max(std::abs(xi[0]), std::abs(xi[1])) < 1))
           continue;
         const double other =
-          (on_slave - position(now.search, m, part.middle + part.scale * xi)) *
+          (on_slave -
+           position(now.search, m, parts[k].middle + parts[k].scale * xi)) *
           own.normal;
         if (std::abs(other) < std::abs(sample.distance * own.normal))
           return true;

@@ -6,6 +6,9 @@
 #ifndef contact_face_segments_h
 #define contact_face_segments_h
 
+#include <utility>
+
+#include "contact/face_clipping.h"
 #include "contact/face_dual_functions.h"
 #include "contact/face_search.h"
 #include "contact/symmetry_planes.h"
@@ -73,9 +76,16 @@ namespace Contact
                      std::vector<FaceSample> &samples) const;
     void remove_hidden(const SlaveFacet        &own,
                        std::vector<FaceSample> &samples) const;
-    bool is_behind(const FaceSample  &sample,
-                   const SlaveFacet  &own,
-                   const unsigned int master_facet) const;
+
+    /// A master facet and its parts in that plane.
+    using ProjectedFacet =
+      std::pair<const unsigned int, std::vector<PlaneQuadrangle>>;
+
+    bool is_behind(const FaceSample     &sample,
+                   const SlaveFacet     &own,
+                   const Point<3>       &on_slave,
+                   const Point<2>       &place,
+                   const ProjectedFacet &facet) const;
 
     const Surface<3>        &slave, &master;
     const FaceConfiguration &now;
