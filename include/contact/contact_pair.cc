@@ -120,7 +120,8 @@ namespace Contact
   ContactPair<dim>::ContactPair(const Discretization<dim> &discretization,
                                 const Elasticity<dim>     &elasticity,
                                 const Parameters::Contact &parameters)
-    : name(parameters.name)
+    : discretization(discretization)
+    , name(parameters.name)
     , tied(parameters.tied)
     , law{tied ? std::numeric_limits<double>::max() : parameters.tresca_limit,
           parameters.friction_coefficient}
@@ -130,7 +131,6 @@ namespace Contact
     , master(make_master(discretization, parameters))
     , obstacle(make_obstacle<dim>(parameters))
     , augmentation_parameter(parameters.augmentation_parameter)
-    , discretization(discretization)
     , elasticity(elasticity)
     , parameters(parameters)
   {

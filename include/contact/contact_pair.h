@@ -43,6 +43,8 @@ namespace Contact
                 const Elasticity<dim>     &elasticity,
                 const Parameters::Contact &parameters);
 
+    const Discretization<dim> &discretization;
+
     /// The section of the parameters is "Contact" or "Contact NAME".
     const std::string name;
 
@@ -129,11 +131,10 @@ namespace Contact
     bool pair_corners(const ArrayView<ContactPoint<dim>> &points,
                       const Vector<double>               &u) const;
 
-    const Discretization<dim> &discretization;
-    const Elasticity<dim>     &elasticity;
-    const Parameters::Contact  parameters;
-    std::set<unsigned int>     excluded; // nodes of the slave
-    std::set<unsigned int>     on_axis;  // without a dual function
+    const Elasticity<dim>    &elasticity;
+    const Parameters::Contact parameters;
+    std::set<unsigned int>    excluded; // nodes of the slave
+    std::set<unsigned int>    on_axis;  // without a dual function
     std::unique_ptr<MortarDiscretization<dim>> mortar;
 
     /// Of the points those of the discretization, and those that belong to the

@@ -5,10 +5,16 @@
 
 // The depth of surfaces in space inside of each other.
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
+#include <array>
+#include <boost/serialization/array.hpp>
 #include <cmath>
+#include <map>
 
 #include "contact/contact_depth.h"
+#include "contact/point_exchange.h"
 
 namespace Contact
 {
@@ -41,26 +47,28 @@ namespace Contact
 
 
 
-    /// The deepest node of @p surface.
+    /// The deepest node of @p surface; each rank looks at its share of the
+    /// facets.
     void look(const Surface<3>     &surface,
               const Surface<3>     &other,
               const bool            is_master,
+              const PointShares    &share,
               const Vector<double> &u,
               ContactDepth<3>      &deepest)
     {
-      const SurfaceSearch<3>     own(surface, u), search(other, u);
-      const auto                 normals       = surface.facet_normals(u);
-      const auto                 of_facets     = single_normals(surface, own);
-      const auto                 other_normals = other.facet_normals(u);
-      const auto                 of_other      = single_normals(other, search);
-      std::vector<Projection<3>> closest;
-      for (unsigned int i = 0; i < surface.nodes.size(); ++i)
-        closest.push_back(search.closest_point(surface.position(i, u)));
-      for (unsigned int e = 0; e < surface.facets.size(); ++e)
+      const SurfaceSearch<3> own(surface, u), search(other, u);
+      const auto             normals       = surface.facet_normals(u);
+      const auto             of_facets     = single_normals(surface, own);
+      const auto             other_normals = other.facet_normals(u);
+      const auto             of_other      = single_normals(other, search);
+      std::map<unsigned int, Projection<3>> closest;
+      for (unsigned int e = share.first(); e < share.end(); ++e)
         for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
           {
-            const unsigned int   i          = surface.facets[e].nodes[a];
-            const Point<3>       x          = surface.position(i, u);
+            const unsigned int i = surface.facets[e].nodes[a];
+            const Point<3>     x = surface.position(i, u);
+            if (closest.count(i) == 0)
+              closest[i] = search.closest_point(x);
             const Projection<3> &projection = closest[i];
             if (projection.off_the_end || projection.clipped)
               continue;
@@ -123,6 +131,30 @@ namespace Contact
                 deepest = {depth, false, X, e, deepest.as_drawn};
             }
     }
+
+
+
+    /// Of those of all ranks the deepest one.
+    void compare(const MPI_Comm communicator, ContactDepth<3> &deepest)
+    {
+      const std::array<double, 7> own{{deepest.depth,
+                                       deepest.as_drawn,
+                                       static_cast<double>(deepest.of_master),
+                                       static_cast<double>(deepest.slave_facet),
+                                       deepest.X[0],
+                                       deepest.X[1],
+                                       deepest.X[2]}};
+      for (const auto &of : Utilities::MPI::all_gather(communicator, own))
+        {
+          if (of[0] > deepest.depth)
+            deepest = {of[0],
+                       of[2] > 0,
+                       Point<3>(of[4], of[5], of[6]),
+                       static_cast<unsigned int>(of[3]),
+                       deepest.as_drawn};
+          deepest.as_drawn = std::max(deepest.as_drawn, of[1]);
+        }
+    }
   } // namespace
 
 
@@ -130,11 +162,25 @@ namespace Contact
   ContactDepth<3> largest_depth(const ContactPair<3> &contact_pair,
                                 const Vector<double> &u)
   {
+    const MPI_Comm  communicator = contact_pair.discretization.communicator;
     ContactDepth<3> deepest;
     if (contact_pair.master)
       {
-        look(contact_pair.slave, *contact_pair.master, false, u, deepest);
-        look(*contact_pair.master, contact_pair.slave, true, u, deepest);
+        const Surface<3> &slave  = contact_pair.slave;
+        const Surface<3> &master = *contact_pair.master;
+        look(slave,
+             master,
+             false,
+             PointShares(slave.facets.size(), communicator),
+             u,
+             deepest);
+        look(master,
+             slave,
+             true,
+             PointShares(master.facets.size(), communicator),
+             u,
+             deepest);
+        compare(communicator, deepest);
       }
     else
       look(contact_pair.slave, *contact_pair.obstacle, u, deepest);

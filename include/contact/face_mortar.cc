@@ -5,10 +5,10 @@
 
 #include "contact/face_mortar.h"
 
+#include <deal.II/base/timer.h>
+
 #include <algorithm>
 #include <limits>
-
-#include "contact/point_exchange.h"
 
 namespace Contact
 {
@@ -124,10 +124,11 @@ namespace Contact
                                      const Vector<double>             &u,
                                      const bool) const
   {
-    const auto [first, end] =
-      share_of_rank(points.size(), discretization.communicator);
+    if (!shares)
+      shares.emplace(points.size(), discretization.communicator);
+    Timer             timer;
     std::vector<bool> is_own(slave.nodes.size(), false);
-    for (unsigned int q = first; q < end; ++q)
+    for (unsigned int q = shares->first(); q < shares->end(); ++q)
       is_own[slave_node(points[q])] = true;
 
     const FaceConfiguration    now(slave, master, planes, u);
@@ -140,12 +141,12 @@ namespace Contact
     std::vector<PointPairing<3>::PerNode<NodeDoFs<3>>> old_dofs;
     for (const ContactPoint<3> &point : points)
       old_dofs.push_back(point.dofs);
-    for (unsigned int q = first; q < end; ++q)
+    for (unsigned int q = shares->first(); q < shares->end(); ++q)
       {
         const unsigned int node = slave_node(points[q]);
         fill_in(of_nodes[node], node, now, u, points[q]);
       }
-    exchange_pairings(points, discretization.communicator);
+    shares->exchange(points, timer.wall_time());
     return !std::equal(points.begin(),
                        points.end(),
                        old_dofs.begin(),

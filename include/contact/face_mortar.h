@@ -9,10 +9,12 @@
 #include <deal.II/base/array_view.h>
 
 #include <map>
+#include <optional>
 
 #include "contact/contact_points.h"
 #include "contact/face_segments.h"
 #include "contact/mortar.h"
+#include "contact/point_exchange.h"
 
 namespace Contact
 {
@@ -121,6 +123,9 @@ namespace Contact
     std::vector<FacetDualFunctions::Carriers> carries;
 
     const SymmetryPlanes planes;
+
+    /// Who pairs which points does not change what is found.
+    mutable std::optional<PointShares> shares;
 
     /// By how much the undeformed surfaces turn around each node [rad].
     std::vector<double> slave_bends, master_bends;

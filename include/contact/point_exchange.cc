@@ -47,57 +47,75 @@ namespace Contact
 
 
 
-  std::pair<unsigned int, unsigned int>
-  share_of_rank(const unsigned int n, const MPI_Comm communicator)
+  PointShares::PointShares(const unsigned int n_points,
+                           const MPI_Comm     communicator)
+    : communicator(communicator)
+    , rank(Utilities::MPI::this_mpi_process(communicator))
+    , n_ranks(Utilities::MPI::n_mpi_processes(communicator))
   {
-    const std::size_t rank  = Utilities::MPI::this_mpi_process(communicator);
-    const std::size_t ranks = Utilities::MPI::n_mpi_processes(communicator);
-    return {n * rank / ranks, n * (rank + 1) / ranks};
+    for (std::size_t r = 0; r <= n_ranks; ++r)
+      starts.push_back(n_points * r / n_ranks);
   }
 
 
 
   // Utilities::MPI::all_gather() would compress what is sent.
-  void exchange_pairings(const ArrayView<ContactPoint<3>> &points,
-                         const MPI_Comm                    communicator)
+  void PointShares::exchange(const ArrayView<ContactPoint<3>> &points,
+                             const double                      seconds)
   {
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     if (n_ranks == 1)
       return;
-    const auto [first, end] = share_of_rank(points.size(), communicator);
     std::ostringstream own(std::ios::binary);
     {
       boost::archive::binary_oarchive archive(own, boost::archive::no_header);
-      for (unsigned int q = first; q < end; ++q)
-        exchange(archive, points[q]);
+      for (unsigned int q = first(); q < end(); ++q)
+        Contact::exchange(archive, points[q]);
     }
     const std::string send = own.str();
 
     const std::vector<int> sizes =
       Utilities::MPI::all_gather(communicator, static_cast<int>(send.size()));
-    std::vector<int> starts(n_ranks + 1, 0);
-    std::partial_sum(sizes.begin(), sizes.end(), starts.begin() + 1);
-    std::string all(starts.back(), '\0');
+    std::vector<int> offsets(n_ranks + 1, 0);
+    std::partial_sum(sizes.begin(), sizes.end(), offsets.begin() + 1);
+    std::string all(offsets.back(), '\0');
     const int   error = MPI_Allgatherv(send.data(),
                                      send.size(),
                                      MPI_CHAR,
                                      &all[0],
                                      sizes.data(),
-                                     starts.data(),
+                                     offsets.data(),
                                      MPI_CHAR,
                                      communicator);
     AssertThrowMPI(error);
 
-    for (unsigned int rank = 0; rank < n_ranks; ++rank)
+    for (unsigned int r = 0; r < n_ranks; ++r)
       {
-        std::istringstream received(all.substr(starts[rank], sizes[rank]),
+        std::istringstream received(all.substr(offsets[r], sizes[r]),
                                     std::ios::binary);
         boost::archive::binary_iarchive archive(received,
                                                 boost::archive::no_header);
-        for (unsigned int q = points.size() * std::size_t(rank) / n_ranks;
-             q < points.size() * std::size_t(rank + 1) / n_ranks;
-             ++q)
-          exchange(archive, points[q]);
+        for (unsigned int q = starts[r]; q < starts[r + 1]; ++q)
+          Contact::exchange(archive, points[q]);
+      }
+    balance(Utilities::MPI::all_gather(communicator, seconds));
+  }
+
+
+
+  // Within a share all points are taken to cost the same.
+  void PointShares::balance(const std::vector<double> &seconds)
+  {
+    const double each =
+      std::accumulate(seconds.begin(), seconds.end(), 0.) / n_ranks;
+    const std::vector<unsigned int> old    = starts;
+    double                          before = 0;
+    unsigned int                    next   = 1;
+    for (unsigned int r = 0; r < n_ranks; ++r)
+      {
+        for (; next < n_ranks && next * each < before + seconds[r]; ++next)
+          starts[next] = old[r] + (next * each - before) / seconds[r] *
+                                    (old[r + 1] - old[r]);
+        before += seconds[r];
       }
   }
 } // namespace Contact

@@ -9,23 +9,45 @@
 #include <deal.II/base/array_view.h>
 
 #include <mpi.h>
-#include <utility>
+#include <vector>
 
 #include "contact/contact_points.h"
 
 namespace Contact
 {
-  /// The share [first, end) of @p n things that this rank does for all.
-  std::pair<unsigned int, unsigned int>
-  share_of_rank(const unsigned int n, const MPI_Comm communicator);
-
   /**
-   * Each rank has paired its share of the points, see share_of_rank(): give the
-   * pairings and weights to all. They are the same numbers on any number of
-   * ranks.
+   * The shares of the contact points that the ranks pair, each its own for all:
+   * numbers that follow each other. They are balanced by the time that each
+   * rank has taken. A pairing is the same whichever rank makes it.
    */
-  void exchange_pairings(const ArrayView<ContactPoint<3>> &points,
-                         const MPI_Comm                    communicator);
+  class PointShares
+  {
+  public:
+    PointShares(const unsigned int n_points, const MPI_Comm communicator);
+
+    /// The share of this rank is [first(), end()).
+    unsigned int first() const
+    {
+      return starts[rank];
+    }
+    unsigned int end() const
+    {
+      return starts[rank + 1];
+    }
+
+    /// Give the pairings and weights of the points of each share to all ranks,
+    /// of which this one has taken @p seconds for its own: the next shares are
+    /// such that all would have taken the same time.
+    void exchange(const ArrayView<ContactPoint<3>> &points,
+                  const double                      seconds);
+
+  private:
+    void balance(const std::vector<double> &seconds);
+
+    const MPI_Comm            communicator;
+    const unsigned int        rank, n_ranks;
+    std::vector<unsigned int> starts; // and the end of the last
+  };
 } // namespace Contact
 
 #endif

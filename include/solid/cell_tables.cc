@@ -118,7 +118,7 @@ namespace Contact
                               fe.component_to_system_index(0, node),
                               q);
                           }) /
-              cell.points[q][0]);
+              fe_values.quadrature_point(q)[0]);
     }
   } // namespace
 
@@ -148,15 +148,18 @@ namespace Contact
         const auto &fe_values = hp_fe_values.get_present_fe_values();
 
         CellTable<dim> cell;
+        cell.gradient_maps.reserve(fe_values.n_quadrature_points);
         cell.active_index = dof_cell->active_cell_index();
         cell.body         = dof_cell->material_id();
         cell.piece        = discretization.mesh.pieces.of_cell(dof_cell);
         cell.material     = &materials.at(cell.body);
+        cell.centre       = dof_cell->center();
         cell.JxW          = fe_values.get_JxW_values();
-        cell.points       = fe_values.get_quadrature_points();
-        for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+        cell.area = std::accumulate(cell.JxW.begin(), cell.JxW.end(), 0.);
+        for (const unsigned int q : fe_values.quadrature_point_indices())
           {
-            cell.JxW[q] *= discretization.circumference(cell.points[q]);
+            cell.JxW[q] *=
+              discretization.circumference(fe_values.quadrature_point(q));
             cell.gradient_maps.push_back(
               transpose(Tensor<2, dim>(fe_values.inverse_jacobian(q))));
           }

@@ -36,7 +36,8 @@ namespace Contact
     const Material                      *material;
     std::vector<types::global_dof_index> dofs;          // (x, y, z) by node
     std::vector<double>                  JxW;           // by point
-    std::vector<Point<dim>>              points;        // X by point
+    Point<dim>                           centre;        // X
+    double                               area;          // in space the volume
     std::vector<Tensor<2, dim>>          gradient_maps; // J^-T by point
     const UnitGradients<dim>            *unit_gradients;
     std::vector<double>                  hoop_gradients; // N_a/X, of rings

@@ -113,10 +113,10 @@ namespace Contact
         forces.reinit(n);
         if (with_tangent)
           tangent.reinit(n, n);
-        const SmallestInCell of_cell =
+        const double of_cell =
           cell_forces(cell, u, stress_stiffness, wanted, forces);
-        if (of_cell.value < smallest.value)
-          smallest = {of_cell.value, cell.body, cell.points[of_cell.point]};
+        if (of_cell < smallest.value)
+          smallest = {of_cell, cell.body, cell.centre};
         springs.add_springs(cell, u, wanted, forces);
         visitor(cell.dofs, tangent, forces);
       }

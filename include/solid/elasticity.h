@@ -26,7 +26,7 @@ namespace Contact
 
   /**
    * The smallest ratio det F [-] of deformed to undeformed volume among the
-   * quadrature points, the body and the undeformed place X [mm] where it is;
+   * quadrature points, the body and the centre X [mm] of the undeformed cell;
    * 1 and no body if no point is compressed. At zero or below a cell is turned
    * inside out: no solution, whatever the residual says.
    */
@@ -224,19 +224,13 @@ namespace Contact
     Elasticity(const Discretization<dim> &discretization,
                const Parameters::Solids  &parameters);
 
-    /// The smallest det F of a cell, and in which of its points.
-    struct SmallestInCell
-    {
-      double       value = 1;
-      unsigned int point = 0;
-    };
-
     /// Internal forces and, if @p tangent is not null, tangent of a cell.
-    virtual SmallestInCell cell_forces(const CellTable<dim> &cell,
-                                       const Vector<double> &u,
-                                       const StressStiffness stress_stiffness,
-                                       FullMatrix<double>   *tangent,
-                                       Vector<double>       &forces) const = 0;
+    /// Returns the smallest det F, at most one.
+    virtual double cell_forces(const CellTable<dim> &cell,
+                               const Vector<double> &u,
+                               const StressStiffness stress_stiffness,
+                               FullMatrix<double>   *tangent,
+                               Vector<double>       &forces) const = 0;
 
     /// Strain energy of a cell.
     virtual double cell_energy(const CellTable<dim> &cell,

@@ -38,19 +38,17 @@ namespace Contact
       }
 
     private:
-      using typename Elasticity<dim>::SmallestInCell;
-
       static constexpr unsigned int n_max    = dim == 2 ? 9 : 27; // nodes
       static constexpr unsigned int n_modes  = dim + 1;
       static constexpr unsigned int n_shears = dim == 2 ? 1 : 3;
 
       using AtPoints = std::array<double, n_max>; // by quadrature point
 
-      SmallestInCell cell_forces(const CellTable<dim> &cell,
-                                 const Vector<double> &u,
-                                 const StressStiffness stress_stiffness,
-                                 FullMatrix<double>   *tangent,
-                                 Vector<double>       &forces) const override;
+      double cell_forces(const CellTable<dim> &cell,
+                         const Vector<double> &u,
+                         const StressStiffness stress_stiffness,
+                         FullMatrix<double>   *tangent,
+                         Vector<double>       &forces) const override;
 
       double cell_energy(const CellTable<dim> &cell,
                          const Vector<double> &u) const override;
@@ -84,11 +82,11 @@ namespace Contact
       };
 
       template<bool with_tangent, bool projected>
-      SmallestInCell assemble_cell(const CellTable<dim> &cell,
-                                   const Vector<double> &u,
-                                   const StressStiffness stress_stiffness,
-                                   FullMatrix<double>   &matrix,
-                                   Vector<double>       &residual) const;
+      double assemble_cell(const CellTable<dim> &cell,
+                           const Vector<double> &u,
+                           const StressStiffness stress_stiffness,
+                           FullMatrix<double>   &matrix,
+                           Vector<double>       &residual) const;
 
       static Tensor<2, dim> displacement_gradient(const CellTable<dim> &cell,
                                                   const unsigned int    q,
@@ -291,8 +289,7 @@ namespace Contact
     // while S has the projected dilatation and all else stays.
     template<class Kinematics, class Symmetry>
     template<bool with_tangent, bool projected>
-    typename Solid<Kinematics, Symmetry>::SmallestInCell
-    Solid<Kinematics, Symmetry>::assemble_cell(
+    double Solid<Kinematics, Symmetry>::assemble_cell(
       const CellTable<dim> &cell,
       const Vector<double> &u,
       const StressStiffness stress_stiffness,
@@ -312,16 +309,14 @@ namespace Contact
             g = {};
         }
 
-      SmallestInCell smallest;
-      PointState     at;
+      double     smallest = 1;
+      PointState at;
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)
         {
           find_state_at<projected>(cell, q, u, P_tr_E, at);
           if constexpr (Kinematics::has_geometric_stiffness)
             {
-              const double det_F = determinant(at.F) * at.f33;
-              if (det_F < smallest.value)
-                smallest = {det_F, q};
+              smallest = std::min(smallest, determinant(at.F) * at.f33);
             }
           add_forces(cell, q, at, residual);
           // In the tangent stresses are in nothing else.
@@ -356,8 +351,7 @@ namespace Contact
 
 
     template<class Kinematics, class Symmetry>
-    typename Solid<Kinematics, Symmetry>::SmallestInCell
-    Solid<Kinematics, Symmetry>::cell_forces(
+    double Solid<Kinematics, Symmetry>::cell_forces(
       const CellTable<dim> &cell,
       const Vector<double> &u,
       const StressStiffness stress_stiffness,

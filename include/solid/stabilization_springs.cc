@@ -23,12 +23,11 @@ namespace Contact
     , volumes(areas.size())
   {
     for (const CellTable<dim> &cell : cells)
-      for (unsigned int q = 0; q < cell.JxW.size(); ++q)
-        {
-          volumes[cell.piece] += cell.JxW[q];
-          areas[cell.piece] +=
-            cell.JxW[q] / discretization.circumference(cell.points[q]);
-        }
+      {
+        volumes[cell.piece] +=
+          std::accumulate(cell.JxW.begin(), cell.JxW.end(), 0.);
+        areas[cell.piece] += cell.area;
+      }
     for (auto *sums : {&areas, &volumes})
       Utilities::MPI::sum(*sums, discretization.communicator, *sums);
   }
