@@ -45,9 +45,9 @@ namespace Contact
       Tensor<2, dim - 1> of_slip;
       Tensor<1, dim - 1> shear_at_rest;
 
-      std::vector<types::global_dof_index> dofs;
-      FullMatrix<double>                   stiffness; // [N/mm]
-      Vector<double>                       load;      // [N]
+      std::vector<types::global_dof_index> dofs = {};
+      FullMatrix<double> stiffness = FullMatrix<double>(); // [N/mm]
+      Vector<double>     load      = {};                   // [N]
     };
 
     /// Of the slipping points in a state. With @p moving_bound the bound is

@@ -68,7 +68,6 @@ namespace Contact
                                    &start.shears,
                                    &start.holds})
       vector->reinit(discretization.dof_handler.n_dofs());
-    end = start;
   }
 
 
@@ -76,7 +75,7 @@ namespace Contact
   template<int dim>
   void InvariantCheck<dim>::advance()
   {
-    start = end;
+    start = std::move(end);
   }
 
 
