@@ -316,6 +316,11 @@ def held_side():
     force = [probes(summary)[c] for c in AXES]
     check("  all of the edge slips, too",
           0.29 < math.hypot(*force[:2]) / force[2] < 0.3, force)
+    status, said, summary = run("held", entries, 2)
+    if converged("the same on two processes", status, summary, said):
+        others = [probes(summary)[c] for c in AXES]
+        check("  the same force", max(abs(a - b) for a, b in zip(force, others))
+              < 1e-8 * max(map(abs, force)), others)
     status, said, summary = run("held", {**entries, "Boundary conditions/"
                                          "Displacement y": "Low_z0: 0, Up_y0: 0"})
     edge = [row for row in rows("held") if row["surface"] == "slave" and

@@ -34,14 +34,24 @@ namespace Contact
     template<class Archive>
     void exchange(Archive &archive, ContactPoint<3> &point)
     {
-      archive &point.weight &point.facing &point.n_slave_nodes &point.n_nodes;
+      const auto exchange_all = [&](auto &...of_point) {
+        (void(archive & of_point), ...);
+      };
+      exchange_all(point.weight,
+                   point.facing,
+                   point.n_slave_nodes,
+                   point.n_nodes,
+                   point.normal,
+                   point.tangents,
+                   point.projection,
+                   point.tangential_row_is_void,
+                   point.void_slips,
+                   point.springs);
       exchange(archive, point.dofs);
       exchange(archive, point.X);
       exchange(archive, point.C);
-      point.C1.resize(point.n_nodes);
+      point.C1.resize(point.n_nodes); // zero
       point.C2.resize(point.n_nodes);
-      archive &point.normal &point.tangents &point.projection &point
-        .tangential_row_is_void                               &point.void_slips;
     }
   } // namespace
 
