@@ -81,6 +81,9 @@ LOW, UP = (-1., 0.), (0., 1.)
 SCENES = {
     "covered": (Block().skewed((3, 3), (1, 1), 0., LOW, 0.3),
                 Block().skewed((4, 5), (1, 1), 0., UP, -0.4)),
+    # The Gauss points of segments are fewer, the less cells are skewed.
+    "hardly skewed": (Block().skewed((3, 3), (1, 1), 0., LOW, 0.01),
+                      Block().skewed((4, 5), (1, 1), 0., UP, -0.02)),
     "lower one wider in x": (
         Block().lines([-0.25, 0.2, 0.6, 1.15], UNIT[1], LOW),
         Block().skewed((4, 5), (1, 1), 0., UP, -0.4)),
@@ -95,6 +98,7 @@ SCENES = {
 RUNS = {
     "covered": ((8, "Low", True, 2), (20, "Up", False, 2), (27, "Low", False, 1),
                 (27, "Up", True, 1)),
+    "hardly skewed": ((8, "Low", True, 1), (27, "Up", False, 1)),
     "lower one wider in x": ((8, "Low", False, 1), (27, "Low", False, 1),
                              (20, "Up", True, 1)),
     "lower one wider, upper one turned": (

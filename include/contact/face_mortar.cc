@@ -14,34 +14,6 @@ namespace Contact
 {
   namespace
   {
-    /// The largest angle between a facet at a node and the mean there, that of
-    /// all facets around an edge or a corner, too.
-    std::vector<double> bends(const Surface<3>        &surface,
-                              const SymmetryPlanes    &planes,
-                              const Discretization<3> &discretization)
-    {
-      const Vector<double>   undeformed(discretization.dof_handler.n_dofs());
-      const auto             means = planes.facet_normals(surface, undeformed);
-      const SurfaceSearch<3> search(surface, undeformed);
-      std::vector<double>    bends(surface.nodes.size(), 0.);
-      std::vector<Tensor<1, 3>> mean(surface.nodes.size());
-      for (unsigned int e = 0; e < surface.facets.size(); ++e)
-        for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-          mean[surface.facets[e].nodes[a]] += means[e][a];
-      for (unsigned int e = 0; e < surface.facets.size(); ++e)
-        for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-          {
-            const unsigned int node = surface.facets[e].nodes[a];
-            const Tensor<1, 3> own  = search.normal(e, node_place<3>(a));
-            bends[node] =
-              std::max(bends[node],
-                       (own - mean[node] / mean[node].norm()).norm());
-          }
-      return bends;
-    }
-
-
-
     /// Values that belong to nodes, those of hanging ones handed over to the
     /// nodes that they follow.
     std::map<unsigned int, double>
@@ -72,8 +44,8 @@ namespace Contact
     , excluded(excluded)
     , carries(slave.facets.size())
     , planes(slave, master, discretization)
-    , slave_bends(bends(slave, planes, discretization))
-    , master_bends(bends(master, planes, discretization))
+    , slave_bends(planes.bends(slave))
+    , master_bends(planes.bends(master))
   {
     find_carriers();
   }
@@ -124,11 +96,11 @@ namespace Contact
                                      const Vector<double>             &u,
                                      const bool) const
   {
-    if (!shares)
-      shares.emplace(points.size(), discretization.communicator);
+    if (!point_shares)
+      point_shares.emplace(points.size(), discretization.communicator);
     Timer             timer;
     std::vector<bool> is_own(slave.nodes.size(), false);
-    for (unsigned int q = shares->first(); q < shares->end(); ++q)
+    for (unsigned int q = point_shares->first(); q < point_shares->end(); ++q)
       is_own[slave_node(points[q])] = true;
 
     const FaceConfiguration    now(slave, master, planes, u);
@@ -141,12 +113,12 @@ namespace Contact
     std::vector<PointPairing<3>::PerNode<NodeDoFs<3>>> old_dofs;
     for (const ContactPoint<3> &point : points)
       old_dofs.push_back(point.dofs);
-    for (unsigned int q = shares->first(); q < shares->end(); ++q)
+    for (unsigned int q = point_shares->first(); q < point_shares->end(); ++q)
       {
         const unsigned int node = slave_node(points[q]);
         fill_in(of_nodes[node], node, now, u, points[q]);
       }
-    shares->exchange(points, timer.wall_time());
+    point_shares->exchange(points, timer.wall_time());
     return !std::equal(points.begin(),
                        points.end(),
                        old_dofs.begin(),

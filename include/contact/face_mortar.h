@@ -125,7 +125,7 @@ namespace Contact
     const SymmetryPlanes planes;
 
     /// Who pairs which points does not change what is found.
-    mutable std::optional<PointShares> shares;
+    mutable std::optional<PointShares> point_shares;
 
     /// By how much the undeformed surfaces turn around each node [rad].
     std::vector<double> slave_bends, master_bends;

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/face_search.h"
+
 namespace Contact
 {
   SymmetryPlanes::SymmetryPlanes(const Surface<3>        &slave,
@@ -73,5 +75,28 @@ namespace Contact
               }
           }
     return normals;
+  }
+
+
+
+  std::vector<double> SymmetryPlanes::bends(const Surface<3> &surface) const
+  {
+    const Vector<double>      undeformed(discretization.dof_handler.n_dofs());
+    const auto                means = facet_normals(surface, undeformed);
+    const SurfaceSearch<3>    search(surface, undeformed);
+    std::vector<double>       bends(surface.nodes.size(), 0.);
+    std::vector<Tensor<1, 3>> mean(surface.nodes.size());
+    for (unsigned int e = 0; e < surface.facets.size(); ++e)
+      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+        mean[surface.facets[e].nodes[a]] += means[e][a];
+    for (unsigned int e = 0; e < surface.facets.size(); ++e)
+      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+        {
+          const unsigned int node = surface.facets[e].nodes[a];
+          const Tensor<1, 3> own  = search.normal(e, node_place<3>(a));
+          bends[node]             = std::max(bends[node],
+                                 (own - mean[node] / mean[node].norm()).norm());
+        }
+    return bends;
   }
 } // namespace Contact

@@ -30,6 +30,11 @@ namespace Contact
     FacetNormals<3> facet_normals(const Surface<3>     &surface,
                                   const Vector<double> &u) const;
 
+    /// By node of the undeformed surface, the largest angle [rad] between a
+    /// facet there and the mean, that of all facets around an edge or a corner,
+    /// too.
+    std::vector<double> bends(const Surface<3> &surface) const;
+
   private:
     struct Plane
     {

@@ -114,15 +114,6 @@ namespace Contact
         return h;
       }
 
-      /// tr E without projection.
-      static double dilatation(const CellTable<dim> &cell,
-                               const unsigned int    q,
-                               const Vector<double> &u)
-      {
-        return trace(Kinematics::strain(displacement_gradient(cell, q, u))) +
-               Kinematics::strain(hoop_gradient(cell, q, u));
-      }
-
       /// P tr E: with the orthonormal modes phi_m of the cell
       ///   P tr E = sum_m theta_m phi_m,   theta_m = sum_q JxW phi_m tr E.
       static AtPoints dilatations(const CellTable<dim> &cell,
@@ -132,7 +123,9 @@ namespace Contact
         std::array<double, n_modes> theta{};
         for (unsigned int q = 0; q < cell.JxW.size(); ++q)
           {
-            dilatations[q] = dilatation(cell, q, u);
+            dilatations[q] =
+              trace(Kinematics::strain(displacement_gradient(cell, q, u))) +
+              Kinematics::strain(hoop_gradient(cell, q, u));
             if (!cell.modes.empty())
               for (unsigned int m = 0; m < n_modes; ++m)
                 theta[m] += cell.JxW[q] * cell.modes[q][m] * dilatations[q];
