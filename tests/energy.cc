@@ -184,7 +184,7 @@ namespace
     hp::FEValues<2>                  hp_fe_values(bodies.discretization.mapping,
                                  bodies.discretization.fe,
                                  bodies.discretization.quadrature,
-                                 update_gradients | update_quadrature_points);
+                                 update_gradients);
     const FEValuesExtractors::Vector displacement(0);
     std::vector<Tensor<2, 2>>        H;
     VolumeRatio<2>                   expected;
@@ -200,9 +200,7 @@ namespace
             const double det_F = determinant(
               H[q] + static_cast<Tensor<2, 2>>(unit_symmetric_tensor<2>()));
             if (det_F < expected.value)
-              expected = {det_F,
-                          cell->material_id(),
-                          fe_values.quadrature_point(q)};
+              expected = {det_F, cell->material_id(), cell->center()};
           }
       }
 
@@ -213,7 +211,7 @@ namespace
     const auto of_all = smallest_of_all_ranks(found, MPI_COMM_WORLD);
     check("inside out", expected.value < 0);
     check_small("value", std::abs(found.value - expected.value), 1e-13);
-    check_small("place", found.X.distance(expected.X), 1e-13);
+    check_small("centre of the cell", found.X.distance(expected.X), 1e-13);
     check("body", found.body == expected.body);
     check("the same with the tangent",
           with_tangent.value == found.value && with_tangent.X == found.X);
