@@ -16,7 +16,8 @@ slave, have the uniform stress that they are loaded with, to 1e-10:
 
 And that a soft block presses on quadratic facets of a wider slave, of which it
 covers strips, in at most ten Newton steps, with the force that it has if slave and
-master are exchanged.
+master are exchanged; and a punch on linear facets that it covers in part, with the
+peak of the pressure, and none outside.
 
 Bodies are held by as many components of points as they have rigid motions, all
 sides carry the tractions of the stress, and what is not covered carries a load
@@ -88,7 +89,8 @@ SCENES = {
         Block().lines([-0.25, 0.2, 0.6, 1.15], UNIT[1], LOW),
         Block().skewed((4, 5), (1, 1), 0., UP, -0.4)),
     "lower one wider, upper one turned": (
-        Block().lines([-0.3, 0.4, 0.9, 1.25], [-0.2, 0.45, 1.2], LOW),
+        Block().lines([-0.3, 0.05, 0.4, 0.65, 0.9, 1.25],
+                      [-0.2, 0.15, 0.45, 0.8, 1.2], LOW),
         Block().skewed((3, 3), (0.9, 0.8), 20., UP, -0.3)),
     "shifted": (
         Block().lines(*UNIT, LOW),
@@ -240,7 +242,41 @@ def strips():
               off)
 
 
+def narrow_punch(half):
+    """A block that ends within the facets of a plate, or by its bulging a little
+    beyond a line of them: the plate as slave has the pressure of the other
+    slave, and no force where no master is."""
+    mesh = Volumes()
+    mesh.block("Low", (8, 8, 2), lambda r, s, t: (4 * r - 2, 4 * s - 2, t - 1))
+    mesh.block("Up", (4, 4, 2), lambda r, s, t: (half * (2 * r - 1),
+                                                 half * (2 * s - 1), t))
+    mesh.write("punch")
+    peaks = {}
+    for slave, master in (("Low_z1", "Up_z0"), ("Up_z0", "Low_z1")):
+        status, said, summary = run("punch", {
+            "Mesh/File": "punch.msh", "Element/Degree": 1,
+            "Solids/Young's modulus": "Low: 1000, Up: 1000",
+            "Solids/Poisson's ratio": "Low: 0.3, Up: 0.3",
+            "Boundary conditions/Displacement x": "Low_z0: 0, Up_z1: 0",
+            "Boundary conditions/Displacement y": "Low_z0: 0, Up_z1: 0",
+            "Boundary conditions/Displacement z": "Low_z0: 0, Up_z1: -0.02",
+            "Contact/Slave": slave, "Contact/Master": master,
+            "Output/Profile": "true", "Solution/Increments": 1}, 1)
+        what = f"punch of {2 * half} mm on a plate, slave {slave}"
+        if not converged(what, status, summary, said):
+            return
+        of_slave = [row for row in rows("punch") if row["surface"] == "slave"]
+        peaks[slave] = max(row["pressure_MPa"] for row in of_slave)
+        outside = sum(row["nodal_force_N"] for row in of_slave
+                      if max(abs(row["X_mm"]), abs(row["Y_mm"])) > half + 0.4)
+        check(f"{what}: no force outside", outside == 0, outside)
+    check("  the same peak within a third", 2 / 3 < peaks["Low_z1"] /
+          peaks["Up_z0"] < 4 / 3, peaks)
+
+
 strips()
+for punch in (1., 1.02, 1.1):
+    narrow_punch(punch)
 for scene_name, runs in RUNS.items():
     for settings in runs:
         patch_test(scene_name, *settings)

@@ -51,7 +51,8 @@ namespace Contact
     };
     std::vector<double> of_functions = integrals();
     for (unsigned int a = 0; a < n_nodes; ++a)
-      piecewise = piecewise || (degree == 2 && of_functions[a] < shares[a] / 2);
+      partly = partly || of_functions[a] < shares[a] / 2;
+    piecewise = degree == 2 && partly;
     if (piecewise)
       of_functions = integrals();
     find_carriers(of_functions, carries);
@@ -94,7 +95,7 @@ namespace Contact
     for (unsigned int a = 0; a < n_nodes; ++a)
       {
         sum += integrals[a];
-        if (piecewise) // those of the middles are twice as wide
+        if (partly) // those of the middles are twice as wide
           {
             covered[a] = integrals[a];
             for (const unsigned int i : FacetShape<3>::factors[a])
@@ -117,12 +118,13 @@ namespace Contact
               carriers.push_back(carrier.first);
         }
 
-    dual_to_shapes = !piecewise && std::all_of(carries.begin(),
-                                               carries.begin() + n_nodes,
-                                               [](const auto &of_node) {
-                                                 return of_node.size() == 1 &&
-                                                        of_node[0].second == 1;
-                                               });
+    dual_to_shapes =
+      !piecewise && others.empty() &&
+      std::all_of(carries.begin(),
+                  carries.begin() + n_nodes,
+                  [](const auto &of_node) {
+                    return of_node.size() == 1 && of_node[0].second == 1;
+                  });
     shared.reinit(carriers.size(), n_nodes);
     const auto hand_over =
       [&](const unsigned int from, const unsigned int to, const double part) {

@@ -90,7 +90,8 @@ namespace Contact
 
     const unsigned int        n_nodes;
     const unsigned int        degree;
-    bool                      piecewise = false, dual_to_shapes = false;
+    bool                      partly = false, piecewise = false;
+    bool                      dual_to_shapes = false;
     std::vector<unsigned int> carriers;
     FullMatrix<double>        shared; // M_j = sum_a shared(j, a) functions[a]
     FullMatrix<double>        A;

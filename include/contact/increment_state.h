@@ -37,13 +37,14 @@ namespace Contact
     {
       load_factor = to;
       start       = solution;
+      if (model.has_friction())
+        {
+          model.interface->set_support_motion(
+            model.discretization->support_motion(start, to));
+          model.interface->remember_shears(start);
+        }
       if (model.interface)
         points_at_start = model.interface->points();
-      if (!model.has_friction())
-        return;
-      model.interface->set_support_motion(
-        model.discretization->support_motion(start, to));
-      model.interface->remember_shears(start);
     }
 
     /// Back to its start, also of what the points know and which edges they
