@@ -112,13 +112,16 @@ class SpaceZoneCheck:
 
         # What acts on a node, or on several together.
         self.acting = self.force.copy()
-        if self.rule == "mortar" and model.degree == 2 and not zone.obstacle:
+        if self.rule == "mortar" and not zone.obstacle:
             self.take_together()
 
     def take_together(self):
-        """Of degree 2 what acts on a part of a face goes to all of its nodes
-        with the signs of the shape functions there: the nodes of faces that the
-        master covers in part are judged by their sum."""
+        """What acts on a part of a face goes to all of its nodes: of degree 2
+        with the signs of the shape functions there, and of either degree a node
+        that is covered little leaves its dual function to others, with which
+        its shape function may have a negative integral, while that of the sum of
+        both is positive. The nodes of faces that the master covers in part are
+        judged by their sum."""
         self.weights = DualWeights(self)
         share = self.weights.share
         # Strips narrower than the distance of the points are seen by the rim.
