@@ -246,6 +246,26 @@ namespace
       n += static_cast<bool>(cell->refine_flag_set());
     check("all cells flagged", n == triangulation.n_active_cells());
 
+    // Four cells of each of four indicators, but for round-off.
+    indicators = 0;
+    for (unsigned int i = 0; i < 16; ++i)
+      indicators[5 * i] = (4 - i / 4) * (1 + 1e-5 * (i % 3));
+    for (const auto &cell : triangulation.active_cell_iterators())
+      cell->clear_refine_flag();
+    for (const auto &[fraction, n_marked] :
+         {std::pair<double, unsigned int>(0.65, 8), {0.75, 12}})
+      {
+        flag_cells(bodies.mesh, indicators, fraction);
+        n = 0;
+        for (const auto &cell : triangulation.active_cell_iterators())
+          {
+            n += static_cast<bool>(cell->refine_flag_set());
+            cell->clear_refine_flag();
+          }
+        check("of equal cells all or none: " + std::to_string(n_marked),
+              n == n_marked);
+      }
+
     // Alike, all cells are refined; one that has all of the error by itself.
     indicators = 1;
     check("toward an accuracy: all of equal cells",

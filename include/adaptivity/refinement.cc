@@ -140,6 +140,7 @@ namespace Contact
 
     std::sort(all.begin(), all.end(), std::greater<float>());
     const double share = fraction * std::accumulate(all.begin(), all.end(), 0.);
+    const double tie   = 1e-3;
     double       sum   = 0;
     auto         smallest = all.begin();
     while (sum < share)
@@ -148,7 +149,7 @@ namespace Contact
       return;
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned() &&
-          indicators[cell->active_cell_index()] >= *(smallest - 1))
+          indicators[cell->active_cell_index()] >= (1 - tie) * *(smallest - 1))
         cell->set_refine_flag();
   }
 

@@ -17,8 +17,14 @@ namespace Contact
   template<int dim>
   void check_adaptive(const Mesh<dim> &mesh);
 
-  /// Flag the cells with the largest indicators, which together have the share
-  /// @p fraction of their sum (Doerfler's marking).
+  /**
+   * Flag the cells with the largest indicators, which together have the share
+   * @p fraction of their sum (Doerfler's marking), and those whose indicators
+   * differ from the smallest of these by less than a thousandth: cells that
+   * symmetry makes alike differ by what Newton's tolerance leaves (5e-5 with
+   * friction), and by other amounts on another number of processes. An estimate
+   * is not as exact as a thousandth.
+   */
   template<int dim>
   void flag_cells(Mesh<dim>           &mesh,
                   const Vector<float> &indicators,

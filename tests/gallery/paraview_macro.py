@@ -204,35 +204,21 @@ def look(view, centre, direction, up, half):
     view.CameraParallelScale = half
 
 
-def space_views(directory):
-    """The layout of a case in space, and the largest pressure."""
-    bodies, surface = moved(directory, "bodies"), moved(directory, "contact")
-    low, high, largest, longest = contact_box(directory)
-    centre = [(a + b) / 2 for a, b in zip(low, high)]
-    half = LARGEST_ZONE / 2 * max(b - a for a, b in zip(low, high))
+def unit(axis, sign=1):
+    return [sign if c == axis else 0 for c in range(3)]
 
-    # Just beyond the middle: a plane of symmetry has its own face there.
-    clip = pv.Clip(registrationName="clip", Input=bodies)
-    clip.ClipType = "Plane"
-    clip.ClipType.Origin = [centre[0], low[1] + 1e-6 * half, centre[2]] \
-        if abs(low[1]) < 1e-6 * half else centre
-    clip.ClipType.Normal = [0, 1, 0]
-    clip.Invert = 0
-    whole = render_view("von Mises stress [MPa]")
-    show(clip, whole, "von_mises")
-    look(whole, centre, [-0.4, -0.8, 0.4], [0, 0, 1], half)
-    pv.ResetCamera(whole)
 
-    close = render_view("von Mises stress [MPa], mesh on the cut")
-    show(clip, close, "von_mises", "Surface With Edges")
-    look(close, centre, [0, -1, 0], [0, 0, 1], half)
-
-    pressure = render_view("pressure on the slave [MPa], from above")
-    show(surface, pressure, "pressure", "Surface With Edges")
-    look(pressure, centre, [0, 0, 1], [0, 1, 0], half)
-
-    status = render_view("status (0 open, 1 slip, 2 stick), shear")
-    show(surface, status, "status")
+def show_status(surface, view, longest, half):
+    """Open, slip and stick, in three colours that nothing is between, and the
+    shear as arrows."""
+    show(surface, view, "status", "Surface With Edges")
+    colours = pv.GetColorTransferFunction("status")
+    colours.RescaleTransferFunction(-0.5, 2.5)
+    colours.NumberOfTableValues = 3
+    bar = pv.GetScalarBar(colours, view)
+    bar.UseCustomLabels = 1
+    bar.CustomLabels = [0, 1, 2]
+    bar.AddRangeLabels = 0
     arrows = pv.Glyph(registrationName="shear", Input=surface,
                       GlyphType="Arrow")
     arrows.OrientationArray = ["POINTS", "shear"]
@@ -240,10 +226,48 @@ def space_views(directory):
     arrows.GlyphMode = "All Points"
     # The longest arrow is a third of the zone.
     arrows.ScaleFactor = half / 3 / longest if longest > 0 else 1
-    display = pv.Show(arrows, status)
+    display = pv.Show(arrows, view)
     display.ColorArrayName = ["POINTS", ""]
     display.AmbientColor = display.DiffuseColor = [0, 0, 0]
-    look(status, centre, [0, 0, 1], [0, 1, 0], half)
+
+
+def space_views(directory):
+    """The layout of a case in space, and the largest pressure."""
+    bodies, surface = moved(directory, "bodies"), moved(directory, "contact")
+    low, high, largest, longest = contact_box(directory)
+    centre = [(a + b) / 2 for a, b in zip(low, high)]
+    half = LARGEST_ZONE / 2 * max(b - a for a, b in zip(low, high))
+
+    # The zone is thinnest along its normal; the cut is across it.
+    normal = min(range(3), key=lambda c: high[c] - low[c])
+    across = 0 if normal == 1 else 1
+    along = 3 - normal - across
+    # Just beyond the middle: a plane of symmetry has its own face there.
+    origin = list(centre)
+    if abs(low[across]) < 1e-6 * half:
+        origin[across] = low[across] + 1e-6 * half
+    clip = pv.Clip(registrationName="clip", Input=bodies)
+    clip.ClipType = "Plane"
+    clip.ClipType.Origin = origin
+    clip.ClipType.Normal = unit(across)
+    clip.Invert = 0
+    whole = render_view("von Mises stress [MPa]")
+    show(clip, whole, "von_mises")
+    aslant = {along: -0.4, across: -0.8, normal: 0.4}
+    look(whole, centre, [aslant[c] for c in range(3)], unit(normal), half)
+    pv.ResetCamera(whole)
+
+    close = render_view("von Mises stress [MPa], mesh on the cut")
+    show(clip, close, "von_mises", "Surface With Edges")
+    look(close, centre, unit(across, -1), unit(normal), half)
+
+    pressure = render_view("pressure on the slave [MPa]")
+    show(surface, pressure, "pressure", "Surface With Edges")
+    look(pressure, centre, unit(normal), unit(across), half)
+
+    status = render_view("0 open, 1 slip, 2 stick; shear on the slave")
+    show_status(surface, status, longest, half)
+    look(status, centre, unit(normal), unit(across), half)
 
     layout = pv.CreateLayout(name=os.path.basename(directory))
     layout.SplitHorizontal(0, 0.5)
