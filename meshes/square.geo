@@ -9,6 +9,8 @@
 //
 //   gmsh -2 -format msh41 -o square.msh square.geo
 
+// Of hexahedra, beside the square, unless set before (square_extruded.geo).
+DefineConstant[ layers = 0 ];
 side = 40;
 h = 1.25; // edge of the cells
 
@@ -38,8 +40,18 @@ Physical Point("C", 3) = {3};
 Physical Point("D", 4) = {4};
 Physical Point("E", 5) = {5};
 Physical Point("S", 6) = {6};
-Physical Curve("Bottom", 7) = {1 : 5};
-Physical Curve("Right", 8) = {6};
-Physical Curve("Top", 9) = {7};
-Physical Curve("Left", 10) = {8};
-Physical Surface("Block", 11) = {1};
+If (layers == 0)
+  Physical Curve("Bottom", 7) = {1 : 5};
+  Physical Curve("Right", 8) = {6};
+  Physical Curve("Top", 9) = {7};
+  Physical Curve("Left", 10) = {8};
+  Physical Surface("Block", 11) = {1};
+Else
+  s[] = Extrude {0, 0, layers * h} { Surface{1}; Layers{layers}; Recombine; };
+  Physical Surface("Bottom", 7) = {s[{2 : 6}]};
+  Physical Surface("Right", 8) = {s[7]};
+  Physical Surface("Top", 9) = {s[8]};
+  Physical Surface("Left", 10) = {s[9]};
+  Physical Surface("Sides", 11) = {1, s[0]};
+  Physical Volume("Block", 12) = {s[1]};
+EndIf

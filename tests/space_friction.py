@@ -11,6 +11,8 @@ Proves that
 - a punch of square section that is pressed on a block and dragged across it, with
   large displacements, does the same when the scene is turned by 30 degrees about
   all axes, to 1e-9: nodal and mortar discretization, degree 1 and 2;
+- the plate of SSNV128 (lift-off, slip and stick on a rigid plane) has in space the
+  displacements of the plane scene to 1e-10;
 - forces and moments of contact between round surfaces that slide far balance to
   1e-10, by the invariants of each increment and by nodes.csv, where the forces
   on the upper body are also what its support exerts.
@@ -20,11 +22,12 @@ Usage: space_friction.py CONTACT PARAMETERS MESHES
 
 import itertools
 import math
+import pathlib
 import sys
 
 import numpy
 
-from block_scenes import check, failures, rows, run
+from block_scenes import check, failures, rows, run, solve
 from space_scenes import AXES, converged, probes, rotation
 from volume_scenes import Volumes
 
@@ -330,7 +333,19 @@ def held_side():
     check("  shears along the edge do not alternate", turns <= 2, shears)
 
 
+def plate():
+    cases = pathlib.Path(sys.argv[2]).resolve() / "verification"
+    scenes = [solve(cases / name) for name in (
+        "3d/plate_on_plane.prm", "block_on_plane.prm")]
+    for status, said, summary in scenes:
+        converged("plate of SSNV128", status, summary, said)
+    space, plane = (probes(summary) for _, _, summary in scenes)
+    worst = max(abs(space[name] / plane[name] - 1) for name in plane)
+    check("  in space as in the plane", worst < 1e-10, worst)
+
+
 turning_path()
+plate()
 turned_punch()
 held_side()
 DEEP, SHALLOW = (0.7, 0.4, -0.5), (0.5, 0.3, -0.15)
