@@ -8,6 +8,9 @@
 //    the derivative of their residual: open, in contact, sticking, and slipping
 //    in any direction with a bound that moves and with one that does not;
 //  - the turning of a slip is the derivative of the law q = b s/|s|;
+//  - the stiffness of the pairing is the derivative of the forces of points
+//  that
+//    are paired anew, where the bodies touch each other everywhere;
 //  - the matrix without multipliers is the derivative of the condensed forces;
 //  - Newton's method with friction is quadratic, statuses and directions
 //    following, while a block is dragged and turned.
@@ -39,18 +42,24 @@ namespace
   /// A block on a larger one whose mesh does not match, with an interface that
   /// is inclined in both directions: pressed down, dragged by one side and
   /// turned by another.
-  Parameters::All turned_block(const Case &c, const bool moved = true)
+  Parameters::All turned_block(const Case &c,
+                               const bool  moved     = true,
+                               const bool  has_ridge = false)
   {
-    const auto inclined = [](const Point<3> &low, const Point<3> &high) {
+    const auto inclined = [=](const Point<3> &low, const Point<3> &high) {
       const VolumeChart straight = box(low, high);
       return [=](const Point<3> &s) {
         Point<3> x = straight(s);
         x[2] += 0.2 * x[0] - 0.1 * x[1];
+        if (has_ridge)
+          x[2] -= 0.3 * std::max(0., x[0] - 0.5);
         return x;
       };
     };
     VolumeText mesh;
-    mesh.block("Low", {{3, 3, 1}}, inclined({-0.5, -0.5, -1}, {1.8, 1.6, 0}));
+    mesh.block("Low",
+               {{has_ridge ? 4u : 3u, 3, 1}},
+               inclined({-0.5, -0.5, -1}, {has_ridge ? 1.5 : 1.8, 1.6, 0}));
     mesh.block("Up", {{2, 2, 1}}, inclined({0, 0, 0}, {1, 1, 1}));
     mesh.write("volume.msh");
 
@@ -243,6 +252,97 @@ namespace
 
 
 
+  /// The forces of the points under tractions that stay, the pairing being that
+  /// of @p u.
+  Vector<double> forces_of_pairing(const CondensedModelIn<3> &model,
+                                   const Vector<double>      &u)
+  {
+    const auto before = model.interface->points();
+    model.interface->pair(u);
+    Vector<double> forces(model.n_dofs());
+    for (const ContactPoint<3> &point : model.interface->points())
+      {
+        const ContactState<3> now =
+          model.interface->state(point, model.solution, model.start);
+        const Tensor<1, 3> traction =
+          now.lambda_n * point.normal + point.along_tangents(now.lambda_t);
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          for (unsigned int i = 0; i < 3; ++i)
+            forces[point.dofs[a][i]] += point.weight * point.C[a] * traction[i];
+      }
+    model.interface->set_points(before);
+    return forces;
+  }
+
+
+
+  /// The same displacement of both bodies, linear in the place.
+  Vector<double> linear_field(const CondensedModelIn<3> &model, Random &random)
+  {
+    Tensor<2, 3> gradient;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        gradient[i][j] = random(-0.1, 0.1);
+    const auto     places     = model.support_points();
+    const auto     components = model.components();
+    Vector<double> u(model.n_dofs());
+    for (unsigned int i = 0; i < u.size(); ++i)
+      u[i] = (gradient * places[i])[components[i]];
+    return u;
+  }
+
+
+
+  // Both blocks are turned and stretched as one, and touch each other
+  // everywhere. Across a ridge of both they do so as long as they move as one.
+  void pairing(const Case &c, const bool has_ridge)
+  {
+    headline("stiffness of the pairing, " + named(c) +
+             (has_ridge ? ", with a ridge" : ""));
+    CondensedModelIn<3> model(turned_block(c, false, has_ridge),
+                              "CHOLMOD",
+                              true);
+    randomize(model);
+    Random         random;
+    Vector<double> u = linear_field(model, random);
+    std::copy(u.begin(), u.end(), model.solution.begin());
+    model.interface->pair(model.solution);
+    auto points = model.interface->points();
+    for (ContactPoint<3> &point : points)
+      point.status = {Status::slip, Tensor<1, 2>({0.6, 0.8})};
+    model.interface->set_points(points);
+    model.interface->pair(model.solution, {/*with_derivatives=*/true, false});
+
+    Vector<double> du = linear_field(model, random), by_terms(du.size());
+    if (!has_ridge)
+      for (double &value : du)
+        value = random(-1, 1);
+    const auto terms =
+      PairingStiffness<3>::terms(*model.interface, model.solution, model.start);
+    check("of all points", terms.size() == points.size());
+    for (const auto &term : terms)
+      for (unsigned int i = 0; i < term.rows.size(); ++i)
+        for (unsigned int j = 0; j < term.columns.size(); ++j)
+          by_terms[term.rows[i]] -= term.stiffness(i, j) * du[term.columns[j]];
+
+    const double   h = 1e-6;
+    Vector<double> by_differences(model.n_dofs());
+    for (const int side : {1, -1})
+      {
+        Vector<double> moved(model.solution);
+        for (unsigned int i = 0; i < du.size(); ++i)
+          moved[i] += side * h * du[i];
+        by_differences.add(side / (2 * h), forces_of_pairing(model, moved));
+      }
+    const double largest = by_terms.linfty_norm();
+    by_terms -= by_differences;
+    check_small("deviation from the differences",
+                by_terms.linfty_norm() / largest,
+                1e-7);
+  }
+
+
+
   void condensed_matrix(const Case &c)
   {
     headline("the matrix as a derivative, " + named(c));
@@ -277,6 +377,9 @@ int main()
       {
         points_of_contact({rule, degree, "small strain"});
         turning({rule, degree, "small strain"});
+        pairing({rule, degree, "large displacement"}, false);
+        if (rule == "mortar")
+          pairing({rule, degree, "large displacement"}, true);
         for (const std::string kinematics :
              {"small strain", "large displacement"})
           {

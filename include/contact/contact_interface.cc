@@ -344,6 +344,15 @@ namespace Contact
 
 
   template<int dim>
+  void ContactInterface<dim>::forget_changes()
+  {
+    for (ContactPoint<dim> &point : all_points)
+      point.change = PairingChange<dim>();
+  }
+
+
+
+  template<int dim>
   std::vector<types::global_dof_index>
   ContactInterface<dim>::unknowns_of(const ContactPoint<dim> &point) const
   {

@@ -148,6 +148,9 @@ namespace Contact
      */
     bool pair(const Vector<double> &u, const PairingMode &mode = {});
 
+    /// The pairing stands still from now on.
+    void forget_changes();
+
     /// By how much the gaps of points in contact, and the penetrations of
     /// others, change under the closest points in the configuration @p u [mm].
     double misfit(const Vector<double> &u) const;

@@ -85,8 +85,9 @@ namespace Contact
         std::find(unknowns.begin(), unknowns.end(), dof) - unknowns.begin());
     motion.C      = point.change.C;
     motion.weight = point.change.weight;
-    motion.omega  = point.change.turn;
     motion.gap    = point.change.projection;
+    for (const Tensor<1, 1> &turn : point.change.turn)
+      motion.omega.push_back(-turn[0]);
     for (double &gap : motion.gap)
       gap *= -1;
     return motion;

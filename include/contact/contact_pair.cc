@@ -309,11 +309,10 @@ namespace Contact
     const auto of_discretization = part(0, n_of_discretization);
     bool       changed           = mortar
                                      ? mortar->pair(of_discretization, u, mode.with_derivatives)
-                                     : project(of_discretization, u, mode.keeps_edges);
+                                     : project(of_discretization, u, mode);
     if (n_of_discretization < n_of_slave)
       changed =
-        project(part(n_of_discretization, n_of_slave), u, mode.keeps_edges) ||
-        changed;
+        project(part(n_of_discretization, n_of_slave), u, mode) || changed;
     if (has_corner_points())
       changed = pair_corners(points, u) || changed;
 
@@ -380,7 +379,7 @@ namespace Contact
   template<int dim>
   bool ContactPair<dim>::project(const ArrayView<ContactPoint<dim>> &points,
                                  const Vector<double>               &u,
-                                 const bool keeps_edges) const
+                                 const PairingMode                  &mode) const
   {
     bool changed = false;
     if (obstacle)
@@ -402,7 +401,8 @@ namespace Contact
                          search,
                          discretization,
                          u,
-                         keeps_edges);
+                         mode.keeps_edges);
+        differentiate(point, u, mode);
         changed = changed || point.dofs != old_dofs;
 
         // If several points share multipliers, one that faces nothing pulls
@@ -413,6 +413,28 @@ namespace Contact
             (point.facing ? augmentation_parameter : 1e3) * stiffness(point);
       }
     return changed;
+  }
+
+
+
+  // In the plane the kernel finds the derivatives.
+  template<>
+  void ContactPair<2>::differentiate(ContactPoint<2> &,
+                                     const Vector<double> &,
+                                     const PairingMode &) const
+  {
+  }
+
+
+
+  template<>
+  void ContactPair<3>::differentiate(ContactPoint<3>      &point,
+                                     const Vector<double> &u,
+                                     const PairingMode    &mode) const
+  {
+    point.change = PairingChange<3>();
+    if (mode.with_derivatives && point.status.kind != Status::open)
+      point.change = change_of_projection(point, *master, u);
   }
 
 

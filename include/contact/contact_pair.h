@@ -82,7 +82,12 @@ namespace Contact
     /// points lie.
     bool project(const ArrayView<ContactPoint<dim>> &points,
                  const Vector<double>               &u,
-                 const bool                          keeps_edges = false) const;
+                 const PairingMode                  &mode = {}) const;
+
+    /// The change of a pairing, for points in contact, if the mode asks for it.
+    void differentiate(ContactPoint<dim>    &point,
+                       const Vector<double> &u,
+                       const PairingMode    &mode) const;
 
     /// The surface that a point belongs to: but for corners of the master, the
     /// slave.

@@ -25,17 +25,22 @@ namespace Contact
   /**
    * The change of a point's pairing with the displacements of the nodes around
    * it, where the discretization finds that by itself: derivatives with respect
-   * to the unknowns @p dofs.
+   * to the unknowns @p dofs. A tangent turns with the normal.
    */
+  template<int dim>
   struct PairingChange
   {
     std::vector<types::global_dof_index> dofs;
 
-    FullMatrix<double>  C;      // of the coefficients, by node [1/mm]
-    std::vector<double> weight; // of the weight, relative [1/mm]
-    std::vector<double> turn;   // omega: d_n = -omega t, d_t = omega n [1/mm]
-    std::vector<double>
-      projection; // of the projection's place along the normal [1]
+    FullMatrix<double>              C;    // of the coefficients, by node [1/mm]
+    std::vector<Tensor<1, dim - 1>> turn; // of the normal, by tangent [1/mm]
+
+    // In space, of the coefficients by a slip, by node [1/mm].
+    std::vector<Tensor<1, dim>> slide;
+
+    // In the plane, of the weight, relative [1/mm], and of the projection's
+    // place along the normal [1].
+    std::vector<double> weight, projection;
   };
 
 
@@ -154,7 +159,7 @@ namespace Contact
 
     // Empty where master_xi and the derivatives of C with respect to it say how
     // the pairing changes.
-    PairingChange change;
+    PairingChange<dim> change;
 
     // A tangential row that says no more than the normal one is dropped: so
     // at a slave node on a symmetry line.

@@ -11,23 +11,19 @@
 
 namespace Contact
 {
-  namespace
+  FacetShape<3>::Values piecewise_bilinear(const Point<2> &xi)
   {
-    /// The bilinear functions of the four parts of a facet of degree 2.
-    FacetShape<3>::Values hats(const Point<2> &xi)
-    {
-      const auto hat = [](const unsigned int i, const double x) {
-        return std::max(0., 1 - std::abs(x - node_coordinates[i]));
-      };
-      FacetShape<3>::Values values{};
-      for (unsigned int a = 0; a < values.size(); ++a)
-        {
-          const auto [i, j] = FacetShape<3>::factors[a];
-          values[a]         = hat(i, xi[0]) * hat(j, xi[1]);
-        }
-      return values;
-    }
-  } // namespace
+    const auto hat = [](const unsigned int i, const double x) {
+      return std::max(0., 1 - std::abs(x - node_coordinates[i]));
+    };
+    FacetShape<3>::Values values{};
+    for (unsigned int a = 0; a < values.size(); ++a)
+      {
+        const auto [i, j] = FacetShape<3>::factors[a];
+        values[a]         = hat(i, xi[0]) * hat(j, xi[1]);
+      }
+    return values;
+  }
 
 
 
@@ -157,7 +153,8 @@ namespace Contact
 
   FacetShape<3>::Values FacetDualFunctions::functions(const Point<2> &xi) const
   {
-    return piecewise ? hats(xi) : FacetShape<3>::values(degree, xi);
+    return piecewise ? piecewise_bilinear(xi)
+                     : FacetShape<3>::values(degree, xi);
   }
 
 

@@ -25,6 +25,11 @@ namespace Contact
 
 
 
+  /// The bilinear functions of the four parts of a facet of degree 2.
+  FacetShape<3>::Values piecewise_bilinear(const Point<2> &xi);
+
+
+
   /**
    * The dual functions of a slave facet in space, over the part of it that
    * faces the master. With test functions M_j of its nodes,

@@ -22,12 +22,17 @@ namespace Contact
     {
       std::map<unsigned int, double> values;
       for (const auto &[node, value] : of)
-        if (surface.leaders[node].empty())
-          values[node] += value;
-        else
-          for (const auto &[leader, part] : surface.leaders[node])
-            values[leader] += part * value;
+        for (const auto &[leader, part] : surface.followed_by(node))
+          values[leader] += part * value;
       return values;
+    }
+
+    /// The functions of the nodes that facets are projected with.
+    FacetShape<3>::Values projected_values(const unsigned int degree,
+                                           const Point<2>    &xi)
+    {
+      return degree == 1 ? FacetShape<3>::values(1, xi)
+                         : piecewise_bilinear(xi);
     }
   } // namespace
 
@@ -94,7 +99,7 @@ namespace Contact
 
   bool MortarDiscretization<3>::pair(const ArrayView<ContactPoint<3>> &points,
                                      const Vector<double>             &u,
-                                     const bool) const
+                                     const bool with_derivatives) const
   {
     if (!point_shares)
       point_shares.emplace(points.size(), discretization.communicator);
@@ -106,17 +111,25 @@ namespace Contact
     const FaceConfiguration    now(slave, master, planes, u);
     const FaceSegments         segments(slave, master, now);
     std::vector<NodeIntegrals> of_nodes(slave.nodes.size());
+    for (unsigned int q = point_shares->first(); q < point_shares->end(); ++q)
+      if (with_derivatives && points[q].status.kind != Status::open)
+        of_nodes[slave_node(points[q])].change.emplace();
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       if (carries_any(e, is_own))
         integrate(e, segments.samples(e), now, of_nodes);
 
     std::vector<PointPairing<3>::PerNode<NodeDoFs<3>>> old_dofs;
-    for (const ContactPoint<3> &point : points)
-      old_dofs.push_back(point.dofs);
+    for (ContactPoint<3> &point : points)
+      {
+        old_dofs.push_back(point.dofs);
+        point.change = PairingChange<3>();
+      }
     for (unsigned int q = point_shares->first(); q < point_shares->end(); ++q)
       {
         const unsigned int node = slave_node(points[q]);
         fill_in(of_nodes[node], node, now, u, points[q]);
+        if (of_nodes[node].change && points[q].facing)
+          differentiate(of_nodes[node], node, now, points[q]);
       }
     point_shares->exchange(points, timer.wall_time());
     return !std::equal(points.begin(),
@@ -173,7 +186,12 @@ namespace Contact
       {
         if (segments.empty() ||
             segments.back().master_facet != point.master_facet)
-          segments.push_back({point.master_facet, {}, {}});
+          {
+            segments.push_back({point.master_facet, {}, {}, {}});
+            for (const NodeIntegrals *carrier : carriers)
+              segments.back().changes.emplace_back(
+                carrier->change ? new FaceMortarChange::OfFacets() : nullptr);
+          }
         const auto values = FacetShape<3>::values(slave.degree, point.slave_xi);
         FacetDualFunctions::Values phi = dual.values(point.slave_xi);
         for (unsigned int k = 0; k < phi.size(); ++k)
@@ -202,12 +220,25 @@ namespace Contact
               carriers[k]->master[m] += segment.values[k][b];
               carriers[k]->gradients[m] += segment.gradients[k][b];
             }
+        for (const Segment &segment : segments)
+          if (carriers[k]->change)
+            {
+              const auto &facet = master.facets[segment.master_facet];
+              carriers[k]->change->add(slave.facets[e],
+                                       facet,
+                                       slave,
+                                       master,
+                                       *segment.changes[k]);
+              for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
+                carriers[k]->normals[{segment.master_facet, b}] +=
+                  segment.values[k][b];
+            }
       }
   }
 
 
 
-  // Gradients are along the master: by the dual basis of its tangents.
+  // Gradients are along the master.
   void
   MortarDiscretization<3>::add_master(const FaceSample                 &point,
                                       const FacetDualFunctions::Values &phi,
@@ -220,18 +251,23 @@ namespace Contact
     for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
       for (unsigned int i = 0; i < 2; ++i)
         t[i] += shape.first[i][b] * now.master_x[facet.nodes[b]];
-    const double       g00 = t[0] * t[0], g01 = t[0] * t[1], g11 = t[1] * t[1];
-    const double       det = g00 * g11 - g01 * g01;
-    const Tensor<1, 3> d0  = (g11 * t[0] - g01 * t[1]) / det;
-    const Tensor<1, 3> d1  = (g00 * t[1] - g01 * t[0]) / det;
+    const auto                  d = dual_basis(t);
+    FaceMortarChange::Gradients gradients{};
+    for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
+      gradients[b] = shape.first[0][b] * d[0] + shape.first[1][b] * d[1];
 
+    const auto own    = projected_values(slave.degree, point.slave_xi);
+    const auto others = projected_values(master.degree, point.master_xi);
     for (unsigned int k = 0; k < phi.size(); ++k)
-      for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
-        {
-          segment.values[k][b] += phi[k] * shape.value[b];
-          segment.gradients[k][b] +=
-            phi[k] * (shape.first[0][b] * d0 + shape.first[1][b] * d1);
-        }
+      {
+        for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
+          {
+            segment.values[k][b] += phi[k] * shape.value[b];
+            segment.gradients[k][b] += phi[k] * gradients[b];
+          }
+        if (segment.changes[k])
+          segment.changes[k]->add(phi[k], own, others, gradients);
+      }
   }
 
 
@@ -336,6 +372,140 @@ namespace Contact
 
 
 
+  NormalChange
+  MortarDiscretization<3>::change_of_normal(const NodeIntegrals     &integrals,
+                                            const unsigned int       node,
+                                            const FaceConfiguration &now) const
+  {
+    const auto across = [](const Tensor<1, 3> &v) {
+      return (Tensor<2, 3>(unit_symmetric_tensor<3>()) -
+              outer_product(v, v) / v.norm_square()) /
+             v.norm();
+    };
+    NormalChange of_slave, of_master, change;
+    Tensor<1, 3> slave_normal;
+    const auto   one = Tensor<2, 3>(unit_symmetric_tensor<3>());
+    for (const unsigned int e : slave.facets_of_node[node])
+      {
+        const auto        &nodes = slave.facets[e].nodes;
+        const unsigned int a =
+          std::find(nodes.begin(), nodes.end(), node) - nodes.begin();
+        slave_normal += now.slave_normals[e][a];
+        add_change(one,
+                   Contact::change_of_normal(slave,
+                                             e,
+                                             a,
+                                             now.slave_normals[e][a],
+                                             now.slave_x),
+                   of_slave);
+      }
+    const double flat = 1e-8, bend = slave_bends[node];
+    if (bend <= flat)
+      {
+        add_change(-across(slave_normal), of_slave, change);
+        return change;
+      }
+    std::map<unsigned int, Tensor<1, 3>> normals;
+    for (const auto &[place, integral] : integrals.normals)
+      {
+        const auto &[e, b]                 = place;
+        normals[master.facets[e].nodes[b]] = now.master_normals[e][b];
+        add_change(integral * one,
+                   Contact::change_of_normal(master,
+                                             e,
+                                             b,
+                                             now.master_normals[e][b],
+                                             now.master_x),
+                   of_master);
+      }
+    for (const auto &[m, places] : integrals.change->integrals)
+      for (const auto &[dofs, derivative] : places)
+        of_master[dofs] += outer_product(normals.at(m), derivative);
+
+    const double of_bend =
+      std::max(0., integrals.master_bend / integrals.weight);
+    const Tensor<1, 3> sum =
+      -of_bend * of_bend * slave_normal / slave_normal.norm() +
+      bend * bend * integrals.master_normal / integrals.master_normal.norm();
+    const Tensor<2, 3> outer = across(sum);
+    add_change(-of_bend * of_bend * outer * across(slave_normal),
+               of_slave,
+               change);
+    add_change(bend * bend * outer * across(integrals.master_normal),
+               of_master,
+               change);
+    return change;
+  }
+
+
+
+  // Nodes that hang are still in the places, not among those of the point.
+  void MortarDiscretization<3>::differentiate(const NodeIntegrals &integrals,
+                                              const unsigned int   node,
+                                              const FaceConfiguration &now,
+                                              ContactPoint<3> &point) const
+  {
+    const NormalChange    turns = change_of_normal(integrals, node, now);
+    ByPlace<unsigned int> columns;
+    const auto            add_place = [&](const NodeDoFs<3> &dofs) {
+      if (columns.try_emplace(dofs, point.change.dofs.size()).second)
+        point.change.dofs.insert(point.change.dofs.end(),
+                                 dofs.begin(),
+                                 dofs.end());
+    };
+    for (const auto &place : turns)
+      add_place(place.first);
+    for (const auto &of_node : integrals.change->integrals)
+      for (const auto &place : of_node.second)
+        add_place(place.first);
+
+    PairingChange<3> &change = point.change;
+    change.C.reinit(point.n_nodes, change.dofs.size());
+    change.turn.resize(change.dofs.size());
+    change.slide.resize(point.n_nodes);
+    for (const auto &[dofs, turn] : turns)
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int t = 0; t < 2; ++t)
+          for (unsigned int j = 0; j < 3; ++j)
+            change.turn[columns.at(dofs) + j][t] +=
+              point.tangents[t][i] * turn[i][j];
+
+    // By column, the change of the offset along the tangents, which the feet
+    // follow.
+    std::vector<Tensor<1, 3>> offset(change.dofs.size());
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      if (const auto column = columns.find(point.dofs[a]);
+          column != columns.end())
+        for (unsigned int j = 0; j < 3; ++j)
+          offset[column->second + j][j] += point.C[a];
+    for (const auto &[m, places] : integrals.change->integrals)
+      for (const auto &[dofs, derivative] : places)
+        for (unsigned int j = 0; j < 3; ++j)
+          offset[columns.at(dofs) + j] -=
+            derivative[j] / integrals.weight * now.master_x[m];
+    const Tensor<2, 3> way = way_of_feet(integrals, now, point);
+
+    std::map<NodeDoFs<3>, unsigned int> rows;
+    for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
+      rows[point.dofs[a]] = a;
+    for (const auto &[m, places] : integrals.change->integrals)
+      for (const auto &[n, part] : master.followed_by(m))
+        {
+          const unsigned int a      = rows.at(master.nodes[n].dofs);
+          const double       factor = part / integrals.weight;
+          change.slide[a] -= factor * integrals.gradients.at(m);
+          for (const auto &[dofs, derivative] : places)
+            for (unsigned int j = 0; j < 3; ++j)
+              change.C(a, columns.at(dofs) + j) -= factor * derivative[j];
+          for (unsigned int j = 0; j < offset.size(); ++j)
+            change.C(a, j) -=
+              factor * (integrals.gradients.at(m) * (way * offset[j]));
+        }
+    keep_symmetric(point, change);
+  }
+
+
+
   // Round-off in the integrals of the others is large where the master covers a
   // sliver of the facet.
   void MortarDiscretization<3>::keep_own(PerFacetNode<3, double> &of_slave,
@@ -398,9 +568,37 @@ namespace Contact
 
 
 
-  // The feet move along the master by the tau that leaves no offset between
-  // slave and master along the tangents: E tau = offset. What is left of the
-  // distance is returned.
+  // Facets that are far from tangential to the point do not carry it along.
+  Tensor<2, 3>
+  MortarDiscretization<3>::way_of_feet(const NodeIntegrals     &integrals,
+                                       const FaceConfiguration &now,
+                                       const ContactPoint<3>   &point) const
+  {
+    Tensor<2, 3> moves; // of x_master by tau
+    for (const auto &[m, gradient] : integrals.gradients)
+      moves += outer_product(Tensor<1, 3>(now.master_x[m]), gradient) /
+               integrals.weight;
+    Tensor<2, 2> E;
+    for (unsigned int i = 0; i < 2; ++i)
+      for (unsigned int j = 0; j < 2; ++j)
+        E[i][j] = point.tangents[i] * (moves * point.tangents[j]);
+
+    // One, where the master is smooth.
+    const double smallest = 0.1;
+    Tensor<2, 3> way;
+    if (determinant(E) <= smallest)
+      return way;
+    const Tensor<2, 2> inverse = invert(E);
+    for (unsigned int i = 0; i < 2; ++i)
+      for (unsigned int j = 0; j < 2; ++j)
+        way +=
+          inverse[i][j] * outer_product(point.tangents[i], point.tangents[j]);
+    return way;
+  }
+
+
+
+  // What is left of the distance is returned.
   Tensor<1, 3>
   MortarDiscretization<3>::move_feet(const NodeIntegrals     &integrals,
                                      const FaceConfiguration &now,
@@ -411,25 +609,7 @@ namespace Contact
       r += integral / integrals.weight * now.slave_x[a];
     for (const auto &[m, integral] : integrals.master)
       r -= integral / integrals.weight * now.master_x[m];
-    Tensor<2, 3> moves; // of x_master by tau
-    for (const auto &[m, gradient] : integrals.gradients)
-      moves += outer_product(Tensor<1, 3>(now.master_x[m]), gradient) /
-               integrals.weight;
-    Tensor<2, 2> E;
-    Tensor<1, 2> offset;
-    for (unsigned int i = 0; i < 2; ++i)
-      {
-        offset[i] = r * point.tangents[i];
-        for (unsigned int j = 0; j < 2; ++j)
-          E[i][j] = point.tangents[i] * (moves * point.tangents[j]);
-      }
-
-    // One, where the master is smooth. Facets that are far from tangential to
-    // the point do not carry it along.
-    const double smallest = 0.1;
-    if (determinant(E) <= smallest)
-      return r;
-    const Tensor<1, 3> tau = point.along_tangents(invert(E) * offset);
+    const Tensor<1, 3>             tau = way_of_feet(integrals, now, point) * r;
     std::map<unsigned int, double> changes;
     for (const auto &[m, gradient] : integrals.gradients)
       {

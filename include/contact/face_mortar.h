@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "contact/contact_points.h"
+#include "contact/face_changes.h"
 #include "contact/face_segments.h"
 #include "contact/mortar.h"
 #include "contact/point_exchange.h"
@@ -32,8 +33,9 @@ namespace Contact
    * D_k are positive.
    *
    * Normal, the lower limit of the gap, and the shift of the feet that balances
-   * the moments are as in the plane. Points are paired before each Newton step:
-   * there are no derivatives.
+   * the moments are as in the plane. Derivatives are of first order in the
+   * distance of the surfaces, which is zero where they matter: those of points
+   * in contact.
    */
   template<>
   class MortarDiscretization<3>
@@ -63,6 +65,11 @@ namespace Contact
       std::map<unsigned int, double>       master; // of the coefficients
       std::map<unsigned int, Tensor<1, 3>> gradients;
       std::vector<Tensor<1, 3>>            distances;
+
+      /// If it is asked for; and of which normals of the master, by facet and
+      /// its node, master_normal is the sum.
+      std::optional<FaceMortarChange>                         change;
+      std::map<std::pair<unsigned int, unsigned int>, double> normals;
     };
 
     /// The integrals of a slave facet's dual functions over what it shares with
@@ -72,6 +79,9 @@ namespace Contact
       unsigned int                                   master_facet;
       PerFacetNode<3, PerFacetNode<3, double>>       values;
       PerFacetNode<3, PerFacetNode<3, Tensor<1, 3>>> gradients;
+
+      /// By dual function, none if it is not asked for.
+      std::vector<std::unique_ptr<FaceMortarChange::OfFacets>> changes;
     };
 
     void         integrate(const unsigned int             slave_facet,
@@ -98,10 +108,23 @@ namespace Contact
     Tensor<1, 3> normal(const NodeIntegrals     &integrals,
                         const unsigned int       node,
                         const FaceConfiguration &now) const;
+    /// The change of what normal() gives.
+    NormalChange change_of_normal(const NodeIntegrals     &integrals,
+                                  const unsigned int       node,
+                                  const FaceConfiguration &now) const;
+    void         differentiate(const NodeIntegrals     &integrals,
+                               const unsigned int       node,
+                               const FaceConfiguration &now,
+                               ContactPoint<3>         &point) const;
     void         add_nodes(const NodeIntegrals &integrals,
                            const unsigned int   node,
                            ContactPoint<3>     &point) const;
     Point<3>     bulge(const NodeIntegrals &integrals) const;
+    /// The feet of a point move along the master by the tau that leaves no
+    /// offset r between slave and master along the tangents: tau = way r.
+    Tensor<2, 3> way_of_feet(const NodeIntegrals     &integrals,
+                             const FaceConfiguration &now,
+                             const ContactPoint<3>   &point) const;
     Tensor<1, 3> move_feet(const NodeIntegrals     &integrals,
                            const FaceConfiguration &now,
                            ContactPoint<3>         &point) const;

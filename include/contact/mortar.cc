@@ -101,7 +101,7 @@ namespace Contact
         const auto old_dofs    = point.dofs;
         const auto old_changes = point.change.dofs;
         fill_in(now, integrals.pairing(slave_node(point)), u, point);
-        point.change = PairingChange();
+        point.change = PairingChange<2>();
         if (moving && point.facing)
           differentiate(*moving, overlaps, point);
         changed =
@@ -270,7 +270,7 @@ namespace Contact
         integrals.add_edge(e, overlaps[e], node);
     const MortarPairing<WithDerivatives> pairing = integrals.pairing(node);
 
-    PairingChange &change = point.change;
+    PairingChange<2> &change = point.change;
     for (const unsigned int i : slave_nodes)
       for (const auto dof : slave.nodes[i].dofs)
         change.dofs.push_back(dof);
@@ -301,7 +301,8 @@ namespace Contact
         change.weight[j]     = pairing.weight.dx(j) / point.weight;
         change.projection[j] = pairing.excess.dx(j);
         for (unsigned int i = 0; i < 2; ++i)
-          change.turn[j] -= point.tangents[0][i] * pairing.normal[i].dx(j);
+          change.turn[j][0] +=
+            point.tangents[0][i] * pairing.normal[i].dx(j);
       }
   }
 } // namespace Contact

@@ -46,7 +46,11 @@ namespace Contact
                    point.projection,
                    point.tangential_row_is_void,
                    point.void_slips,
-                   point.springs);
+                   point.springs,
+                   point.change.dofs,
+                   point.change.C,
+                   point.change.turn,
+                   point.change.slide);
       exchange(archive, point.dofs);
       exchange(archive, point.X);
       exchange(archive, point.C);

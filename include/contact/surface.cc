@@ -271,6 +271,16 @@ namespace Contact
 
   template<int dim>
   std::vector<typename Surface<dim>::Part>
+  Surface<dim>::followed_by(const unsigned int node) const
+  {
+    return leaders[node].empty() ? std::vector<Part>{{node, 1.}}
+                                 : leaders[node];
+  }
+
+
+
+  template<int dim>
+  std::vector<typename Surface<dim>::Part>
   Surface<dim>::heirs(const unsigned int node) const
   {
     if (leaders[node].empty())

@@ -289,6 +289,9 @@ namespace Contact
     /// facet that it is on; none of a node that does not hang. In space.
     std::vector<std::vector<Part>> leaders;
 
+    /// The same, or the node itself.
+    std::vector<Part> followed_by(const unsigned int node) const;
+
     /// The nodes that a node hands over to what is its own, as a multiplier:
     /// itself, or of a hanging node the nearest two that it follows, by halves.
     /// Unlike the parts of the leaders at degree 2 these are positive.
@@ -324,6 +327,10 @@ namespace Contact
     /// alone.
     FacetNormals<dim> facet_normals(const Vector<double> &u) const;
 
+    /// The facets around a node of a facet that no corner parts from it.
+    std::vector<unsigned int> smooth_around(const unsigned int facet,
+                                            const unsigned int a) const;
+
     /// The size of a facet, undeformed [mm]: the distance of the ends of an
     /// edge, the shorter one of the diagonals by the root of two.
     double reference_length(const unsigned int facet) const;
@@ -358,10 +365,6 @@ namespace Contact
 
     void link_sides();
     void link_halves_of_sides();
-
-    /// The facets around a node of a facet that no corner parts from it.
-    std::vector<unsigned int> smooth_around(const unsigned int facet,
-                                            const unsigned int a) const;
 
     /// The outward unit normal at a node by some of the facets around it.
     Tensor<1, dim> mean_normal(const unsigned int               node,
@@ -415,6 +418,15 @@ namespace Contact
   outward_normal(const std::array<Tensor<1, 3, Number>, 2> &tangents)
   {
     return cross_product_3d(tangents[0], tangents[1]);
+  }
+
+  /// The vectors along a facet with d_i . t_j = delta_ij.
+  inline std::array<Tensor<1, 3>, 2>
+  dual_basis(const std::array<Tensor<1, 3>, 2> &t)
+  {
+    const double g00 = t[0] * t[0], g01 = t[0] * t[1], g11 = t[1] * t[1];
+    const double det = g00 * g11 - g01 * g01;
+    return {{(g11 * t[0] - g01 * t[1]) / det, (g00 * t[1] - g01 * t[0]) / det}};
   }
 
 

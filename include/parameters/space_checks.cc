@@ -37,7 +37,7 @@ namespace Contact::Parameters
            "set 'System = condensed'");
     refuse(solution.geometry == GeometryLoop::newton,
            "Solution/Geometry",
-           "the tangent does not know how points are paired there",
+           "points are paired before each Newton step there",
            "set 'Geometry = automatic'");
     for (const Contact &pair : pairs())
       {

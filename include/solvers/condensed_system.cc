@@ -151,6 +151,8 @@ namespace Contact
     DynamicSparsityPattern pattern(n, n, rows);
     elasticity.add_couplings(pattern);
     touched.merge(add_interface_couplings(pattern));
+    if (is_distributed)
+      couplings.add_facets(pattern);
     for (const auto i : owned)
       pattern.add(i, i);
 
@@ -370,6 +372,8 @@ namespace Contact
                       term.load,
                       is_new,
                       moved_forces);
+    for (const auto &term : elimination.pairing_terms())
+      add_pairing(term, is_new, moved_forces);
     if (is_new)
       matrix.compress(VectorOperation::add);
 
@@ -405,6 +409,28 @@ namespace Contact
     elimination.test_constraints().distribute_local_to_global(force,
                                                               dofs,
                                                               forces);
+  }
+
+
+
+  template<int dim>
+  void CondensedSystem<dim>::add_pairing(const PairingStiffness<dim> &term,
+                                         const bool      with_matrix,
+                                         Vector<double> &forces)
+  {
+    const auto &constraints = elimination.constraints();
+    const auto &tested      = elimination.test_constraints();
+    if (with_matrix)
+      tested.distribute_local_to_global(term.stiffness,
+                                        term.rows,
+                                        constraints,
+                                        term.columns,
+                                        matrix);
+    Vector<double> h(term.columns.size()), force(term.rows.size());
+    for (unsigned int j = 0; j < h.size(); ++j)
+      h[j] = -constraints.get_inhomogeneity(term.columns[j]);
+    term.stiffness.vmult(force, h);
+    tested.distribute_local_to_global(force, term.rows, forces);
   }
 
 

@@ -95,6 +95,9 @@ namespace Contact
                        const Vector<double>     &load,
                        const bool                with_matrix,
                        Vector<double>           &forces);
+    void add_pairing(const PairingStiffness<dim> &term,
+                     const bool                   with_matrix,
+                     Vector<double>              &forces);
     void add_unsymmetric(const FullMatrix<double> &tangent, const Dofs &dofs);
     void give_matrix_to_solver();
     void restore_interface_rows();

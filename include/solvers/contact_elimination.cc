@@ -115,18 +115,24 @@ namespace Contact
     contradicting    = nullptr;
     largest_conflict = 0;
 
-    // A point that slips under a moving bound makes the matrix unsymmetric.
+    // A point that slips under a moving bound makes the matrix unsymmetric, and
+    // a change of the pairing.
     symmetric = true;
     if (interface != nullptr && moving_bound)
       for (const ContactPoint<dim> &point : interface->points())
-        if (point.status.has_direction() &&
-            interface->contact_pair(point).law.coulomb_coefficient > 0)
+        if (!point.change.dofs.empty() ||
+            (point.status.has_direction() &&
+             interface->contact_pair(point).law.coulomb_coefficient > 0))
           symmetric = false;
 
     add_base_lines(surroundings, lines);
     turning.clear();
+    of_pairing.clear();
     if (interface != nullptr)
       {
+        if (!symmetric)
+          of_pairing =
+            PairingStiffness<dim>::terms(*interface, solution, u_start);
         turning =
           SlipTurning<dim>::terms(*interface, solution, u_start, moving_bound);
         const auto                     &points = interface->points();
@@ -135,9 +141,7 @@ namespace Contact
           turns[term.point] = term.turn;
         for (unsigned int k = 0; k < points.size(); ++k)
           if (points[k].status.kind != Status::open)
-            eliminate_point(points[k],
-                            interface->state(points[k], solution, u_start),
-                            turns[k]);
+            eliminate_point(points[k], turns[k], solution, u_start);
       }
 
     add_contact_lines(rows, lines);
@@ -158,9 +162,16 @@ namespace Contact
   // Normal and tangent of a sticking point span both coordinates.
   template<int dim>
   void ContactElimination<dim>::eliminate_point(const ContactPoint<dim>  &point,
-                                                const ContactState<dim>  &now,
-                                                const Tensor<1, dim - 1> &turn)
+                                                const Tensor<1, dim - 1> &turn,
+                                                const Vector<double> &solution,
+                                                const Vector<double> &u_start)
   {
+    const ContactState<dim> now = interface->state(point, solution, u_start);
+    const auto moves = [&](const Tensor<1, dim> &direction, const double way) {
+      return equation(point,
+                      with_slide(point, direction, solution, u_start),
+                      -way);
+    };
     if (point.status.kind == Status::stick)
       {
         ++discretization.counters.tangential_rows;
@@ -168,12 +179,14 @@ namespace Contact
           now.gap * point.normal + point.along_tangents(now.slip);
         for (const Tensor<1, dim> &direction : point.directions_of_slip())
           {
-            const Row row = equation(point, direction, -(away * direction));
-            eliminate(point, row, row);
+            const Row row = moves(direction, away * direction);
+            eliminate(point,
+                      row,
+                      symmetric ? row : equation(point, direction, 0));
           }
         return;
       }
-    const Row    row = equation(point, point.normal, -now.gap);
+    const Row    row = moves(point.normal, now.gap);
     const double by_p =
       interface->contact_pair(point).law.bound_derivative(now.p_trial);
     const Tensor<1, dim> along =
@@ -181,6 +194,36 @@ namespace Contact
     eliminate(point,
               row,
               symmetric ? row : equation(point, point.normal + along, 0));
+  }
+
+
+
+  // Gaps are of the places of the nodes, slips of their ways.
+  template<int dim>
+  Tensor<1, dim>
+  ContactElimination<dim>::with_slide(const ContactPoint<dim> &point,
+                                      const Tensor<1, dim>    &direction,
+                                      const Vector<double>    &solution,
+                                      const Vector<double>    &u_start) const
+  {
+    Tensor<1, dim> sum = direction;
+    if (symmetric)
+      return sum;
+    const Tensor<1, dim> along =
+      point.along_tangents(point.tangential_part(direction));
+    const Tensor<1, dim> across = direction - along;
+    for (unsigned int a = 0; a < point.change.slide.size(); ++a)
+      {
+        double way = 0;
+        for (unsigned int i = 0; i < dim; ++i)
+          {
+            const auto dof = point.dofs[a][i];
+            way += across[i] * (point.X[a][i] + solution[dof]) +
+                   along[i] * (solution[dof] - u_start[dof]);
+          }
+        sum += way * point.change.slide[a];
+      }
+    return sum;
   }
 
 
@@ -393,6 +436,10 @@ namespace Contact
     if (!symmetric)
       add(test_lines);
     for (const auto &term : turning)
+      signature.insert(signature.end(),
+                       term.stiffness.begin(),
+                       term.stiffness.end());
+    for (const auto &term : of_pairing)
       signature.insert(signature.end(),
                        term.stiffness.begin(),
                        term.stiffness.end());

@@ -10,6 +10,7 @@
 
 #include "contact/contact_interface.h"
 #include "solvers/multiplier_recovery.h"
+#include "solvers/pairing_stiffness.h"
 #include "solvers/row_elimination.h"
 #include "solvers/slip_turning.h"
 
@@ -92,6 +93,12 @@ namespace Contact
       return turning;
     }
 
+    /// The same of the turning of the pairing, in unsymmetric matrices.
+    const std::vector<PairingStiffness<dim>> &pairing_terms() const
+    {
+      return of_pairing;
+    }
+
     /// The unknowns that the points eliminate, in ascending order.
     const Dofs &eliminated_dofs() const
     {
@@ -136,8 +143,16 @@ namespace Contact
     void add_contact_lines(const RowElimination      &rows,
                            AffineConstraints<double> &to) const;
     void eliminate_point(const ContactPoint<dim>  &point,
-                         const ContactState<dim>  &now,
-                         const Tensor<1, dim - 1> &turn);
+                         const Tensor<1, dim - 1> &turn,
+                         const Vector<double>     &solution,
+                         const Vector<double>     &u_start);
+
+    /// The direction that the way of a point along @p direction changes by,
+    /// with what the slip makes of it in unsymmetric matrices.
+    Tensor<1, dim> with_slide(const ContactPoint<dim> &point,
+                              const Tensor<1, dim>    &direction,
+                              const Vector<double>    &solution,
+                              const Vector<double>    &u_start) const;
     void eliminate(const ContactPoint<dim> &point, Row row, Row test_row);
     void
     drop(const ContactPoint<dim> &point, const Row &row, const bool is_held);
@@ -165,6 +180,7 @@ namespace Contact
     bool                      symmetric = true;
 
     std::vector<typename SlipTurning<dim>::Term> turning;
+    std::vector<PairingStiffness<dim>>           of_pairing;
 
     /// The point of the worst of the contradicting equations, and by how much.
     const ContactPoint<dim> *contradicting    = nullptr;

@@ -129,6 +129,37 @@ namespace Contact
 
 
   template<int dim>
+  void
+  InterfaceCouplings<dim>::add_facets(DynamicSparsityPattern &pattern) const
+  {
+    if (interface == nullptr)
+      return;
+    const IndexSet &owned = discretization.dof_handler.locally_owned_dofs();
+    for (const auto &contact_pair : interface->pairs)
+      for (const SurfaceFacet<dim> &facet : contact_pair->slave.facets)
+        {
+          std::set<types::global_dof_index> coupled;
+          bool                              is_own = false;
+          for (unsigned int a = 0; a < contact_pair->slave.n_nodes_per_facet();
+               ++a)
+            for (const auto dof :
+                 contact_pair->slave.nodes[facet.nodes[a]].dofs)
+              {
+                is_own = is_own || owned.is_element(dof);
+                coupled.insert(dof);
+                add_partners(dof, coupled);
+              }
+          if (is_own)
+            discretization.constraints.add_entries_local_to_global(
+              Dofs(coupled.begin(), coupled.end()),
+              pattern,
+              /*keep_constrained_entries=*/false);
+        }
+  }
+
+
+
+  template<int dim>
   std::set<types::global_dof_index> InterfaceCouplings<dim>::all() const
   {
     std::set<types::global_dof_index> all;

@@ -50,6 +50,10 @@ namespace Contact
     void add_partners(const types::global_dof_index      dof,
                       std::set<types::global_dof_index> &coupled) const;
 
+    /// Add the couplings of the facets of the slaves around unknowns of this
+    /// rank: a point's stiffness has those of cells of other ranks.
+    void add_facets(DynamicSparsityPattern &pattern) const;
+
     /// All unknowns of the points with all their partners.
     std::set<types::global_dof_index> all() const;
 

@@ -59,6 +59,20 @@ namespace Contact
     present.moving_geometry =
       parameters.geometry(model.n_displacements()) == GeometryLoop::newton &&
       !frozen;
+    if (dim == 3 && frozen && model.interface)
+      model.interface->forget_changes();
+  }
+
+
+
+  // Unsymmetric condensed matrices in space have the stiffness of the pairing,
+  // but for bodies that springs hold: it may be negative, and stronger.
+  template<int dim>
+  bool Pairing<dim>::has_derivatives() const
+  {
+    return present.moving_geometry ||
+           (dim == 3 && follows_each_step() && present.moving_bound &&
+            model.has_friction() && model.elasticity->springs.held().empty());
   }
 
 
@@ -78,7 +92,7 @@ namespace Contact
       model.interface &&
       model.interface->pair(is_undeformed ? Vector<double>(configuration.size())
                                           : configuration,
-                            {present.moving_geometry, edges_stay});
+                            {has_derivatives(), edges_stay});
     timer.leave_subsection();
     system->update_pattern(changed);
   }
@@ -125,7 +139,7 @@ namespace Contact
   {
     if (!follows_each_step() || is_frozen)
       return;
-    if (!after_a_step || present.moving_geometry)
+    if (!after_a_step || has_derivatives())
       {
         extrapolation.forget();
         pair(solution);

@@ -99,6 +99,7 @@ namespace Contact
 
   private:
     void freeze(const bool frozen);
+    bool has_derivatives() const;
 
     const ContactModel<dim> &model;
     const Parameters::All   &parameters;
