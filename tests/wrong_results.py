@@ -30,7 +30,9 @@ Proves that
 - a circle that passes between two nodes unseen is a violation, and so is a body
   that goes through a foil whose both sides are the master;
 - a history that turns back inside an increment is noted;
-- a press fit of polygons that leave more open than it overlaps is noted.
+- a press fit of polygons that leave more open than it overlaps is noted, and one of
+  elements of degree 2 that are off their circle by as much;
+- a scene that nothing loads, and one where nothing touches, are noted.
 
 Usage: wrong_results.py CONTACT PARAMETERS MESHES
 """
@@ -672,7 +674,10 @@ def coarse_fit():
             return radius * math.cos(angle), radius * math.sin(angle)
         return chart
     sides = {"bottom": "Below", "top": "Left"}
-    for n, noted in ((6, True), (90, False)):
+    for n, degree, noted, words in (
+            (6, 1, True, "no force acts between them"),
+            (90, 1, False, "no force acts between them"),
+            (2, 2, True, "off their circles"), (15, 2, False, "off their circles")):
         mesh = Mesh()
         mesh.block("A", 2, n + n // 3, sector(10, 20), {**sides, "left": "Bore"})
         mesh.block("B", 2, n, sector(5, 10.01), {**sides, "right": "Pin"})
@@ -680,18 +685,44 @@ def coarse_fit():
         status, said, _ = run("coarse_fit", {
             "Mesh/File": "coarse_fit.msh", **solids(),
             "Mesh/Arcs": "Pin: 0, 0, 10.01; Bore: 0, 0, 10",
+            "Element/Degree": degree,
             "Contact/Slave": "Pin", "Contact/Master": "Bore",
             "Boundary conditions/Displacement x": "Left: 0",
             "Boundary conditions/Displacement y": "Below: 0",
             "Solution/Increments": "1"})
-        check(f"{n} edges: the overlap is noted: {noted}", status == 0 and
-              ("no force acts between them" in said) == noted, said[:300])
+        check(f"{n} edges of degree {degree}, noted: {noted}",
+              status == 0 and (words in said) == noted, said[:400])
+
+
+def idle():
+    mesh = Mesh()
+    mesh.block("A", 4, 2, box(-4, -5, 4, 0), {"bottom": "Base", "top": "Ground"})
+    mesh.block("B", 3, 2, box(-3, 0.1, 3, 4), {"bottom": "Sole", "top": "Head"})
+    mesh.write("idle")
+    for way, words in ((0, "nothing is loaded"), (-0.05, "nothing touches"),
+                       (-0.15, "")):
+        head = f"Base: 0, Head: {way}"
+        status, said, _ = run("idle", {
+            "Mesh/File": "idle.msh", **solids(), **CONTACT,
+            "Boundary conditions/Displacement x": "Base: 0, Head: 0",
+            "Boundary conditions/Displacement y": head})
+        check(f"a way of {way} mm over a gap of 0.1 mm", status == 0 and
+              (words in said if words else "note: nothing" not in said), said[:300])
+    named = {entry.replace("Contact", "Contact low"): value
+             for entry, value in CONTACT.items()}
+    _, _, summary = run("idle", {
+        "Mesh/File": "idle.msh", **solids(), **named,
+        "Boundary conditions/Displacement x": "Base: 0, Head: 0",
+        "Boundary conditions/Displacement y": head})
+    check("results of a named pair alone are under its name",
+          all(of["contact"] == {} and of["contact low"]["normal_force"] > 0
+              for of in (summary, *summary["increments"])))
 
 
 for scene in (carried, overlap, cantilever, teeth, own_master, round_off,
               held_ends, dragged, driven, cornered, in_a_corner, roles,
               tied, flank, groove, slide, pinned, clamped, between_nodes, foil,
-              turning, coarse_fit):
+              turning, coarse_fit, idle):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)

@@ -15,31 +15,10 @@
 #include "output/effects.h"
 #include "output/estimated_effects.h"
 #include "output/result_tables.h"
+#include "output/scene_notes.h"
 
 namespace Contact
 {
-  namespace
-  {
-    /// A vector out of the body at a facet, undeformed.
-    Tensor<1, 2> outward(const Surface<2> &surface, const unsigned int e)
-    {
-      const auto &nodes = surface.facets[e].nodes;
-      return cross_product_2d(surface.nodes[nodes[1]].X -
-                              surface.nodes[nodes[0]].X);
-    }
-
-    Tensor<1, 3> outward(const Surface<3> &surface, const unsigned int e)
-    {
-      const auto &nodes = surface.facets[e].nodes;
-      return cross_product_3d(surface.nodes[nodes[1]].X -
-                                surface.nodes[nodes[0]].X,
-                              surface.nodes[nodes[2]].X -
-                                surface.nodes[nodes[0]].X);
-    }
-  } // namespace
-
-
-
   template<int dim>
   Report<dim>::Report(const Parameters::All  &parameters,
                       const ParameterHandler &prm,
@@ -149,159 +128,19 @@ namespace Contact
            << std::endl;
     if (screen.is_active())
       print_effects(screen.get_stream(), effects);
-    print_note_on_histories(*model.discretization);
-    if (model.interface)
-      for (const auto &contact_pair : parameters.pairs())
-        print_note_on_arcs(model, contact_pair);
-    if (model.interface)
-      {
-        print_note_on_facing(*model.interface);
-        print_note_on_roles(model);
-      }
+    for (const std::string &note : notes_on_scene(model, parameters))
+      print_error(": note: " + note);
   }
 
 
 
-  // Loads and supports have their values at the ends of increments alone: where
-  // a history turns back in between, its peak is never there.
   template<int dim>
-  void Report<dim>::print_note_on_histories(
-    const Discretization<dim> &discretization)
+  void Report<dim>::print_notes_on_result(const ContactModel<dim> &model,
+                                          const Vector<double>    &solution)
   {
-    const unsigned int n         = parameters.solution.n_increments;
-    const unsigned int n_samples = 32; // of an increment
-    for (const auto &[entry, is_set] :
-         parameters.boundary.entries_with_history())
-      {
-        if (!is_set || parameters.boundary.histories.count(entry) == 0)
-          continue;
-        double size = 0, missed = 0, where = 0;
-        for (unsigned int k = 0; k < n; ++k)
-          {
-            const double first = discretization.factor(entry, 1. * k / n);
-            const double last  = discretization.factor(entry, (k + 1.) / n);
-            size = std::max({size, std::abs(first), std::abs(last)});
-            for (unsigned int i = 1; i < n_samples; ++i)
-              {
-                const double t      = (k + 1. * i / n_samples) / n;
-                const double factor = discretization.factor(entry, t);
-                const double beyond = std::max(factor - std::max(first, last),
-                                               std::min(first, last) - factor);
-                if (beyond > missed)
-                  {
-                    missed = beyond;
-                    where  = t;
-                  }
-              }
-          }
-        if (missed > 1e-3 * std::max(size, missed))
-          print_error(
-            ": note: the history of '" + entry +
-            "' turns back inside an increment, at about t = " + brief(where) +
-            ": only its values at the ends of increments are "
-            "applied. Take more increments, so that one ends there");
-      }
-  }
-
-
-
-  // A slave that hardly deforms leaves the conditions of its many nodes to the
-  // few of the master: too many for its displacements (inf-sup condition). With
-  // moduli of 3, 5 and 10 to 1, quadratic elements and edges of 0.6 to 1, the
-  // peak was 1.2, 1.6 and 1.8 times that of the exchanged roles.
-  template<int dim>
-  void Report<dim>::print_note_on_roles(const ContactModel<dim> &model)
-  {
-    struct Side
-    {
-      double length = 0, stiffness = 0;
-    };
-    const auto mean = [&](const Surface<dim> &surface) {
-      Side side;
-      for (unsigned int e = 0; e < surface.facets.size(); ++e)
-        {
-          side.length += surface.reference_length(e) / surface.facets.size();
-          side.stiffness +=
-            model.elasticity->youngs_modulus(surface.facets[e].body) /
-            surface.facets.size();
-        }
-      return side;
-    };
-    const auto entries = parameters.pairs();
-    for (unsigned int z = 0; z < entries.size(); ++z)
-      {
-        const ContactPair<dim> &contact_pair = *model.interface->pairs[z];
-        if (!contact_pair.master || contact_pair.tied)
-          continue;
-        const Side slave  = mean(contact_pair.slave);
-        const Side master = mean(*contact_pair.master);
-        if (slave.stiffness > 5 * master.stiffness &&
-            slave.length < 0.9 * master.length)
-          print_error(": note: the slave '" + entries[z].slave +
-                      "' is stiffer than its master and has shorter edges: "
-                      "pressures oscillate, and their peaks may be twice too "
-                      "high. Take the softer surface as slave");
-      }
-  }
-
-
-
-  // A wrong group, or an obstacle whose normal points the other way, would show
-  // as a scene without contact.
-  template<int dim>
-  void Report<dim>::print_note_on_facing(const ContactInterface<dim> &interface)
-  {
-    const auto entries = parameters.pairs();
-    for (unsigned int z = 0; z < entries.size(); ++z)
-      {
-        const auto          points = interface.points_of(*interface.pairs[z]);
-        const Surface<dim> &slave  = interface.pairs[z]->slave;
-        const auto          faces  = [&](const ContactPoint<dim> &point) {
-          return point.facing &&
-                 (point.is_master_corner || entries[z].obstacle.empty() ||
-                  outward(slave, point.slave_facet) * point.normal < 0);
-        };
-        if (std::none_of(points.begin(), points.end(), faces))
-          print_error(": note: no point of the slave '" + entries[z].slave +
-                      "' faces its " +
-                      (entries[z].master.empty()
-                         ? "obstacle"
-                         : "master '" + entries[z].master + "'") +
-                      " to begin with: check the groups, and on which side of "
-                      "an obstacle its normal is");
-      }
-  }
-
-
-
-  // A mesh has only a polygon of a circle.
-  template<int dim>
-  void Report<dim>::print_note_on_arcs(const ContactModel<dim>   &model,
-                                       const Parameters::Contact &contact_pair)
-  {
-    if (parameters.element.degree == 1 && parameters.mesh.refinements == 0 &&
-        !parameters.has_levels())
-      return;
-    for (const std::string &name : {contact_pair.slave, contact_pair.master})
-      {
-        if (name.empty() || parameters.mesh.is_round(name))
-          continue;
-        const double bend =
-          Surface<dim>(*model.discretization,
-                       model.mesh->boundary(name, contact_pair.section()),
-                       name)
-            .largest_bend();
-        if (bend > 0.1)
-          screen
-            << "Note: '" << name << "' bends by up to " << bend
-            << " degrees at a node and is no arc: at degree 2 and on finer "
-               "meshes it keeps its corners. "
-            << (dim == 2
-                  ? "For a circle: Mesh/Arcs = " + name + ": x, y, radius"
-                  : "If it is round: Mesh/Spheres, Cylinders, Cones or "
-                    "Tori")
-            << std::endl;
-      }
+    for (const std::string &note :
+         notes_on_result(model, parameters, solution, summary))
+      print_error(": note: " + note);
   }
 
 

@@ -73,6 +73,10 @@ namespace Contact
     /// The effects that the scene switches on.
     void print_scene(const ContactModel<dim> &model, const std::string &system);
 
+    /// What the result of the last increment leaves in doubt.
+    void print_notes_on_result(const ContactModel<dim> &model,
+                               const Vector<double>    &solution);
+
     void print_level(const ContactModel<dim> &model,
                      const unsigned int       level,
                      const std::string       &system);
@@ -107,12 +111,6 @@ namespace Contact
     void finish();
 
   private:
-    void print_note_on_histories(const Discretization<dim> &discretization);
-    void print_note_on_facing(const ContactInterface<dim> &interface);
-    void print_note_on_roles(const ContactModel<dim> &model);
-    void print_note_on_arcs(const ContactModel<dim>   &model,
-                            const Parameters::Contact &contact_pair);
-
     const Parameters::All            &parameters;
     const ParameterHandler           &prm;
     std::unique_ptr<ResultFiles<dim>> result_files;

@@ -125,8 +125,10 @@ namespace Contact
 
     using ByPair = std::map<std::string, std::map<std::string, double>>;
 
+    /// The unnamed pair is there in any case.
     void add_pairs(const ByPair &pairs, Json &json)
     {
+      json["contact"] = Json::object();
       for (const auto &[contact_pair, values] : pairs)
         json[contact_pair.empty() ? "contact" : "contact " + contact_pair] =
           values;
@@ -222,7 +224,6 @@ namespace Contact
                 {"unknowns",
                  {{"displacement", summary.n_displacements},
                   {"multipliers", summary.n_multipliers}}},
-                {"contact", Json::object()},
                 {"exact", summary.exact},
                 {"errors", summary.errors},
                 {"time", to_json(summary.time)},

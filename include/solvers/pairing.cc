@@ -118,7 +118,7 @@ namespace Contact
   {
     guard      = PairingGuard(parameters.solution.geometry_tolerance);
     relaxation = Relaxation();
-    is_jumping = false;
+    jump.reset();
     freeze(false);
   }
 
@@ -198,10 +198,13 @@ namespace Contact
     const bool rests = guard.accepts(misplacement(state), way(state));
     if (rests && !edges_stay)
       return true;
-    is_jumping =
-      (edges_stay ? rests : guard.goes_in_circles()) &&
-      guard.accepts(model.interface->misfit(state.solution), way(state) / part);
-    return is_jumping;
+    if (!(edges_stay ? rests : guard.goes_in_circles()))
+      return false;
+    const double misfit = model.interface->misfit(state.solution);
+    if (!guard.accepts(misfit, way(state) / part))
+      return false;
+    jump = misfit;
+    return true;
   }
 
 
@@ -246,13 +249,15 @@ namespace Contact
   template<int dim>
   std::string Pairing<dim>::note() const
   {
-    if (!is_jumping)
+    if (!jump)
       return {};
-    return "pairing: closest points jump between two places for good; the gaps "
-           "of the one under the other are within the geometry tolerance, " +
-           brief(parameters.solution.geometry_tolerance) +
-           " of the way of the surfaces in an increment. A finer master, another contact "
-           "discretization, or 'Geometry = fixed point' may come to rest.";
+    return "pairing: closest points jump between two places and do not come to "
+           "rest; the points are paired with one of the two, and with the closest "
+           "points gaps differ by up to " +
+           brief(*jump) +
+           " mm: by so much nodes may stand off or overlap there, and pressures "
+           "near them are those of one place of two. A finer master, another "
+           "contact discretization, or 'Geometry = fixed point' may come to rest.";
   }
 
   template class Pairing<2>;

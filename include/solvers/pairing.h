@@ -8,6 +8,8 @@
 
 #include <deal.II/base/timer.h>
 
+#include <optional>
+
 #include "contact/contact_kernel.h"
 #include "contact/increment_state.h"
 #include "parameters/parameters.h"
@@ -113,8 +115,11 @@ namespace Contact
     // Of the present Newton's method.
     PairingGuard guard;
     Relaxation   relaxation;
-    bool         is_frozen  = false;
-    bool         is_jumping = false;
+    bool         is_frozen = false;
+
+    // By how much gaps differ [mm] where a pairing is accepted whose closest
+    // points jump.
+    std::optional<double> jump;
 
     // Of the present increment.
     double part       = 1;

@@ -19,10 +19,11 @@ namespace Contact
    * increment, and after four steps in a row without progress. Then points are
    * paired anew where Newton's method has converged, until the surfaces are
    * within this tolerance of that place. After three turns the pairing jumps
-   * between two states for good, neither of which is wrong if under the one the
-   * gaps of the other vanish within the same tolerance. Otherwise points keep
-   * the edge that they face, which goes on a little beyond its ends, and the
-   * gaps are compared with the way of a whole increment in the end.
+   * between two states for good. Either is accepted, with a note, if the gaps
+   * of the closest points differ from its own by no more than this tolerance of
+   * the way of a whole increment. Otherwise points keep the edge that they
+   * face, which goes on a little beyond its ends, and the gaps are compared
+   * with the way of a whole increment in the end.
    */
   class PairingGuard
   {

@@ -1,0 +1,322 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "output/scene_notes.h"
+
+#include <algorithm>
+
+#include "base/string_utilities.h"
+
+namespace Contact
+{
+  namespace
+  {
+    /// A vector out of the body at a facet, undeformed.
+    Tensor<1, 2> outward(const Surface<2> &surface, const unsigned int e)
+    {
+      const auto &nodes = surface.facets[e].nodes;
+      return cross_product_2d(surface.nodes[nodes[1]].X -
+                              surface.nodes[nodes[0]].X);
+    }
+
+    Tensor<1, 3> outward(const Surface<3> &surface, const unsigned int e)
+    {
+      const auto &nodes = surface.facets[e].nodes;
+      return cross_product_3d(surface.nodes[nodes[1]].X -
+                                surface.nodes[nodes[0]].X,
+                              surface.nodes[nodes[2]].X -
+                                surface.nodes[nodes[0]].X);
+    }
+
+
+
+    // Loads and supports have their values at the ends of increments alone:
+    // where a history turns back in between, its peak is never there.
+    template<int dim>
+    void add_note_on_histories(const Parameters::All     &parameters,
+                               const Discretization<dim> &discretization,
+                               std::vector<std::string>  &notes)
+    {
+      const unsigned int n         = parameters.solution.n_increments;
+      const unsigned int n_samples = 32; // of an increment
+      for (const auto &[entry, is_set] :
+           parameters.boundary.entries_with_history())
+        {
+          if (!is_set || parameters.boundary.histories.count(entry) == 0)
+            continue;
+          double size = 0, missed = 0, where = 0;
+          for (unsigned int k = 0; k < n; ++k)
+            {
+              const double first = discretization.factor(entry, 1. * k / n);
+              const double last  = discretization.factor(entry, (k + 1.) / n);
+              size = std::max({size, std::abs(first), std::abs(last)});
+              for (unsigned int i = 1; i < n_samples; ++i)
+                {
+                  const double t      = (k + 1. * i / n_samples) / n;
+                  const double factor = discretization.factor(entry, t);
+                  const double beyond =
+                    std::max(factor - std::max(first, last),
+                             std::min(first, last) - factor);
+                  if (beyond > missed)
+                    {
+                      missed = beyond;
+                      where  = t;
+                    }
+                }
+            }
+          if (missed > 1e-3 * std::max(size, missed))
+            notes.push_back(
+              "the history of '" + entry +
+              "' turns back inside an increment, at about t = " + brief(where) +
+              ": only its values at the ends of increments are "
+              "applied. Take more increments, so that one ends there");
+        }
+    }
+
+
+
+    // A slave that hardly deforms leaves the conditions of its many nodes to
+    // the few of the master: too many for its displacements (inf-sup
+    // condition). With moduli of 3, 5 and 10 to 1, quadratic elements and edges
+    // of 0.6 to 1, the peak was 1.2, 1.6 and 1.8 times that of the exchanged
+    // roles.
+    template<int dim>
+    void add_notes_on_roles(const Parameters::All    &parameters,
+                            const ContactModel<dim>  &model,
+                            std::vector<std::string> &notes)
+    {
+      struct Side
+      {
+        double length = 0, stiffness = 0;
+      };
+      const auto mean = [&](const Surface<dim> &surface) {
+        Side side;
+        for (unsigned int e = 0; e < surface.facets.size(); ++e)
+          {
+            side.length += surface.reference_length(e) / surface.facets.size();
+            side.stiffness +=
+              model.elasticity->youngs_modulus(surface.facets[e].body) /
+              surface.facets.size();
+          }
+        return side;
+      };
+      const auto entries = parameters.pairs();
+      for (unsigned int z = 0; z < entries.size(); ++z)
+        {
+          const ContactPair<dim> &contact_pair = *model.interface->pairs[z];
+          if (!contact_pair.master || contact_pair.tied)
+            continue;
+          const Side slave  = mean(contact_pair.slave);
+          const Side master = mean(*contact_pair.master);
+          if (slave.stiffness > 5 * master.stiffness &&
+              slave.length < 0.9 * master.length)
+            notes.push_back(
+              "the slave '" + entries[z].slave +
+              "' is stiffer than its master and has shorter edges: "
+              "pressures oscillate, and their peaks may be twice too "
+              "high. Take the softer surface as slave");
+        }
+    }
+
+
+
+    // A wrong group, or an obstacle whose normal points the other way, would
+    // show as a scene without contact.
+    template<int dim>
+    void add_notes_on_facing(const Parameters::All       &parameters,
+                             const ContactInterface<dim> &interface,
+                             std::vector<std::string>    &notes)
+    {
+      const auto entries = parameters.pairs();
+      for (unsigned int z = 0; z < entries.size(); ++z)
+        {
+          const auto          points = interface.points_of(*interface.pairs[z]);
+          const Surface<dim> &slave  = interface.pairs[z]->slave;
+          const auto          faces  = [&](const ContactPoint<dim> &point) {
+            return point.facing &&
+                   (point.is_master_corner || entries[z].obstacle.empty() ||
+                    outward(slave, point.slave_facet) * point.normal < 0);
+          };
+          if (std::none_of(points.begin(), points.end(), faces))
+            notes.push_back(
+              "no point of the slave '" + entries[z].slave + "' faces its " +
+              (entries[z].master.empty()
+                 ? "obstacle"
+                 : "master '" + entries[z].master + "'") +
+              " to begin with: check the groups, and on which side of "
+              "an obstacle its normal is");
+        }
+    }
+
+
+
+    // A mesh has only a polygon of a circle.
+    template<int dim>
+    void add_notes_on_arcs(const Parameters::All     &parameters,
+                           const ContactModel<dim>   &model,
+                           const Parameters::Contact &contact_pair,
+                           std::vector<std::string>  &notes)
+    {
+      if (parameters.element.degree == 1 && parameters.mesh.refinements == 0 &&
+          !parameters.has_levels())
+        return;
+      for (const std::string &name : {contact_pair.slave, contact_pair.master})
+        {
+          if (name.empty() || parameters.mesh.is_round(name))
+            continue;
+          const double bend =
+            Surface<dim>(*model.discretization,
+                         model.mesh->boundary(name, contact_pair.section()),
+                         name)
+              .largest_bend();
+          if (bend > 0.1)
+            notes.push_back(
+              "'" + name + "' bends by up to " + brief(bend) +
+              " degrees at a node and is no arc: at degree 2 and on finer "
+              "meshes it keeps its corners. " +
+              (dim == 2
+                 ? "For a circle: Mesh/Arcs = " + name + ": x, y, radius"
+                 : "If it is round: Mesh/Spheres, Cylinders, Cones or Tori"));
+        }
+    }
+
+
+
+    // On an arc a chord of length L that rises by f is off by f as a polygon,
+    // and with elements of degree 2 by f^3/L^2: there R f = L^2/8, and the
+    // parabola through the ends and the middle is R (L/2R)^4/32 from the circle
+    // between them.
+    template<int dim>
+    double out_of_round(const Surface<dim>      &surface,
+                        const std::vector<bool> &in_contact)
+    {
+      double largest = 0;
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
+        if (in_contact[e])
+          {
+            const SurfaceFacet<dim> &facet = surface.facets[e];
+            const unsigned int       n_corners =
+              GeometryInfo<dim - 1>::vertices_per_cell;
+            Tensor<1, dim> centre;
+            for (unsigned int a = 0; a < n_corners; ++a)
+              centre += surface.nodes[facet.nodes[a]].X / n_corners;
+            const double rise  = (facet.middle - centre).norm();
+            const double chord = surface.nodes[facet.nodes[0]].X.distance(
+              surface.nodes[facet.nodes[n_corners - 1]].X);
+            largest =
+              std::max(largest,
+                       surface.degree == 1 ? rise
+                                           : rise * std::pow(rise / chord, 2));
+          }
+      return largest;
+    }
+
+
+
+    template<int dim>
+    void add_notes_on_roundness(const Parameters::All       &parameters,
+                                const ContactInterface<dim> &interface,
+                                const Vector<double>        &solution,
+                                std::vector<std::string>    &notes)
+    {
+      const double moved =
+        interface.largest_change(solution, Vector<double>(solution.size()));
+      const auto entries = parameters.pairs();
+      for (unsigned int z = 0; z < entries.size(); ++z)
+        {
+          const ContactPair<dim> &contact_pair = *interface.pairs[z];
+          std::vector<bool>       slave(contact_pair.slave.facets.size());
+          std::vector<bool>       master(
+            contact_pair.master ? contact_pair.master->facets.size() : 0);
+          for (const ContactPoint<dim> &point :
+               interface.points_of(contact_pair))
+            if (!point.is_master_corner && point.status.kind != Status::open)
+              {
+                slave[point.slave_facet] = true;
+                if (!master.empty())
+                  master[point.master_facet] = true;
+              }
+          const double off =
+            out_of_round(contact_pair.slave, slave) +
+            (master.empty() ? 0 : out_of_round(*contact_pair.master, master));
+          if (off > 0.05 * moved)
+            notes.push_back(
+              "the elements of '" + entries[z].slave +
+              (master.empty() ? "" : "' and '" + entries[z].master) +
+              "' are up to about " + brief(off) +
+              " mm off their circles where they touch, " +
+              brief(100 * off / moved) +
+              " % of the largest displacement of the surfaces: where the meshes "
+              "do not match, gaps and overlaps of this size are the meshes', and "
+              "pressures follow them. Refine there, or take degree 2");
+        }
+    }
+
+
+
+    void add_note_on_idleness(const RunSummary         &summary,
+                              const Vector<double>     &solution,
+                              std::vector<std::string> &notes)
+    {
+      bool is_loaded = !solution.all_zero(), touches = false;
+      for (const IncrementRecord &increment : summary.increments)
+        {
+          is_loaded = is_loaded || increment.works.at("strain_energy") != 0;
+          for (const auto &[name, values] : increment.contact)
+            touches = touches || values.at("max_pressure") != 0;
+        }
+      if (!is_loaded)
+        notes.push_back("nothing is loaded: nothing moves and no force acts");
+      else if (!touches)
+        notes.push_back(
+          "nothing touches: no increment has a pressure of "
+          "contact. Check gaps, groups and the direction of loads");
+    }
+  } // namespace
+
+
+
+  template<int dim>
+  std::vector<std::string> notes_on_scene(const ContactModel<dim> &model,
+                                          const Parameters::All   &parameters)
+  {
+    std::vector<std::string> notes;
+    add_note_on_histories(parameters, *model.discretization, notes);
+    if (!model.interface)
+      return notes;
+    for (const auto &contact_pair : parameters.pairs())
+      add_notes_on_arcs(parameters, model, contact_pair, notes);
+    add_notes_on_facing(parameters, *model.interface, notes);
+    add_notes_on_roles(parameters, model, notes);
+    return notes;
+  }
+
+
+
+  template<int dim>
+  std::vector<std::string> notes_on_result(const ContactModel<dim> &model,
+                                           const Parameters::All   &parameters,
+                                           const Vector<double>    &solution,
+                                           const RunSummary        &summary)
+  {
+    std::vector<std::string> notes;
+    add_note_on_idleness(summary, solution, notes);
+    add_notes_on_roundness(parameters, *model.interface, solution, notes);
+    return notes;
+  }
+
+  template std::vector<std::string> notes_on_scene(const ContactModel<2> &,
+                                                   const Parameters::All &);
+  template std::vector<std::string> notes_on_scene(const ContactModel<3> &,
+                                                   const Parameters::All &);
+  template std::vector<std::string> notes_on_result(const ContactModel<2> &,
+                                                    const Parameters::All &,
+                                                    const Vector<double> &,
+                                                    const RunSummary &);
+  template std::vector<std::string> notes_on_result(const ContactModel<3> &,
+                                                    const Parameters::All &,
+                                                    const Vector<double> &,
+                                                    const RunSummary &);
+} // namespace Contact

@@ -1,0 +1,35 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_scene_notes_h
+#define contact_scene_notes_h
+
+#include <string>
+#include <vector>
+
+#include "contact/contact_model.h"
+#include "output/summary.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// What looks unintended about a scene: histories that turn back inside an
+  /// increment, surfaces that face nothing, stiff slaves, polygons of circles.
+  template<int dim>
+  std::vector<std::string> notes_on_scene(const ContactModel<dim> &model,
+                                          const Parameters::All   &parameters);
+
+  /// What looks unintended about a result: that nothing is loaded or nothing
+  /// touches, or that round boundaries are off their circle by as much as
+  /// matters.
+  template<int dim>
+  std::vector<std::string> notes_on_result(const ContactModel<dim> &model,
+                                           const Parameters::All   &parameters,
+                                           const Vector<double>    &solution,
+                                           const RunSummary        &summary);
+} // namespace Contact
+
+#endif
