@@ -6,6 +6,7 @@
 #include "contact/contact_depth.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace Contact
 {
@@ -76,35 +77,66 @@ namespace Contact
 
 
 
-    /// The deepest place of the slave inside of an obstacle.
-    void look(const Surface<2>     &slave,
-              const Obstacle<2>    &obstacle,
-              const Vector<double> &u,
-              ContactDepth<2>      &deepest)
+    template<int dim>
+    std::vector<FacetPoint<dim>> places_between_nodes();
+
+    template<>
+    std::vector<FacetPoint<2>> places_between_nodes<2>()
     {
-      for (unsigned int e = 0; e < slave.facets.size(); ++e)
-        for (const double xi : {-0.5, 0., 0.5})
-          {
-            const EdgeShape shape(slave.degree, xi);
-            Point<2>        x, X;
-            for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-              {
-                const unsigned int i = slave.facets[e].nodes[a];
-                x += shape.value[a] * slave.position(i, u);
-                X += shape.value[a] * slave.nodes[i].X;
-              }
-            const auto   closest = obstacle.closest_point(x);
-            const double h       = slave.reference_length(e);
-            const double chord =
-              h <= closest.radius ? h * h / (8 * closest.radius) : 0.;
-            const double behind = (closest.x - x) * closest.normal;
-            const double depth  = behind - chord;
-            deepest.as_drawn    = std::max(deepest.as_drawn, behind);
-            if (depth > deepest.depth)
-              deepest = {depth, false, X, e, deepest.as_drawn};
-          }
+      return {-0.5, 0., 0.5};
+    }
+
+    template<>
+    std::vector<FacetPoint<3>> places_between_nodes<3>()
+    {
+      std::vector<FacetPoint<3>> places;
+      for (const double xi : places_between_nodes<2>())
+        for (const double eta : places_between_nodes<2>())
+          places.emplace_back(xi, eta);
+      return places;
     }
   } // namespace
+
+
+
+  template<int dim>
+  void look_at_obstacle(const Surface<dim>   &slave,
+                        const Obstacle<dim>  &obstacle,
+                        const Vector<double> &u,
+                        ContactDepth<dim>    &deepest)
+  {
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
+      for (const FacetPoint<dim> &xi : places_between_nodes<dim>())
+        {
+          const FacetShape<dim> shape(slave.degree, xi);
+          Point<dim>            x, X;
+          for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+            {
+              const unsigned int i = slave.facets[e].nodes[a];
+              x += shape.value[a] * slave.position(i, u);
+              X += shape.value[a] * slave.nodes[i].X;
+            }
+          const auto   closest = obstacle.closest_point(x);
+          const double h       = // from corner to opposite corner
+            std::sqrt(dim - 1.) * slave.reference_length(e);
+          const double chord =
+            h <= closest.radius ? h * h / (8 * closest.radius) : 0.;
+          const double behind = (closest.x - x) * closest.normal;
+          const double depth  = behind - chord;
+          deepest.as_drawn    = std::max(deepest.as_drawn, behind);
+          if (depth > deepest.depth)
+            deepest = {depth, false, X, e, deepest.as_drawn};
+        }
+  }
+
+  template void look_at_obstacle(const Surface<2> &,
+                                 const Obstacle<2> &,
+                                 const Vector<double> &,
+                                 ContactDepth<2> &);
+  template void look_at_obstacle(const Surface<3> &,
+                                 const Obstacle<3> &,
+                                 const Vector<double> &,
+                                 ContactDepth<3> &);
 
 
 
@@ -118,7 +150,7 @@ namespace Contact
         look(*contact_pair.master, contact_pair.slave, true, u, deepest);
       }
     else
-      look(contact_pair.slave, *contact_pair.obstacle, u, deepest);
+      look_at_obstacle(contact_pair.slave, *contact_pair.obstacle, u, deepest);
     return deepest;
   }
 } // namespace Contact

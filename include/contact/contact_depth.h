@@ -43,6 +43,13 @@ namespace Contact
                                 const Vector<double> &u);
   ContactDepth<3> largest_depth(const ContactPair<3> &contact_pair,
                                 const Vector<double> &u);
+
+  /// The deepest place of the slave inside of an obstacle.
+  template<int dim>
+  void look_at_obstacle(const Surface<dim>   &slave,
+                        const Obstacle<dim>  &obstacle,
+                        const Vector<double> &u,
+                        ContactDepth<dim>    &deepest);
 } // namespace Contact
 
 #endif

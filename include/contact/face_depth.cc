@@ -101,39 +101,6 @@ namespace Contact
 
 
 
-    /// The deepest place of the slave inside of an obstacle.
-    void look(const Surface<3>     &slave,
-              const Obstacle<3>    &obstacle,
-              const Vector<double> &u,
-              ContactDepth<3>      &deepest)
-    {
-      for (unsigned int e = 0; e < slave.facets.size(); ++e)
-        for (const double xi : {-0.5, 0., 0.5})
-          for (const double eta : {-0.5, 0., 0.5})
-            {
-              const FacetShape<3> shape(slave.degree, Point<2>(xi, eta));
-              Point<3>            x, X;
-              for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-                {
-                  const unsigned int i = slave.facets[e].nodes[a];
-                  x += shape.value[a] * slave.position(i, u);
-                  X += shape.value[a] * slave.nodes[i].X;
-                }
-              const auto   closest = obstacle.closest_point(x);
-              const double h =
-                std::sqrt(2.) * slave.reference_length(e); // of the diagonal
-              const double chord =
-                h <= closest.radius ? h * h / (8 * closest.radius) : 0.;
-              const double behind = (closest.x - x) * closest.normal;
-              const double depth  = behind - chord;
-              deepest.as_drawn    = std::max(deepest.as_drawn, behind);
-              if (depth > deepest.depth)
-                deepest = {depth, false, X, e, deepest.as_drawn};
-            }
-    }
-
-
-
     /// Of those of all ranks the deepest one.
     void compare(const MPI_Comm communicator, ContactDepth<3> &deepest)
     {
@@ -183,7 +150,7 @@ namespace Contact
         compare(communicator, deepest);
       }
     else
-      look(contact_pair.slave, *contact_pair.obstacle, u, deepest);
+      look_at_obstacle(contact_pair.slave, *contact_pair.obstacle, u, deepest);
     return deepest;
   }
 } // namespace Contact

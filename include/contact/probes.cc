@@ -198,18 +198,7 @@ namespace Contact
           return stress[1][2];
         case Quantity::von_mises:
           return von_mises(stress);
-        case Quantity::displacement_x:
-        case Quantity::displacement_y:
-        case Quantity::displacement_z:
-        case Quantity::pressure:
-        case Quantity::shear:
-        case Quantity::reaction_x:
-        case Quantity::reaction_y:
-        case Quantity::reaction_z:
-        case Quantity::contact_force_x:
-        case Quantity::contact_force_y:
-        case Quantity::contact_force_z:
-        case Quantity::strain_energy:
+        default:
           break;
       }
     AssertThrow(false, ExcInternalError());

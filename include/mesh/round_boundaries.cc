@@ -10,7 +10,6 @@
 
 #include <functional>
 #include <map>
-#include <memory>
 
 #include "base/errors.h"
 #include "base/string_utilities.h"
@@ -51,9 +50,9 @@ namespace Contact
 
 
 
-    using SurfaceIn = std::function<
-      std::shared_ptr<const RoundSurface>(const std::vector<double> &numbers,
-                                          const types::material_id   body)>;
+    using SurfaceIn =
+      std::function<RoundSurface(const std::vector<double> &numbers,
+                                 const types::material_id   body)>;
 
     /// Make the boundaries of one entry round: those of a surface by its
     /// numbers, where the body that they bound has it.
@@ -80,7 +79,7 @@ namespace Contact
                     mesh.triangulation.set_manifold(++n_manifolds,
                                                     RoundManifold(surface));
                   for (const unsigned int v : face->vertex_indices())
-                    check_round(*surface, face->vertex(v), name, entry);
+                    check_round(surface, face->vertex(v), name, entry);
                   face->set_all_manifold_ids(id->second);
                 }
         }
@@ -151,44 +150,28 @@ namespace Contact
     const auto axis = [&](const auto &n) {
       return placement.turned(Point<3>(n[3], n[4], n[5]));
     };
-    make_parts_round(
-      parameters.spheres,
-      "Mesh/Spheres",
-      [&](const auto &n, const auto body) {
-        return std::make_shared<Sphere>(place(n, body), scale * n[3]);
-      },
-      mesh,
-      n_manifolds);
-    make_parts_round(
-      parameters.cylinders,
-      "Mesh/Cylinders",
-      [&](const auto &n, const auto body) {
-        return std::make_shared<Cylinder>(place(n, body),
-                                          axis(n),
-                                          scale * n[6]);
-      },
-      mesh,
-      n_manifolds);
-    make_parts_round(
-      parameters.cones,
-      "Mesh/Cones",
-      [&](const auto &n, const auto body) {
-        return std::make_shared<Cone>(place(n, body),
-                                      axis(n),
-                                      n[6] * numbers::PI / 180);
-      },
-      mesh,
-      n_manifolds);
-    make_parts_round(
-      parameters.tori,
-      "Mesh/Tori",
-      [&](const auto &n, const auto body) {
-        return std::make_shared<Torus>(place(n, body),
-                                       axis(n),
-                                       scale * n[6],
-                                       scale * n[7]);
-      },
-      mesh,
-      n_manifolds);
+    const auto make_all = [&](const auto        &surfaces,
+                              const std::string &entry,
+                              const SurfaceIn   &surface_in) {
+      make_parts_round(surfaces, entry, surface_in, mesh, n_manifolds);
+    };
+    make_all(parameters.spheres,
+             "Mesh/Spheres",
+             [&](const auto &n, const auto body) {
+               return sphere(place(n, body), scale * n[3]);
+             });
+    make_all(parameters.cylinders,
+             "Mesh/Cylinders",
+             [&](const auto &n, const auto body) {
+               return cylinder(place(n, body), axis(n), scale * n[6]);
+             });
+    make_all(parameters.cones,
+             "Mesh/Cones",
+             [&](const auto &n, const auto body) {
+               return cone(place(n, body), axis(n), n[6] * numbers::PI / 180);
+             });
+    make_all(parameters.tori, "Mesh/Tori", [&](const auto &n, const auto body) {
+      return torus(place(n, body), axis(n), scale * n[6], scale * n[7]);
+    });
   }
 } // namespace Contact

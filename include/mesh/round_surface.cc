@@ -34,112 +34,62 @@ namespace Contact
 
 
 
-  Sphere::Sphere(const Point<3> &center, const double radius)
-    : center(center)
-    , radius(radius)
+  RoundSurface sphere(const Point<3> &center, const double radius)
   {
+    return {[=](const Point<3> &p) -> Point<3> {
+              return center + radius * normalized(p - center);
+            },
+            [=](const Point<3> &) { return radius; }};
   }
 
 
 
-  Point<3> Sphere::closest(const Point<3> &p) const
+  RoundSurface
+  cylinder(const Point<3> &point, const Tensor<1, 3> &axis, const double radius)
   {
-    return center + radius * normalized(p - center);
-  }
-
-
-
-  double Sphere::size(const Point<3> &) const
-  {
-    return radius;
-  }
-
-
-
-  Cylinder::Cylinder(const Point<3>     &point,
-                     const Tensor<1, 3> &axis,
-                     const double        radius)
-    : point(point)
-    , axis(normalized(axis))
-    , radius(radius)
-  {
-  }
-
-
-
-  Point<3> Cylinder::closest(const Point<3> &p) const
-  {
-    const FromAxis q(p - point, axis);
-    return point + q.height * axis + radius * normalized(q.ray);
-  }
-
-
-
-  double Cylinder::size(const Point<3> &) const
-  {
-    return radius;
-  }
-
-
-
-  Cone::Cone(const Point<3> &apex, const Tensor<1, 3> &axis, const double angle)
-    : apex(apex)
-    , axis(normalized(axis))
-    , angle(angle)
-  {
+    const Tensor<1, 3> along = normalized(axis);
+    return {[=](const Point<3> &p) -> Point<3> {
+              const FromAxis q(p - point, along);
+              return point + q.height * along + radius * normalized(q.ray);
+            },
+            [=](const Point<3> &) { return radius; }};
   }
 
 
 
   // The projection onto the straight line of the cone in the half plane of p.
-  Point<3> Cone::closest(const Point<3> &p) const
+  RoundSurface
+  cone(const Point<3> &apex, const Tensor<1, 3> &axis, const double angle)
   {
-    const FromAxis     q(p - apex, axis);
-    const Tensor<1, 3> line =
-      std::cos(angle) * axis + std::sin(angle) * normalized(q.ray);
-    return apex + ((p - apex) * line) * line;
+    const Tensor<1, 3> along = normalized(axis);
+    return {[=](const Point<3> &p) -> Point<3> {
+              const FromAxis     q(p - apex, along);
+              const Tensor<1, 3> line =
+                std::cos(angle) * along + std::sin(angle) * normalized(q.ray);
+              return apex + ((p - apex) * line) * line;
+            },
+            [=](const Point<3> &p) { return p.distance(apex); }};
   }
 
 
 
-  double Cone::size(const Point<3> &p) const
+  RoundSurface torus(const Point<3>     &center,
+                     const Tensor<1, 3> &axis,
+                     const double        ring,
+                     const double        tube)
   {
-    return p.distance(apex);
+    const Tensor<1, 3> along = normalized(axis);
+    return {[=](const Point<3> &p) -> Point<3> {
+              const FromAxis q(p - center, along);
+              const Point<3> middle = center + ring * normalized(q.ray);
+              return middle + tube * normalized(p - middle);
+            },
+            [=](const Point<3> &) { return tube; }};
   }
 
 
 
-  Torus::Torus(const Point<3>     &center,
-               const Tensor<1, 3> &axis,
-               const double        ring,
-               const double        tube)
-    : center(center)
-    , axis(normalized(axis))
-    , ring(ring)
-    , tube(tube)
-  {
-  }
-
-
-
-  Point<3> Torus::closest(const Point<3> &p) const
-  {
-    const FromAxis q(p - center, axis);
-    const Point<3> middle = center + ring * normalized(q.ray);
-    return middle + tube * normalized(p - middle);
-  }
-
-
-
-  double Torus::size(const Point<3> &) const
-  {
-    return tube;
-  }
-
-
-
-  RoundManifold::RoundManifold(
-    const std::shared_ptr<const RoundSurface> &surface)
+  RoundManifold::RoundManifold(const RoundSurface &surface)
     : surface(surface)
   {
   }
@@ -160,6 +110,6 @@ namespace Contact
     Point<3> mean;
     for (unsigned int i = 0; i < weights.size(); ++i)
       mean += weights[i] * surrounding_points[i];
-    return surface->closest(mean);
+    return surface.closest(mean);
   }
 } // namespace Contact

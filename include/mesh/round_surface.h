@@ -9,6 +9,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/grid/manifold.h>
 
+#include <functional>
 #include <memory>
 
 namespace Contact
@@ -16,97 +17,36 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * A surface of revolution in space that boundaries lie on: the points at the
-   * distance @p radius from a line (cylinder), from a point (sphere), from a
-   * circle (torus), or at a fixed angle to an axis (cone). It answers with the
-   * closest of its points.
+   * A surface of revolution in space that boundaries lie on. It answers with
+   * the closest of its points.
    */
-  class RoundSurface
+  struct RoundSurface
   {
-  public:
-    virtual ~RoundSurface() = default;
+    /// The point of the surface that is closest to another one [mm].
+    std::function<Point<3>(const Point<3> &)> closest;
 
-    /// The point of the surface that is closest to @p p [mm].
-    virtual Point<3> closest(const Point<3> &p) const = 0;
-
-    /// A length [mm] that the distance of @p p from the surface is small
+    /// A length [mm] that the distance of a point from the surface is small
     /// against, if it is on the surface.
-    virtual double size(const Point<3> &p) const = 0;
+    std::function<double(const Point<3> &)> size;
   };
 
+  RoundSurface sphere(const Point<3> &center, const double radius);
 
+  /// Through @p point goes the axis.
+  RoundSurface cylinder(const Point<3>     &point,
+                        const Tensor<1, 3> &axis,
+                        const double        radius);
 
-  class Sphere : public RoundSurface
-  {
-  public:
-    Sphere(const Point<3> &center, const double radius);
+  /// Opens from the @p apex along the @p axis, at an angle to it [rad].
+  RoundSurface
+  cone(const Point<3> &apex, const Tensor<1, 3> &axis, const double angle);
 
-    Point<3> closest(const Point<3> &p) const override;
-    double   size(const Point<3> &p) const override;
-
-  private:
-    const Point<3> center;
-    const double   radius;
-  };
-
-
-
-  class Cylinder : public RoundSurface
-  {
-  public:
-    /// Through @p point goes the axis.
-    Cylinder(const Point<3>     &point,
-             const Tensor<1, 3> &axis,
-             const double        radius);
-
-    Point<3> closest(const Point<3> &p) const override;
-    double   size(const Point<3> &p) const override;
-
-  private:
-    const Point<3>     point;
-    const Tensor<1, 3> axis; // of length 1
-    const double       radius;
-  };
-
-
-
-  class Cone : public RoundSurface
-  {
-  public:
-    /// Opens from the @p apex along the @p axis, at an angle to it [rad].
-    Cone(const Point<3> &apex, const Tensor<1, 3> &axis, const double angle);
-
-    Point<3> closest(const Point<3> &p) const override;
-
-    /// The distance from the apex.
-    double size(const Point<3> &p) const override;
-
-  private:
-    const Point<3>     apex;
-    const Tensor<1, 3> axis; // of length 1
-    const double       angle;
-  };
-
-
-
-  class Torus : public RoundSurface
-  {
-  public:
-    /// A tube of radius @p tube along a circle of radius @p ring about the @p
-    /// axis through @p center.
-    Torus(const Point<3>     &center,
-          const Tensor<1, 3> &axis,
-          const double        ring,
-          const double        tube);
-
-    Point<3> closest(const Point<3> &p) const override;
-    double   size(const Point<3> &p) const override;
-
-  private:
-    const Point<3>     center;
-    const Tensor<1, 3> axis; // of length 1
-    const double       ring, tube;
-  };
+  /// A tube of radius @p tube along a circle of radius @p ring about the @p
+  /// axis through @p center.
+  RoundSurface torus(const Point<3>     &center,
+                     const Tensor<1, 3> &axis,
+                     const double        ring,
+                     const double        tube);
 
 
 
@@ -115,7 +55,7 @@ namespace Contact
   class RoundManifold : public Manifold<3>
   {
   public:
-    explicit RoundManifold(const std::shared_ptr<const RoundSurface> &surface);
+    explicit RoundManifold(const RoundSurface &surface);
 
     std::unique_ptr<Manifold<3>> clone() const override;
 
@@ -124,7 +64,7 @@ namespace Contact
                   const ArrayView<const double>   &weights) const override;
 
   private:
-    const std::shared_ptr<const RoundSurface> surface;
+    const RoundSurface surface;
   };
 } // namespace Contact
 
