@@ -22,23 +22,9 @@ namespace Contact
    * F.-T. Suttmeier, Computing 65, 2000; A. Schroeder and A. Rademacher,
    * Comput. Methods Appl. Mech. Engrg. 200, 2011).
    *
-   * In a converged state x = (u, lambda) under its statuses the problem is
-   * smooth: A(x) = 0. With the solution x_h on the mesh refined once, A' and
-   * the residual r = -A(x_h) there, the change of a probe J by the refinement
-   * is
-   *   J(x) - J_h(x_h) = J'(e) + z . (r - A' e) + J(x_h) - J_h(x_h),
-   *   A'^T z = J',
-   * whatever e is, as far as A is linear. J_h is the probe on the mesh of the
-   * solution: on the finer one stresses are recovered from other cells. Both
-   * factors are approximated, each where it can be:
-   *   e   oscillates from node to node: relaxation on the finer mesh finds
-   *       that part, and leaves a residual that is smooth;
-   *   z   is smooth but around the probe: one transposed solve on the mesh of
-   *       the solution, in a richer space (PatchRecovery) and with the
-   *       conditions of contact put right on the finer mesh, and around the
-   *       probe a solve on the cells there.
-   * Contact is part of all of them: gaps and slips weigh with the multipliers
-   * of the dual solution, forces of contact with its displacements.
+   * In a converged state under its statuses the problem is smooth. The identity
+   * that the estimate rests on, and by what its two factors e and z are
+   * approximated, is in include/README.md, "Errors of probes".
    *
    * The error that the mesh refined once leaves is taken from the order q of
    * the functional: errors fall by 2^-q from mesh to mesh, and the change is
