@@ -224,6 +224,7 @@ namespace Contact
                 {"unknowns",
                  {{"displacement", summary.n_displacements},
                   {"multipliers", summary.n_multipliers}}},
+                {"contact", Json::object()},
                 {"exact", summary.exact},
                 {"errors", summary.errors},
                 {"time", to_json(summary.time)},
