@@ -301,8 +301,7 @@ namespace Contact
         change.weight[j]     = pairing.weight.dx(j) / point.weight;
         change.projection[j] = pairing.excess.dx(j);
         for (unsigned int i = 0; i < 2; ++i)
-          change.turn[j][0] +=
-            point.tangents[0][i] * pairing.normal[i].dx(j);
+          change.turn[j][0] += point.tangents[0][i] * pairing.normal[i].dx(j);
       }
   }
 } // namespace Contact
