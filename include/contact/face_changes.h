@@ -52,9 +52,9 @@ namespace Contact
                                         const Vector<double>  &u);
 
   /**
-   * How the integrals of a slave node's dual function Phi over the master move
-   * with the nodes around: a place of the slave slides over the master by d_y =
-   * d_u_slave - d_u_master, where the surfaces touch each other, and
+   * The change of the integrals of a slave node's dual function Phi over the
+   * master with the nodes around: a place of the slave slides over the master
+   * by d_y = d_u_slave - d_u_master, where the surfaces touch each other, and
    *   d integral Phi N_m = integral Phi grad N_m . d_y.
    * The segments, what of a facet is covered, and Phi stay.
    */

@@ -466,7 +466,7 @@ namespace Contact
 
 
 
-  // What is left of the distance is returned.
+  // Returns the rest of the distance.
   Tensor<1, 3>
   MortarDiscretization<3>::move_feet(const NodeIntegrals     &integrals,
                                      const FaceConfiguration &now,

@@ -73,7 +73,7 @@ namespace Contact
     /// The effects that the scene switches on.
     void print_scene(const ContactModel<dim> &model, const std::string &system);
 
-    /// What the result of the last increment leaves in doubt.
+    /// Doubts about the result of the last increment.
     void print_notes_on_result(const ContactModel<dim> &model,
                                const Vector<double>    &solution);
 

@@ -16,13 +16,13 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// What looks unintended about a scene: histories that turn back inside an
+  /// Likely mistakes in a scene: histories that turn back inside an
   /// increment, surfaces that face nothing, stiff slaves, polygons of circles.
   template<int dim>
   std::vector<std::string> notes_on_scene(const ContactModel<dim> &model,
                                           const Parameters::All   &parameters);
 
-  /// What looks unintended about a result: that nothing is loaded or nothing
+  /// Likely mistakes in a result: that nothing is loaded or nothing
   /// touches, or that round boundaries are off their circle by as much as
   /// matters.
   template<int dim>
