@@ -90,6 +90,7 @@
 #include "adaptivity/error_estimator.h"
 #include "adaptivity/goal_errors.h"
 #include "adaptivity/refinement.h"
+#include "base/all_ranks.h"
 #include "base/errors.h"
 #include "base/interruption.h"
 #include "contact/surface_transfer.h"
@@ -234,16 +235,16 @@ namespace Contact
   //
   // An error in the input leaves here as an exception; a case that does not
   // converge has a result as well: the summary says so, and nothing that was
-  // written looks as if it had converged.
+  // written looks as if it had converged. Any other error one process may have
+  // alone: it ends the others.
   template<int dim>
   RunSummary ContactProblem<dim>::run()
   {
     RunSummary &summary = report.summary;
-    setup_system();
-    report.print_scene(model, system->name());
-
     try
       {
+        setup_system();
+        report.print_scene(model, system->name());
         solve_first_level();
         while (!levels.end_with(summary.levels, summary.accuracy_missed))
           {
@@ -264,6 +265,15 @@ namespace Contact
       {
         summary.interrupted = true;
         summary.message     = interruption.what();
+      }
+    catch (const InputError &)
+      {
+        throw;
+      }
+    catch (const std::exception &error)
+      {
+        end_all_ranks(report.communicator, error);
+        throw;
       }
     if (!summary.converged)
       report.screen << summary.message << std::endl;

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <iostream>
 #include <string>
 
 #include "base/errors.h"
@@ -31,5 +32,17 @@ namespace Contact
          Utilities::MPI::all_gather(communicator, complaint))
       if (!of_rank.empty())
         throw InputError(of_rank);
+  }
+
+
+
+  void end_all_ranks(const MPI_Comm communicator, const std::exception &error)
+  {
+    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+      return;
+    std::cerr << "Process " << Utilities::MPI::this_mpi_process(communicator)
+              << " failed, and ends all; this is an error of the program:\n"
+              << error.what() << std::endl;
+    MPI_Abort(communicator, 4);
   }
 } // namespace Contact

@@ -6,6 +6,7 @@
 #ifndef contact_all_ranks_h
 #define contact_all_ranks_h
 
+#include <exception>
 #include <functional>
 #include <mpi.h>
 
@@ -17,6 +18,14 @@ namespace Contact
    */
   void on_all_ranks(const MPI_Comm               communicator,
                     const std::function<void()> &work);
+
+  /**
+   * Print @p error, one of the program itself, that this rank may have alone,
+   * and end all ranks with status 4: the others would wait for this one. A
+   * single rank returns. To be called while matrices, factorizations and meshes
+   * live: their destructors are collective, and would wait for the others.
+   */
+  void end_all_ranks(const MPI_Comm communicator, const std::exception &error);
 } // namespace Contact
 
 #endif

@@ -13,6 +13,7 @@
 #include <iostream>
 #include <set>
 
+#include "base/all_ranks.h"
 #include "base/command_line.h"
 #include "base/errors.h"
 #include "base/files.h"
@@ -285,11 +286,9 @@ namespace Contact
       }
     catch (const std::exception &error)
       {
+        end_all_ranks(MPI_COMM_WORLD, error);
         std::cerr << "The program failed; this is an error of its own:\n"
                   << error.what() << std::endl;
-        // The others would wait for this one.
-        if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-          MPI_Abort(MPI_COMM_WORLD, 4);
         return 4;
       }
   }
