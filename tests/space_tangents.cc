@@ -9,11 +9,12 @@
 //    in any direction with a bound that moves and with one that does not;
 //  - the turning of a slip is the derivative of the law q = b s/|s|;
 //  - the stiffness of the pairing is the derivative of the forces of points
-//  that
-//    are paired anew, where the bodies touch each other everywhere;
+//    that are paired anew, where the bodies touch each other everywhere;
 //  - the matrix without multipliers is the derivative of the condensed forces;
 //  - Newton's method with friction is quadratic, statuses and directions
 //    following, while a block is dragged and turned.
+
+#include <functional>
 
 #include "condensed_model.h"
 #include "volume_mesh.h"
@@ -202,6 +203,31 @@ namespace
 
 
 
+  /// A derivative in the direction @p du, against central differences of
+  /// @p forces, a function of the solution.
+  void check_derivative(
+    const CondensedModelIn<3>                                   &model,
+    const Vector<double>                                        &du,
+    const Vector<double>                                        &derivative,
+    const std::function<Vector<double>(const Vector<double> &)> &forces,
+    const double                                                 tolerance)
+  {
+    const double   h = 1e-6;
+    Vector<double> deviation(derivative);
+    for (const int side : {1, -1})
+      {
+        Vector<double> moved(model.solution);
+        for (unsigned int i = 0; i < du.size(); ++i)
+          moved[i] += side * h * du[i];
+        deviation.add(-side / (2 * h), forces(moved));
+      }
+    check_small("deviation from the differences",
+                deviation.linfty_norm() / derivative.linfty_norm(),
+                tolerance);
+  }
+
+
+
   // Multipliers are those of the law, opposite to the slip.
   void turning(const Case &c)
   {
@@ -234,20 +260,12 @@ namespace
         for (unsigned int j = 0; j < term.dofs.size(); ++j)
           by_terms[term.dofs[i]] += term.stiffness(i, j) * du[term.dofs[j]];
 
-    const double   h = 1e-6;
-    Vector<double> by_differences(model.n_dofs());
-    for (const int side : {1, -1})
-      {
-        Vector<double> moved(model.solution);
-        for (unsigned int i = 0; i < du.size(); ++i)
-          moved[i] += side * h * du[i];
-        by_differences.add(side / (2 * h), exact_shears(model, moved));
-      }
-    const double largest = by_terms.linfty_norm();
-    by_terms -= by_differences;
-    check_small("deviation from the differences",
-                by_terms.linfty_norm() / largest,
-                1e-8);
+    check_derivative(
+      model,
+      du,
+      by_terms,
+      [&](const Vector<double> &u) { return exact_shears(model, u); },
+      1e-8);
   }
 
 
@@ -325,20 +343,12 @@ namespace
         for (unsigned int j = 0; j < term.columns.size(); ++j)
           by_terms[term.rows[i]] -= term.stiffness(i, j) * du[term.columns[j]];
 
-    const double   h = 1e-6;
-    Vector<double> by_differences(model.n_dofs());
-    for (const int side : {1, -1})
-      {
-        Vector<double> moved(model.solution);
-        for (unsigned int i = 0; i < du.size(); ++i)
-          moved[i] += side * h * du[i];
-        by_differences.add(side / (2 * h), forces_of_pairing(model, moved));
-      }
-    const double largest = by_terms.linfty_norm();
-    by_terms -= by_differences;
-    check_small("deviation from the differences",
-                by_terms.linfty_norm() / largest,
-                1e-7);
+    check_derivative(
+      model,
+      du,
+      by_terms,
+      [&](const Vector<double> &u) { return forces_of_pairing(model, u); },
+      1e-7);
   }
 
 
