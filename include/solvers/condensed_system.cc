@@ -230,7 +230,8 @@ namespace Contact
                                            const Vector<double> &u_start,
                                            const Vector<double> &residual,
                                            const double          tolerance,
-                                           Vector<double>       &update)
+                                           Vector<double>       &update,
+                                           const bool            keep_tangents)
   {
     Vector<double> rhs(owned.size());
     std::copy_n(residual.begin(), rhs.size(), rhs.begin());
@@ -239,7 +240,7 @@ namespace Contact
     {
       TimerOutput::Scope scope(timer, "assembly");
       elimination.condense(rhs);
-      is_new = assemble(solution, rhs);
+      is_new = assemble(solution, keep_tangents, rhs);
     }
     if (is_new || current == nullptr)
       {
@@ -343,11 +344,12 @@ namespace Contact
 
   template<int dim>
   bool CondensedSystem<dim>::assemble(const Vector<double> &solution,
+                                      const bool            keep_tangents,
                                       Vector<double>       &rhs)
   {
-    const bool tangents_serve =
-      !on_any_rank(!tangents_are_known || !elasticity.is_linear() ||
-                   tangent_version != elasticity.tangent_version());
+    const bool tangents_serve = !on_any_rank(
+      !tangents_are_known || !(elasticity.is_linear() || keep_tangents) ||
+      tangent_version != elasticity.tangent_version());
     const auto signature = elimination.signature();
     const bool is_new =
       on_any_rank(!tangents_serve || signature != assembled_lines);

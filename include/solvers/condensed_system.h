@@ -46,13 +46,15 @@ namespace Contact
     /**
      * The Newton update under the present statuses, from minus the residual
      * of bodies and contact. @p tolerance is that of the linear residual [N per
-     * mm of thickness]; 0: six digits. Returns the number of linear iterations.
+     * mm of thickness]; 0: six digits. With @p keep_tangents those of the
+     * bodies are the last ones. Returns the number of linear iterations.
      */
     unsigned int solve(const Vector<double> &solution,
                        const Vector<double> &u_start,
                        const Vector<double> &residual,
                        const double          tolerance,
-                       Vector<double>       &update);
+                       Vector<double>       &update,
+                       const bool            keep_tangents = false);
 
     /**
      * Minus the residual of the bodies behind a @p part of the last solve's
@@ -88,7 +90,9 @@ namespace Contact
                    const Vector<double> &u_start);
 
     /// Returns whether the matrix is another one than before.
-    bool assemble(const Vector<double> &solution, Vector<double> &rhs);
+    bool assemble(const Vector<double> &solution,
+                  const bool            keep_tangents,
+                  Vector<double>       &rhs);
     void assemble_tangents(const Vector<double> &solution);
     void add_interface(const FullMatrix<double> &tangent,
                        const Dofs               &dofs,

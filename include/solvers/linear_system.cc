@@ -140,6 +140,7 @@ namespace Contact
                  elimination,
                  solver,
                  timer)
+        , change(model.n_displacements())
         , update(model.n_displacements())
       {
       }
@@ -211,12 +212,14 @@ namespace Contact
                                             state.start,
                                             rhs,
                                             relative * step.force,
-                                            update);
+                                            change,
+                                            step.continues);
         screen << "      solved to " << std::scientific << std::setprecision(1)
                << relative << std::defaultfloat << std::setprecision(6)
                << " in " << n << " iterations" << std::endl;
-        for (unsigned int i = 0; i < update.size(); ++i)
-          state.solution[i] += update[i];
+        for (unsigned int i = 0; i < change.size(); ++i)
+          state.solution[i] += change[i];
+        update.sadd(step.continues ? 1. : 0., 1., change);
         model.discretization->constrain_update(state.solution,
                                                state.load_factor);
         return n;
@@ -247,7 +250,8 @@ namespace Contact
       const SolverChoice         solver;
       ContactElimination<dim>    elimination;
       CondensedSystem<dim>       system;
-      Vector<double>             update; // of the displacements
+      Vector<double>             change; // of the displacements
+      Vector<double>             update; // their change in the whole step
     };
   } // namespace
 

@@ -68,6 +68,7 @@ namespace Contact
       double       last_residual; // before the last step
       double       tolerance;     // of Newton's method [-]
       double       force;         // that they are relative to [N per mm]
+      bool continues; // the last step, with its tangent, under other statuses
     };
 
     /// Make it, under the present status of the points and from minus the

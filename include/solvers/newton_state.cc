@@ -94,6 +94,15 @@ namespace Contact
     n_status_changes = model.interface ? update_status(single_changes) : 0;
 
     TimerOutput::Scope scope(timer, "residual");
+    add_contact();
+    convergence.evaluate(rhs, state, pairing.linearization().moving_bound);
+  }
+
+
+
+  template<int dim>
+  void NewtonState<dim>::add_contact()
+  {
     if (model.interface)
       ContactKernel<dim>(*model.interface)
         .assemble(state.solution,
@@ -101,7 +110,6 @@ namespace Contact
                   pairing.linearization(),
                   rhs,
                   nullptr);
-    convergence.evaluate(rhs, state, pairing.linearization().moving_bound);
   }
 
 
@@ -262,16 +270,21 @@ namespace Contact
     last = state.solution;
     if (model.discretization->update_is_prescribed())
       guard.forget();
-    const double       residual = convergence.residual();
-    const unsigned int n        = system->make_step({n_steps,
-                                                     residual,
-                                                     last_residual,
-                                                     convergence.tolerance(),
-                                                     convergence.force_scale()},
-                                             rhs,
-                                             state);
-    last_residual               = residual;
-    part                        = part_until_touch();
+    typename LinearSystem<dim>::Step step{n_steps,
+                                          convergence.residual(),
+                                          last_residual,
+                                          convergence.tolerance(),
+                                          convergence.force_scale(),
+                                          /*continues=*/false};
+    unsigned int                     n = system->make_step(step, rhs, state);
+    step.continues                     = true;
+    // Statuses that do not settle go on to change from step to step.
+    const unsigned int max_turns = 10;
+    if (searches_in_step())
+      for (unsigned int turn = 0; turn < max_turns && adapt_statuses(); ++turn)
+        n += system->make_step(step, rhs, state);
+    last_residual = step.residual;
+    part          = part_until_touch();
     if (part < 1)
       {
         state.solution.sadd(part, 1 - part, last);
@@ -281,6 +294,44 @@ namespace Contact
     remember_status();
     ++n_steps;
     return n;
+  }
+
+
+
+  // Bodies that are linear cost nothing to assemble again: a step does as well.
+  // Those that springs hold go further in the linear problem than they may.
+  template<int dim>
+  bool NewtonState<dim>::searches_in_step() const
+  {
+    return dim == 3 && model.interface && !model.interface->is_tied() &&
+           !model.elasticity->is_linear() && !one_at_a_time &&
+           model.elasticity->springs.held().empty();
+  }
+
+
+
+  // The forces of the bodies have become those of contact under the old
+  // statuses, which stay where nothing is to be solved again.
+  template<int dim>
+  bool NewtonState<dim>::adapt_statuses()
+  {
+    system->recover_multipliers(rhs, 1, state);
+    const auto update_statuses = [&](const bool keep) {
+      return model.interface->update_statuses(
+        state.solution,
+        state.start,
+        pairing.linearization().moving_bound,
+        keep);
+    };
+    if (update_statuses(/*keep=*/false) == 0)
+      return false;
+    ++model.discretization->counters.active_set_changes;
+    rhs = 0;
+    add_contact();
+    rhs *= -1;
+    update_statuses(/*keep=*/true);
+    add_contact();
+    return true;
   }
 
 

@@ -86,10 +86,20 @@ namespace Contact
   private:
     void         evaluate_with(const bool single_changes);
     unsigned int update_status(const bool single_changes);
+    void         add_contact();
     bool         points_follow_the_law() const;
     void         check() const;
     void         remember_status();
     double       part_until_touch() const;
+
+    /// Whether a step searches for the statuses of its linear problem, as
+    /// ActiveSetSearch does with multipliers: solves it again under those that
+    /// its solution has.
+    bool searches_in_step() const;
+
+    /// Give the points the statuses that they have in the solution of the
+    /// linear problem. Returns whether one is another.
+    bool adapt_statuses();
 
     const ContactModel<dim>                  &model;
     const std::unique_ptr<LinearSystem<dim>> &system;
