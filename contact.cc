@@ -54,7 +54,7 @@
 // gradients with algebraic multigrid, many unknowns and several processes.
 // There the active set of step-41 and step-42 is searched from step to step,
 // which is cheap because a level starts where the one before ended; in space
-// also within a step, where the bodies are nonlinear.
+// within a step, too.
 //
 // With several processes each has a part of the mesh and of the matrix. The
 // vectors of the solution and the surfaces are small beside these, and every

@@ -285,8 +285,7 @@ namespace Contact
 
   template<int dim>
   Vector<double>
-  CondensedSystem<dim>::linear_forces(const Vector<double> &update,
-                                      const double          part,
+  CondensedSystem<dim>::linear_forces(const Vector<double> &solution,
                                       const double          load_factor) const
   {
     const auto    &base = discretization.constraints;
@@ -296,16 +295,17 @@ namespace Contact
       if (load[i] != 0 && owned.is_element(i))
         base.distribute_local_to_global(i, load[i], forces);
 
-    Vector<double> of_cell, change;
+    Vector<double> of_cell, u;
     for (unsigned int k = 0; k < interface_cells.size(); ++k)
       {
         const Dofs &dofs = elasticity.dofs_of_cell(interface_cells[k]);
         of_cell.reinit(dofs.size());
-        change.reinit(dofs.size());
+        u.reinit(dofs.size());
         for (unsigned int i = 0; i < dofs.size(); ++i)
-          change[i] = update[dofs[i]];
-        interface_tangents[k].vmult(of_cell, change);
-        of_cell.sadd(-part, -1, interface_forces[k]);
+          u[i] = solution[dofs[i]];
+        interface_tangents[k].vmult(of_cell, u);
+        of_cell += interface_forces[k];
+        of_cell *= -1;
         base.distribute_local_to_global(of_cell, dofs, forces);
       }
     Utilities::MPI::sum(forces, discretization.communicator, forces);
@@ -481,14 +481,21 @@ namespace Contact
     matrix.compress(VectorOperation::add);
     interface_tangents.clear();
     interface_forces.clear();
+    Vector<double> u, constant;
     elasticity.visit_cells(solution,
                            stress_stiffness,
                            interface_cells,
-                           [&](const Dofs &,
+                           [&](const Dofs               &dofs,
                                const FullMatrix<double> &tangent,
                                const Vector<double>     &forces) {
+                             u.reinit(dofs.size());
+                             constant.reinit(dofs.size());
+                             for (unsigned int i = 0; i < dofs.size(); ++i)
+                               u[i] = -solution[dofs[i]];
+                             tangent.vmult(constant, u);
+                             constant += forces;
                              interface_tangents.push_back(tangent);
-                             interface_forces.push_back(forces);
+                             interface_forces.push_back(constant);
                            });
 
     // Bound centres are in no cell.

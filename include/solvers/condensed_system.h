@@ -57,14 +57,12 @@ namespace Contact
                        const bool            keep_tangents = false);
 
     /**
-     * Minus the residual of the bodies behind a @p part of the last solve's
-     * @p update, in the unknowns at the interface and as the tangent has it,
-     *   load - f(u) - part K update,
-     * where u is where the step began. The bodies have to be nonlinear: the
-     * tangent of others has no error. Collective.
+     * Minus the residual of the bodies in @p solution, in the unknowns at the
+     * interface and as the tangent K of the last solve has it,
+     *   load - f(u) - K (solution - u),
+     * where u is where K was assembled. Collective.
      */
-    Vector<double> linear_forces(const Vector<double> &update,
-                                 const double          part,
+    Vector<double> linear_forces(const Vector<double> &solution,
                                  const double          load_factor) const;
 
     /// The matrix of the last solve.
@@ -129,7 +127,7 @@ namespace Contact
     std::vector<double>              assembled_lines; // their signature
     std::vector<std::vector<double>> kept_rows; // by owned interface unknown
     std::vector<FullMatrix<double>>  interface_tangents; // by interface cell
-    std::vector<Vector<double>>      interface_forces;   // with the tangents
+    std::vector<Vector<double>>      interface_forces;   // f(u) - K u
     bool                             has_pattern        = false;
     bool                             tangents_are_known = false;
     unsigned int                     tangent_version    = 0;

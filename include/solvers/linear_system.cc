@@ -140,7 +140,6 @@ namespace Contact
                  elimination,
                  solver,
                  timer)
-        , change(model.n_displacements())
         , update(model.n_displacements())
       {
       }
@@ -172,8 +171,8 @@ namespace Contact
                                const double          part,
                                IncrementState<dim>  &state) override
       {
-        if (dim == 3 && part > 0 && !model.elasticity->is_linear())
-          recover_from(system.linear_forces(update, part, state.load_factor),
+        if (dim == 3 && part > 0)
+          recover_from(system.linear_forces(state.solution, state.load_factor),
                        state);
         else
           recover_from(rhs, state);
@@ -212,14 +211,13 @@ namespace Contact
                                             state.start,
                                             rhs,
                                             relative * step.force,
-                                            change,
+                                            update,
                                             step.continues);
         screen << "      solved to " << std::scientific << std::setprecision(1)
                << relative << std::defaultfloat << std::setprecision(6)
                << " in " << n << " iterations" << std::endl;
-        for (unsigned int i = 0; i < change.size(); ++i)
-          state.solution[i] += change[i];
-        update.sadd(step.continues ? 1. : 0., 1., change);
+        for (unsigned int i = 0; i < update.size(); ++i)
+          state.solution[i] += update[i];
         model.discretization->constrain_update(state.solution,
                                                state.load_factor);
         return n;
@@ -250,8 +248,7 @@ namespace Contact
       const SolverChoice         solver;
       ContactElimination<dim>    elimination;
       CondensedSystem<dim>       system;
-      Vector<double>             change; // of the displacements
-      Vector<double>             update; // their change in the whole step
+      Vector<double>             update; // of the displacements
     };
   } // namespace
 

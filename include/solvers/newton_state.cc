@@ -49,6 +49,7 @@ namespace Contact
     n_steps       = 0;
     part          = 0;
     one_at_a_time = false;
+    searches      = searches_in_step();
     last_residual = std::numeric_limits<double>::max();
     pairing.begin_newton();
     system->begin_newton();
@@ -259,6 +260,7 @@ namespace Contact
   {
     const bool before = one_at_a_time;
     one_at_a_time     = guard.one_at_a_time(n_status_changes);
+    searches          = searches && !one_at_a_time;
     return one_at_a_time && !before;
   }
 
@@ -278,11 +280,13 @@ namespace Contact
                                           /*continues=*/false};
     unsigned int                     n = system->make_step(step, rhs, state);
     step.continues                     = true;
-    // Statuses that do not settle go on to change from step to step.
+    // Statuses that do not settle change from step to step from then on.
     const unsigned int max_turns = 10;
-    if (searches_in_step())
-      for (unsigned int turn = 0; turn < max_turns && adapt_statuses(); ++turn)
+    for (unsigned int turn = 0; searches && adapt_statuses(); ++turn)
+      {
         n += system->make_step(step, rhs, state);
+        searches = turn + 1 < max_turns;
+      }
     last_residual = step.residual;
     part          = part_until_touch();
     if (part < 1)
@@ -298,13 +302,11 @@ namespace Contact
 
 
 
-  // Bodies that are linear cost nothing to assemble again: a step does as well.
-  // Those that springs hold go further in the linear problem than they may.
+  // Bodies that springs hold go further in the linear problem than they may.
   template<int dim>
   bool NewtonState<dim>::searches_in_step() const
   {
     return dim == 3 && model.interface && !model.interface->is_tied() &&
-           !model.elasticity->is_linear() && !one_at_a_time &&
            model.elasticity->springs.held().empty();
   }
 

@@ -92,8 +92,8 @@ namespace Contact
     void         remember_status();
     double       part_until_touch() const;
 
-    /// Whether a step searches for the statuses of its linear problem, as
-    /// ActiveSetSearch does with multipliers: solves it again under those that
+    /// Whether steps search for the statuses of their linear problem, as
+    /// ActiveSetSearch does with multipliers: solve it again under those that
     /// its solution has.
     bool searches_in_step() const;
 
@@ -114,6 +114,7 @@ namespace Contact
     NewtonGlobalization           guard;
     unsigned int                  n_steps       = 0;
     bool                          one_at_a_time = false;
+    bool                          searches      = false;
     double                        part          = 0; // of the last step
     Vector<double>                last;          // where the last step began
     std::vector<PointStatus<dim>> last_statuses; // under which it was made
