@@ -12,7 +12,8 @@ and the nodal discretization,
 - two processes have the results of one to 1e-8;
 - a scene that has two planes of symmetry is refined alike on both sides of them, and
   alike on one, two and three processes, which indicators cut apart by round-off
-  would not be.
+  would not be;
+- supports that hold hanging nodes do not keep Newton's method from its end.
 
 The patch test with hanging nodes on both surfaces is tests/space_hanging.cc.
 
@@ -63,6 +64,28 @@ def cells_of_block(ranks):
     return [level["cells"] for level in summary.get("levels", [])]
 
 
+def drag_block():
+    """With supports on hanging nodes, whose displacements have the round-off of
+    those that they follow."""
+    status, said, summary = run("middle", {
+        "Mesh/File": "middle.msh", "Element/Degree": 2,
+        "Solids/Young's modulus": "Low: 1000, Up: 1000",
+        "Solids/Poisson's ratio": "Low: 0.3, Up: 0.3",
+        "Boundary conditions/Displacement x": "Low_z0: 0, Up_z1: 0.1",
+        "Boundary conditions/Displacement y": "Low_z0: 0, Up_z1: 0.05",
+        "Boundary conditions/Displacement z": "Low_z0: 0, Up_z1: -0.1",
+        "Boundary conditions/Histories":
+            "Displacement z: min(1, 2*t); Displacement x: max(0, 2*t - 1); "
+            "Displacement y: max(0, 2*t - 1)",
+        "Contact/Slave": "Up_z0", "Contact/Master": "Low_z1",
+        "Contact/Friction coefficient": 0.3, "Solution/Increments": 2,
+        "Refinement/Levels": 1, "Refinement/Strategy": "adaptive"}, 1)
+    converged("dragged by hanging nodes", status, summary, said)
+    steps = [i["newton_iterations"] for i in summary.get("increments", [])]
+    check("dragged by hanging nodes: at most 8 steps",
+          steps and max(steps) <= 8, steps)
+
+
 def unknowns(summary):
     return summary["levels"][-1]["displacements"]
 
@@ -101,6 +124,7 @@ mesh.block("Low", (4, 4, 2), lambda r, s, t: (2 * r - 1, 2 * s - 1, t - 1))
 mesh.block("Up", (2, 2, 2), lambda r, s, t: (r - 0.5, s - 0.5, t))
 mesh.write("middle")
 cells = [cells_of_block(ranks) for ranks in (1, 2, 3)]
+drag_block()
 check("symmetric: the same cells on any number of processes",
       cells[0] and cells[0] == cells[1] == cells[2], cells)
 # A mirrored set of cells is one of fours; each refined cell makes seven more.
