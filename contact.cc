@@ -160,7 +160,7 @@ namespace Contact
     void refine();
 
     // The invariants.
-    void check_invariants(const Vector<double> &springs);
+    void check_invariants(const GhostedVector &springs);
 
     const Parameters::All parameters;
     Report<dim>           report;
@@ -180,7 +180,7 @@ namespace Contact
     // the states of the surfaces after each increment.
     struct CoarserLevel
     {
-      std::vector<Vector<double>>                 solutions;
+      std::vector<GhostedVector>                  solutions;
       std::vector<std::vector<SurfaceState<dim>>> surfaces;
       Vector<float>                               indicators; // see GoalErrors
     };
@@ -334,7 +334,7 @@ namespace Contact
           std::make_unique<ContactInterface<dim>>(*model.discretization,
                                                   *model.elasticity,
                                                   pairs);
-      state.reinit(model.n_unknowns());
+      state.reinit(model);
       invariants = std::make_unique<InvariantCheck<dim>>(*model.discretization,
                                                          *model.elasticity,
                                                          model.interface.get(),
@@ -544,7 +544,7 @@ namespace Contact
   void
   ContactProblem<dim>::start_from_coarser_level(const unsigned int increment)
   {
-    const Vector<double> &u = coarser.solutions[increment - 1];
+    const GhostedVector &u = coarser.solutions[increment - 1];
     std::copy(u.begin(), u.end(), state.solution.begin());
     pairing.pair(state.solution);
     if (model.interface)
@@ -756,7 +756,7 @@ namespace Contact
                             change <= parameters.solution.friction_tolerance);
     };
     const auto renew = [&](Relaxation &relaxation) {
-      const double part = relaxation.length(interface.bounds());
+      const double part = relaxation.length(GhostedVector(interface.bounds()));
       if (part < 1)
         {
           last_bounds.sadd(1 - part, part, interface.bounds());
@@ -925,7 +925,7 @@ namespace Contact
   // Conditions on every solution, by a computation of their own. A result that
   // violates one is wrong, whatever Newton's method says.
   template<int dim>
-  void ContactProblem<dim>::check_invariants(const Vector<double> &springs)
+  void ContactProblem<dim>::check_invariants(const GhostedVector &springs)
   {
     TimerOutput::Scope scope(report.timer, "invariants");
     Invariants         found =

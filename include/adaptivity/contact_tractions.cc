@@ -63,7 +63,7 @@ namespace Contact
   FacetPlace<dim>::FacetPlace(const Surface<dim>      &surface,
                               const SurfaceFacet<dim> &facet,
                               const FacetPoint<dim>   &xi,
-                              const Vector<double>    &u)
+                              const GhostedVector     &u)
     : shape(surface.degree, xi)
   {
     std::array<Tensor<1, dim>, dim - 1> along_undeformed;
@@ -104,7 +104,7 @@ namespace Contact
     const Discretization<dim>   &discretization,
     const ContactInterface<dim> &interface,
     const ContactPair<dim>      &contact_pair,
-    const Vector<double>        &solution)
+    const GhostedVector         &solution)
     : discretization(discretization)
     , slave(contact_pair.slave)
     , solution(solution)

@@ -22,7 +22,7 @@ namespace Contact
     FacetPlace(const Surface<dim>      &surface,
                const SurfaceFacet<dim> &facet,
                const FacetPoint<dim>   &xi,
-               const Vector<double>    &u);
+               const GhostedVector     &u);
 
     /// Deformed by undeformed area.
     double stretch() const
@@ -61,7 +61,7 @@ namespace Contact
     ContactTractions(const Discretization<dim>   &discretization,
                      const ContactInterface<dim> &interface,
                      const ContactPair<dim>      &contact_pair,
-                     const Vector<double>        &solution);
+                     const GhostedVector         &solution);
 
     /**
      * The traction at a place of the facet @p name by undeformed area [MPa];
@@ -85,7 +85,7 @@ namespace Contact
 
     const Discretization<dim>             &discretization;
     const Surface<dim>                    &slave;
-    const Vector<double>                  &solution;
+    const GhostedVector                   &solution;
     const SurfaceSearch<dim>               search;
     std::map<FacetName<dim>, unsigned int> slave_facets, master_facets;
 

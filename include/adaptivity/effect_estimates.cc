@@ -52,10 +52,10 @@ namespace Contact
     private:
       bool has_new_shear(const ContactModel<2> &scene) const;
       void take_surfaces(const ContactInterface<2> &from,
-                         const Vector<double>      &solution);
+                         const GhostedVector       &solution);
       void take_multipliers(const ContactInterface<2> &from,
                             const ContactPoint<2>     &point,
-                            const Vector<double>      &solution,
+                            const GhostedVector       &solution,
                             ContactPoint<2>           &here);
       void pair();
       void update_statuses();
@@ -87,7 +87,7 @@ namespace Contact
                                                 *model.elasticity,
                                                 pairs);
 
-      state.reinit(model.n_unknowns());
+      state.reinit(model);
       state.load_factor = from.load_factor;
       std::copy_n(from.solution.begin(),
                   model.n_displacements(),
@@ -141,7 +141,7 @@ namespace Contact
 
     // Pairs by their names, their points one by one.
     void Variant::take_surfaces(const ContactInterface<2> &from,
-                                const Vector<double>      &solution)
+                                const GhostedVector       &solution)
     {
       std::vector<ContactPoint<2>> points = model.interface->points();
       for (const auto &of_pair : model.interface->pairs)
@@ -163,7 +163,7 @@ namespace Contact
 
     void Variant::take_multipliers(const ContactInterface<2> &from,
                                    const ContactPoint<2>     &point,
-                                   const Vector<double>      &solution,
+                                   const GhostedVector       &solution,
                                    ContactPoint<2>           &here)
     {
       const ContactInterface<2> &interface = *model.interface;
@@ -185,8 +185,8 @@ namespace Contact
 
     void Variant::pair()
     {
-      const Vector<double> undeformed(state.solution.size());
-      PairingMode          mode;
+      const GhostedVector undeformed(state.solution.size());
+      PairingMode         mode;
       mode.with_derivatives = linearization.moving_geometry;
       system->update_pattern(model.interface->pair(linearization.moving_geometry
                                                      ? state.solution
@@ -208,7 +208,7 @@ namespace Contact
         model.discretization->constrain_update(state.solution,
                                                state.load_factor);
 
-      Vector<double>       step(model.n_unknowns());
+      GhostedVector        step = model.zero();
       const VolumeRatio<2> smallest =
         model.elasticity->assemble(state.solution,
                                    state.load_factor,
@@ -230,8 +230,7 @@ namespace Contact
       state.solution += step;
       if (model.interface)
         update_statuses();
-      step.grow_or_shrink(model.n_displacements());
-      return step.linfty_norm();
+      return model.discretization->displacements(step).linfty_norm();
     }
 
 
@@ -256,9 +255,7 @@ namespace Contact
       double             step      = scene.make_step();
       const double       seconds   = seconds_since(begin);
       const auto         largest   = [&]() {
-        const Vector<double> &x = scene.state.solution;
-        return Vector<double>(x.begin(),
-                              x.begin() + scene.model.n_displacements())
+        return scene.model.discretization->displacements(scene.state.solution)
           .linfty_norm();
       };
       for (unsigned int n = 1; step > 1e-8 * largest(); ++n)

@@ -123,7 +123,7 @@ namespace Contact
   Vector<float> ErrorEstimator<dim>::indicators(
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
     const ContactInterface<dim>              *interface,
-    const Vector<double>                     &solution) const
+    const GhostedVector                      &solution) const
   {
     Vector<double> eta_square(
       discretization.mesh.triangulation.n_active_cells());
@@ -141,7 +141,7 @@ namespace Contact
   template<int dim>
   void ErrorEstimator<dim>::add_bulk_terms(
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-    const Vector<double>                     &solution,
+    const GhostedVector                      &solution,
     Vector<double>                           &eta_square) const
   {
     const auto stresses = elasticity.stresses(solution);
@@ -180,7 +180,7 @@ namespace Contact
   void ErrorEstimator<dim>::add_boundary_terms(
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
     const ContactInterface<dim>              *interface,
-    const Vector<double>                     &solution,
+    const GhostedVector                      &solution,
     Vector<double>                           &eta_square) const
   {
     std::list<ContactTractions<dim>> contact;
@@ -207,7 +207,7 @@ namespace Contact
     const unsigned int                        e,
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
     const std::list<ContactTractions<dim>>   &contact,
-    const Vector<double>                     &solution) const
+    const GhostedVector                      &solution) const
   {
     const SurfaceFacet<dim> &facet    = boundary.facets[e];
     const auto              &vertices = neighborhoods[e].vertices;
@@ -317,7 +317,7 @@ namespace Contact
   void flag_by_estimate(const ContactModel<dim>                  &model,
                         const Parameters::All                    &parameters,
                         const std::vector<SymmetricTensor<2, 3>> &stresses,
-                        const Vector<double>                     &solution)
+                        const GhostedVector                      &solution)
   {
     ++model.discretization->counters.error_estimates;
     flag_by_indicators(
@@ -333,10 +333,10 @@ namespace Contact
   flag_by_estimate(const ContactModel<2>                    &model,
                    const Parameters::All                    &parameters,
                    const std::vector<SymmetricTensor<2, 3>> &stresses,
-                   const Vector<double>                     &solution);
+                   const GhostedVector                      &solution);
   template void
   flag_by_estimate(const ContactModel<3>                    &model,
                    const Parameters::All                    &parameters,
                    const std::vector<SymmetricTensor<2, 3>> &stresses,
-                   const Vector<double>                     &solution);
+                   const GhostedVector                      &solution);
 } // namespace Contact

@@ -66,7 +66,7 @@ namespace Contact
     Vector<float>
     indicators(const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                const ContactInterface<dim>              *interface,
-               const Vector<double>                     &solution) const;
+               const GhostedVector                      &solution) const;
 
   private:
     /// Data of facets that the boundary does not hold.
@@ -85,20 +85,20 @@ namespace Contact
 
     void
     add_bulk_terms(const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                   const Vector<double>                     &solution,
+                   const GhostedVector                      &solution,
                    Vector<double>                           &eta_square) const;
 
     void add_boundary_terms(
       const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
       const ContactInterface<dim>              *interface,
-      const Vector<double>                     &solution,
+      const GhostedVector                      &solution,
       Vector<double>                           &eta_square) const;
 
     double
     boundary_term(const unsigned int                        facet,
                   const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                   const std::list<ContactTractions<dim>>   &contact,
-                  const Vector<double>                     &solution) const;
+                  const GhostedVector                      &solution) const;
 
     /// The traction s* n at a place of the boundary, by undeformed length.
     Tensor<1, dim> stress_traction(const SymmetricTensor<2, dim> &stress,
@@ -128,7 +128,7 @@ namespace Contact
   void flag_by_estimate(const ContactModel<dim>                  &model,
                         const Parameters::All                    &parameters,
                         const std::vector<SymmetricTensor<2, 3>> &stresses,
-                        const Vector<double>                     &solution);
+                        const GhostedVector                      &solution);
 } // namespace Contact
 
 #endif

@@ -49,14 +49,14 @@ namespace Contact
     void add_lift(const Parameters::Probes::Definition &probe,
                   const double                          factor,
                   const ContactModel<2>                &model,
-                  Vector<double>                       &dual)
+                  GhostedVector                        &dual)
     {
       if (!is_force(probe.quantity))
         return;
       double sign = factor;
       for (const std::string &place : probe.places)
         {
-          const Vector<double> v =
+          const GhostedVector v =
             resultant(probe.quantity, place, model).test_function();
           for (unsigned int i = 0; i < v.size(); ++i)
             dual[i] += sign * v[i];
@@ -69,10 +69,10 @@ namespace Contact
 
   ProbeErrors GoalErrors::estimate()
   {
-    TimerOutput::Scope          scope(timer, "estimate");
-    ProbeErrors                 errors;
-    std::vector<Vector<double>> duals = solve_dual_problems(errors);
-    const PatchRecovery         recovery(*model.discretization, duals);
+    TimerOutput::Scope         scope(timer, "estimate");
+    ProbeErrors                errors;
+    std::vector<GhostedVector> duals = solve_dual_problems(errors);
+    const PatchRecovery        recovery(*model.discretization, duals);
     refined                     = std::make_unique<RefinedState>(parameters,
                                              model,
                                              state,
@@ -81,21 +81,21 @@ namespace Contact
     const ContactModel<2> &fine = refined->model;
     const auto             recovered = recovery.values(*fine.discretization);
     RefinedSystem          system(fine, refined->state, linearization);
-    Vector<double>         residual = system.negative_residual();
+    GhostedVector          residual = system.negative_residual();
     const auto             requests = parameters.probes.requests();
     Vector<float>          missed(model.mesh->triangulation.n_active_cells());
     Vector<float>          met(missed.size());
     // By trial: without sweeps estimates of smooth scenes are off by a factor
     // of up to six, after one by half, after three by a tenth, after five by
     // less.
-    const Vector<double> relaxed = system.relax(residual, /*n_sweeps=*/5);
+    const GhostedVector relaxed = system.relax(residual, /*n_sweeps=*/5);
 
     unsigned int k = 0;
     for (const auto &[name, probe] : probes)
       {
-        Vector<double>      &dual        = duals[k];
-        Vector<double>       transferred = dual;
-        const Vector<double> functional =
+        GhostedVector      &dual        = duals[k];
+        GhostedVector       transferred = dual;
+        const GhostedVector functional =
           probe_derivative(probe, fine, refined->state.solution);
         std::copy(recovered[k].begin(), recovered[k].end(), dual.begin());
         add_lift(probe, 1, fine, dual);
@@ -131,14 +131,14 @@ namespace Contact
 
   // A node's share belongs to all cells at it alike; the multipliers of a point
   // to those at its own node.
-  void GoalErrors::add_indicators(const Vector<double> &residual,
-                                  const Vector<double> &weight,
-                                  const double          scale,
-                                  Vector<float>        &indicators) const
+  void GoalErrors::add_indicators(const GhostedVector &residual,
+                                  const GhostedVector &weight,
+                                  const double         scale,
+                                  Vector<float>       &indicators) const
   {
     const ContactModel<2> &fine        = refined->model;
     const auto            &dof_handler = fine.discretization->dof_handler;
-    Vector<double>         shares(fine.n_displacements());
+    GhostedVector          shares(fine.n_displacements());
     for (unsigned int i = 0; i < shares.size(); ++i)
       shares[i] = residual[i] * weight[i];
     if (fine.interface)
@@ -187,9 +187,9 @@ namespace Contact
 
 
   // Minus the residual of the state under the present pairing.
-  Vector<double> GoalErrors::negative_residual() const
+  GhostedVector GoalErrors::negative_residual() const
   {
-    Vector<double> residual(model.n_unknowns());
+    GhostedVector residual = model.zero();
     model.elasticity->assemble(state.solution,
                                state.load_factor,
                                residual,
@@ -222,7 +222,7 @@ namespace Contact
     mode.with_derivatives = linearization.moving_geometry;
     model.interface->pair(linearization.moving_geometry
                             ? state.solution
-                            : Vector<double>(state.solution.size()),
+                            : GhostedVector(state.solution.size()),
                           mode);
     if (linearization.moving_geometry)
       {
@@ -259,7 +259,7 @@ namespace Contact
 
 
   // The tangent knows how the pairing moves, whatever the run did.
-  std::vector<Vector<double>>
+  std::vector<GhostedVector>
   GoalErrors::solve_dual_problems(ProbeErrors &errors) const
   {
     std::vector<ContactPoint<2>> points;
@@ -276,7 +276,7 @@ namespace Contact
     system.update_pattern(true);
     system.factorize(state.solution, state.start, state.load_factor);
 
-    std::vector<Vector<double>> duals;
+    std::vector<GhostedVector> duals;
     for (const auto &[name, probe] : probes)
       {
         duals.push_back(probe_derivative(probe, model, state.solution));
@@ -303,8 +303,8 @@ namespace Contact
   //   w (n + q' t).[z] = -(J_n + q' J_t)                     where it slips,
   // q' the derivative of the shear with respect to the pressure. The node of
   // the slave takes what is missing.
-  void GoalErrors::impose_contact(const Vector<double> &functional,
-                                  Vector<double>       &dual) const
+  void GoalErrors::impose_contact(const GhostedVector &functional,
+                                  GhostedVector       &dual) const
   {
     const ContactModel<2> &fine        = refined->model;
     const auto            &constraints = fine.discretization->constraints;
@@ -383,9 +383,9 @@ namespace Contact
 
   // J(x_h + e) - J_h(x_h). An energy is quadratic, and where the supports are
   // at rest its error is that of second order.
-  double GoalErrors::change_of_probe(const Definition     &probe,
-                                     const Vector<double> &functional,
-                                     const Vector<double> &relaxed) const
+  double GoalErrors::change_of_probe(const Definition    &probe,
+                                     const GhostedVector &functional,
+                                     const GhostedVector &relaxed) const
   {
     if (is_energy(probe.quantity))
       {

@@ -64,22 +64,22 @@ namespace Contact
     using Definition = Parameters::Probes::Definition;
 
     /// Minus the residual that is left, one loop after the other.
-    using Residuals = std::vector<std::pair<std::string, Vector<double>>>;
+    using Residuals = std::vector<std::pair<std::string, GhostedVector>>;
 
-    void                        add_indicators(const Vector<double> &residual,
-                                               const Vector<double> &weight,
-                                               const double          scale,
-                                               Vector<float>        &indicators) const;
-    std::vector<Vector<double>> solve_dual_problems(ProbeErrors &errors) const;
-    Vector<double>              negative_residual() const;
-    Residuals                   pair_anew() const;
-    void                        forget_excess() const;
-    void                        impose_contact(const Vector<double> &functional,
-                                               Vector<double>       &dual) const;
-    double                      order(const Definition &probe) const;
-    double                      change_of_probe(const Definition     &probe,
-                                                const Vector<double> &functional,
-                                                const Vector<double> &relaxed) const;
+    void                       add_indicators(const GhostedVector &residual,
+                                              const GhostedVector &weight,
+                                              const double         scale,
+                                              Vector<float>       &indicators) const;
+    std::vector<GhostedVector> solve_dual_problems(ProbeErrors &errors) const;
+    GhostedVector              negative_residual() const;
+    Residuals                  pair_anew() const;
+    void                       forget_excess() const;
+    void                       impose_contact(const GhostedVector &functional,
+                                              GhostedVector       &dual) const;
+    double                     order(const Definition &probe) const;
+    double                     change_of_probe(const Definition    &probe,
+                                               const GhostedVector &functional,
+                                               const GhostedVector &relaxed) const;
 
     const Parameters::All                  &parameters;
     ContactModel<2>                        &model;

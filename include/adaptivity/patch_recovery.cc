@@ -77,8 +77,8 @@ namespace Contact
 
 
 
-  PatchRecovery::PatchRecovery(const Discretization<2> &discretization,
-                               const std::vector<Vector<double>> &fields)
+  PatchRecovery::PatchRecovery(const Discretization<2>          &discretization,
+                               const std::vector<GhostedVector> &fields)
     : discretization(discretization)
     , n_fields(fields.size())
   {
@@ -123,10 +123,10 @@ namespace Contact
   // one cell thick does not determine all coefficients; those of least norm are
   // as good as any.
   PatchRecovery::Patch
-  PatchRecovery::fit(const Point<2>                    &center,
-                     const Cells                       &cells,
-                     const std::vector<Point<2>>       &X,
-                     const std::vector<Vector<double>> &fields) const
+  PatchRecovery::fit(const Point<2>                   &center,
+                     const Cells                      &cells,
+                     const std::vector<Point<2>>      &X,
+                     const std::vector<GhostedVector> &fields) const
   {
     std::map<types::global_dof_index, types::global_dof_index> nodes;
     std::vector<types::global_dof_index>                       dofs;
@@ -201,11 +201,11 @@ namespace Contact
 
 
 
-  void PatchRecovery::add_values(const Point<2>              &X,
-                                 const Patch                 &patch,
-                                 const double                 factor,
-                                 const NodeDoFs<2>           &node,
-                                 std::vector<Vector<double>> &values) const
+  void PatchRecovery::add_values(const Point<2>             &X,
+                                 const Patch                &patch,
+                                 const double                factor,
+                                 const NodeDoFs<2>          &node,
+                                 std::vector<GhostedVector> &values) const
   {
     const auto shapes = monomials(X, patch);
     for (unsigned int k = 0; k < n_fields; ++k)
@@ -221,7 +221,7 @@ namespace Contact
 
   // Polynomials of neighbours are blended continuously: a node that cells share
   // has the same value from all of them.
-  std::vector<Vector<double>>
+  std::vector<GhostedVector>
   PatchRecovery::values(const Discretization<2> &refined) const
   {
     std::vector<std::vector<HatValues>> hats;
@@ -229,9 +229,9 @@ namespace Contact
       hats.push_back(hat_values(refined.fe[e]));
 
     const auto                           X = support_points(refined);
-    std::vector<Vector<double>>          values(n_fields,
-                                       Vector<double>(
-                                         refined.dof_handler.n_dofs()));
+    std::vector<GhostedVector>           values(n_fields,
+                                      GhostedVector(
+                                        refined.dof_handler.n_dofs()));
     std::vector<bool>                    is_known(X.size(), false);
     std::vector<types::global_dof_index> dofs;
     for (const auto &cell : refined.dof_handler.active_cell_iterators())

@@ -33,12 +33,12 @@ namespace Contact
   public:
     /// Fit the @p fields of a discretization, which may have more behind the
     /// displacements.
-    PatchRecovery(const Discretization<2>           &discretization,
-                  const std::vector<Vector<double>> &fields);
+    PatchRecovery(const Discretization<2>          &discretization,
+                  const std::vector<GhostedVector> &fields);
 
     /// Their values at the nodes of the @p refined mesh, whose cells are the
     /// children of those of the first.
-    std::vector<Vector<double>> values(const Discretization<2> &refined) const;
+    std::vector<GhostedVector> values(const Discretization<2> &refined) const;
 
   private:
     /// A polynomial for each component of each field, in (X - center)/size.
@@ -55,15 +55,15 @@ namespace Contact
     using Key = std::pair<types::material_id, unsigned int>;
 
     std::map<Key, Cells> find_patches() const;
-    Patch                fit(const Point<2>                    &center,
-                             const Cells                       &cells,
-                             const std::vector<Point<2>>       &X,
-                             const std::vector<Vector<double>> &fields) const;
-    void                 add_values(const Point<2>              &X,
-                                    const Patch                 &patch,
-                                    const double                 factor,
-                                    const NodeDoFs<2>           &node,
-                                    std::vector<Vector<double>> &values) const;
+    Patch                fit(const Point<2>                   &center,
+                             const Cells                      &cells,
+                             const std::vector<Point<2>>      &X,
+                             const std::vector<GhostedVector> &fields) const;
+    void                 add_values(const Point<2>             &X,
+                                    const Patch                &patch,
+                                    const double                factor,
+                                    const NodeDoFs<2>          &node,
+                                    std::vector<GhostedVector> &values) const;
     std::vector<double>  monomials(const Point<2> &X, const Patch &patch) const;
 
     const Discretization<2> &discretization;

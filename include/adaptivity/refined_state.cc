@@ -9,11 +9,11 @@
 
 namespace Contact
 {
-  RefinedState::RefinedState(const Parameters::All       &parameters,
-                             const ContactModel<2>       &coarse,
-                             const IncrementState<2>     &coarse_state,
-                             const ContactLinearization  &linearization,
-                             std::vector<Vector<double>> &duals)
+  RefinedState::RefinedState(const Parameters::All      &parameters,
+                             const ContactModel<2>      &coarse,
+                             const IncrementState<2>    &coarse_state,
+                             const ContactLinearization &linearization,
+                             std::vector<GhostedVector> &duals)
     : linearization(linearization)
   {
     model.mesh = std::make_unique<Mesh<2>>(*coarse.mesh);
@@ -22,10 +22,10 @@ namespace Contact
 
     SurfaceStates duals_on_surfaces;
     if (coarse.interface)
-      for (const Vector<double> &dual : duals)
+      for (const GhostedVector &dual : duals)
         duals_on_surfaces.push_back(save_surfaces(*coarse.interface, dual));
 
-    std::vector<Vector<double>> transferred = duals;
+    std::vector<GhostedVector> transferred = duals;
     transferred.push_back(coarse_state.solution);
     transferred.push_back(coarse_state.start);
     flag_all_cells(*model.mesh);
@@ -35,8 +35,12 @@ namespace Contact
       Elasticity<2>::create(*model.discretization, parameters.solids);
     if (coarse.interface)
       make_interface(parameters, *coarse.interface);
-    for (Vector<double> &vector : transferred)
-      vector.grow_or_shrink(model.n_unknowns());
+    for (GhostedVector &vector : transferred)
+      {
+        GhostedVector grown = model.zero();
+        std::copy(vector.begin(), vector.end(), grown.begin());
+        vector = grown;
+      }
 
     state.load_factor = coarse_state.load_factor;
     state.start       = transferred.back();
@@ -70,15 +74,14 @@ namespace Contact
 
   // Statuses follow the pressures of the state: it comes last.
   void RefinedState::transfer_contact(const ContactInterface<2> &coarse,
-                                      const Vector<double> &coarse_solution,
-                                      const SurfaceStates  &duals_on_surfaces,
-                                      std::vector<Vector<double>> &duals)
+                                      const GhostedVector &coarse_solution,
+                                      const SurfaceStates &duals_on_surfaces,
+                                      std::vector<GhostedVector> &duals)
   {
     PairingMode mode;
     mode.with_derivatives = linearization.moving_geometry;
-    model.interface->pair(linearization.moving_geometry
-                            ? state.solution
-                            : Vector<double>(state.solution.size()),
+    model.interface->pair(linearization.moving_geometry ? state.solution
+                                                        : model.zero(),
                           mode);
     model.interface->set_support_motion(
       model.discretization->support_motion(state.start, state.load_factor));
@@ -90,7 +93,7 @@ namespace Contact
     update_statuses();
     for (const ContactPoint<2> &point : model.interface->points())
       if (point.status.kind == Status::open)
-        for (Vector<double> &dual : duals)
+        for (GhostedVector &dual : duals)
           set_multipliers(point, 0., dual);
   }
 
@@ -128,7 +131,7 @@ namespace Contact
 
   void RefinedState::set_multipliers(const ContactPoint<2> &point,
                                      const double           value,
-                                     Vector<double>        &vector) const
+                                     GhostedVector         &vector) const
   {
     const ContactInterface<2> &interface = *model.interface;
     for (unsigned int k = 0; k < point.n_multipliers; ++k)

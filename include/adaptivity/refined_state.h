@@ -26,11 +26,11 @@ namespace Contact
   public:
     /// Refine the mesh of the @p state; the @p duals, solutions of transposed
     /// problems on that mesh, are transferred with it.
-    RefinedState(const Parameters::All       &parameters,
-                 const ContactModel<2>       &coarse,
-                 const IncrementState<2>     &state,
-                 const ContactLinearization  &linearization,
-                 std::vector<Vector<double>> &duals);
+    RefinedState(const Parameters::All      &parameters,
+                 const ContactModel<2>      &coarse,
+                 const IncrementState<2>    &state,
+                 const ContactLinearization &linearization,
+                 std::vector<GhostedVector> &duals);
 
     ContactModel<2>   model;
     IncrementState<2> state;
@@ -40,14 +40,14 @@ namespace Contact
 
     void make_interface(const Parameters::All     &parameters,
                         const ContactInterface<2> &coarse);
-    void transfer_contact(const ContactInterface<2>   &coarse,
-                          const Vector<double>        &coarse_solution,
-                          const SurfaceStates         &duals_on_surfaces,
-                          std::vector<Vector<double>> &duals);
+    void transfer_contact(const ContactInterface<2>  &coarse,
+                          const GhostedVector        &coarse_solution,
+                          const SurfaceStates        &duals_on_surfaces,
+                          std::vector<GhostedVector> &duals);
     void update_statuses();
     void set_multipliers(const ContactPoint<2> &point,
                          const double           value,
-                         Vector<double>        &vector) const;
+                         GhostedVector         &vector) const;
 
     const ContactLinearization linearization;
   };

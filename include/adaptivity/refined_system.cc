@@ -57,7 +57,7 @@ namespace Contact
     pattern.copy_from(couplings);
     matrix.reinit(pattern);
 
-    rhs.reinit(n);
+    rhs = model.zero();
     model.elasticity->assemble(state.solution, state.load_factor, rhs, &matrix);
     if (model.interface)
       ContactKernel<2>(*model.interface)
@@ -153,11 +153,11 @@ namespace Contact
 
 
 
-  Vector<double> RefinedSystem::relax(Vector<double>    &rhs,
-                                      const unsigned int n_sweeps) const
+  GhostedVector RefinedSystem::relax(GhostedVector     &rhs,
+                                     const unsigned int n_sweeps) const
   {
-    Vector<double> x(rhs.size());
-    const auto     missing = [&](const types::global_dof_index row) {
+    GhostedVector x(rhs.size());
+    const auto    missing = [&](const types::global_dof_index row) {
       double sum = rhs[row];
       for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
         sum -= entry->value() * x[entry->column()];
@@ -182,8 +182,8 @@ namespace Contact
         for (unsigned int row = rhs.size(); row-- > 0;)
           relax_node(row);
       }
-    Vector<double> product(rhs.size());
-    matrix.vmult(product, x);
+    GhostedVector product(rhs.size());
+    matrix.vmult<Vector<double>, Vector<double>>(product, x);
     rhs -= product;
     return x;
   }
@@ -261,16 +261,16 @@ namespace Contact
 
   void
   RefinedSystem::solve_dual_around(const std::vector<unsigned int> &vertices,
-                                   const Vector<double>            &functional,
-                                   Vector<double>                  &dual)
+                                   const GhostedVector             &functional,
+                                   GhostedVector                   &dual)
   {
     const Block &block = block_around(vertices);
     if (block.unknowns.empty())
       return;
 
-    Vector<double> missing = functional;
-    Vector<double> product(dual.size());
-    matrix.Tvmult(product, dual);
+    GhostedVector missing = functional;
+    GhostedVector product(dual.size());
+    matrix.Tvmult<Vector<double>, Vector<double>>(product, dual);
     missing -= product;
     Vector<double> local(block.unknowns.size());
     for (unsigned int i = 0; i < local.size(); ++i)

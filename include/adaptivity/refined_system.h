@@ -32,7 +32,7 @@ namespace Contact
                   const ContactLinearization &linearization);
 
     /// Minus the residual of the state.
-    const Vector<double> &negative_residual() const
+    const GhostedVector &negative_residual() const
     {
       return rhs;
     }
@@ -43,8 +43,7 @@ namespace Contact
      * those of the contact, which are one block with their multipliers. What it
      * leaves of the right-hand side is in @p rhs.
      */
-    Vector<double> relax(Vector<double>    &rhs,
-                         const unsigned int n_sweeps) const;
+    GhostedVector relax(GhostedVector &rhs, const unsigned int n_sweeps) const;
 
     /**
      * The dual solution of a value at a point is singular there: a unit force,
@@ -54,8 +53,8 @@ namespace Contact
      * @p dual at their edge; @p functional is the derivative of the value.
      */
     void solve_dual_around(const std::vector<unsigned int> &vertices,
-                           const Vector<double>            &functional,
-                           Vector<double>                  &dual);
+                           const GhostedVector             &functional,
+                           GhostedVector                   &dual);
 
   private:
     using Unknowns = std::set<types::global_dof_index>;
@@ -85,7 +84,7 @@ namespace Contact
 
     SparsityPattern      pattern;
     SparseMatrix<double> matrix;
-    Vector<double>       rhs;
+    GhostedVector        rhs;
     Block                contact; // its nodes and multipliers
 
     /// Those around the vertices of probes; several may be of the same point.

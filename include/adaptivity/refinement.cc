@@ -7,7 +7,6 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
 #include <boost/serialization/utility.hpp>
@@ -24,59 +23,55 @@ namespace Contact
 {
   namespace
   {
-    using DistributedVector = LinearAlgebra::distributed::Vector<double>;
-
-
-
     /// On a mesh of which every rank has all cells.
     template<int dim>
-    void transfer_complete(Mesh<dim>                   &mesh,
-                           Discretization<dim>         &discretization,
-                           std::vector<Vector<double>> &solutions)
+    void transfer_complete(Mesh<dim>                  &mesh,
+                           Discretization<dim>        &discretization,
+                           std::vector<GhostedVector> &solutions)
     {
       SolutionTransfer<dim, Vector<double>> transfer(
         discretization.dof_handler);
-      for (Vector<double> &solution : solutions)
-        solution.grow_or_shrink(discretization.dof_handler.n_dofs());
+      std::vector<Vector<double>> old, refined;
+      for (const GhostedVector &solution : solutions)
+        {
+          old.emplace_back(discretization.dof_handler.n_dofs());
+          for (unsigned int i = 0; i < old.back().size(); ++i)
+            old.back()[i] = solution[i];
+        }
 
       mesh.triangulation.prepare_coarsening_and_refinement();
-      if (!solutions.empty())
-        transfer.prepare_for_coarsening_and_refinement(solutions);
+      if (!old.empty())
+        transfer.prepare_for_coarsening_and_refinement(old);
       mesh.triangulation.execute_coarsening_and_refinement();
       discretization.redistribute();
 
-      std::vector<Vector<double>> refined(
-        solutions.size(),
-        Vector<double>(discretization.dof_handler.n_dofs()));
-      if (!solutions.empty())
-        interpolate(transfer, solutions, refined);
-      solutions.swap(refined);
+      refined.resize(old.size(),
+                     Vector<double>(discretization.dof_handler.n_dofs()));
+      if (!old.empty())
+        interpolate(transfer, old, refined);
+      for (unsigned int k = 0; k < solutions.size(); ++k)
+        {
+          solutions[k] = GhostedVector(discretization.distribution);
+          for (unsigned int i = 0; i < refined[k].size(); ++i)
+            solutions[k][i] = refined[k][i];
+        }
     }
 
 
 
     /// On a mesh of which a rank has a part.
     template<int dim>
-    void transfer_distributed(Mesh<dim>                   &mesh,
-                              Discretization<dim>         &discretization,
-                              std::vector<Vector<double>> &solutions)
+    void transfer_distributed(Mesh<dim>                  &mesh,
+                              Discretization<dim>        &discretization,
+                              std::vector<GhostedVector> &solutions)
     {
-      const auto    &dof_handler  = discretization.dof_handler;
-      const MPI_Comm communicator = discretization.communicator;
-
-      IndexSet relevant = DoFTools::extract_locally_relevant_dofs(dof_handler);
-      std::vector<DistributedVector>         old(solutions.size());
+      const auto                    &dof_handler = discretization.dof_handler;
+      std::vector<DistributedVector> old;
       std::vector<const DistributedVector *> old_pointers;
-      for (unsigned int k = 0; k < solutions.size(); ++k)
-        {
-          old[k].reinit(dof_handler.locally_owned_dofs(),
-                        relevant,
-                        communicator);
-          for (const auto i : dof_handler.locally_owned_dofs())
-            old[k](i) = solutions[k][i];
-          old[k].update_ghost_values();
-          old_pointers.push_back(&old[k]);
-        }
+      for (const GhostedVector &solution : solutions)
+        old.push_back(discretization.distributed(solution));
+      for (const DistributedVector &vector : old)
+        old_pointers.push_back(&vector);
 
       DistributedTransfer<dim, DistributedVector> transfer(dof_handler);
       mesh.triangulation.prepare_coarsening_and_refinement();
@@ -85,23 +80,24 @@ namespace Contact
       discretization.redistribute();
 
       // Cells write on what neighbors own, too.
-      const IndexSet &owned = dof_handler.locally_owned_dofs();
-      relevant = DoFTools::extract_locally_relevant_dofs(dof_handler);
+      const IndexSet relevant =
+        DoFTools::extract_locally_relevant_dofs(dof_handler);
       std::vector<DistributedVector>   refined(solutions.size());
       std::vector<DistributedVector *> refined_pointers;
       for (DistributedVector &vector : refined)
         {
-          vector.reinit(owned, relevant, communicator);
+          vector.reinit(dof_handler.locally_owned_dofs(),
+                        relevant,
+                        discretization.communicator);
           refined_pointers.push_back(&vector);
         }
       transfer.interpolate(refined_pointers);
 
       for (unsigned int k = 0; k < solutions.size(); ++k)
         {
-          solutions[k].reinit(dof_handler.n_dofs());
-          for (const auto i : owned)
-            solutions[k][i] = refined[k](i);
-          Utilities::MPI::sum(solutions[k], communicator, solutions[k]);
+          solutions[k] = GhostedVector(discretization.distribution);
+          std::copy(refined[k].begin(), refined[k].end(), solutions[k].begin());
+          solutions[k].update_ghosts();
         }
     }
   } // namespace
@@ -261,9 +257,9 @@ namespace Contact
   // free centre of an old face that may touch does not respect; and updates do
   // not bring back what is beside the constraints.
   template<int dim>
-  void refine_and_transfer(Mesh<dim>                   &mesh,
-                           Discretization<dim>         &discretization,
-                           std::vector<Vector<double>> &solutions)
+  void refine_and_transfer(Mesh<dim>                  &mesh,
+                           Discretization<dim>        &discretization,
+                           std::vector<GhostedVector> &solutions)
   {
     if (mesh.is_complete())
       transfer_complete(mesh, discretization, solutions);
@@ -273,11 +269,8 @@ namespace Contact
     const auto constraints = followers(discretization);
     if (Utilities::MPI::max(constraints.n_constraints(),
                             discretization.communicator) > 0)
-      for (Vector<double> &solution : solutions)
-        {
-          constraints.distribute(solution);
-          discretization.gather(solution);
-        }
+      for (GhostedVector &solution : solutions)
+        discretization.distribute(constraints, solution);
   }
 
   template void check_adaptive(const Mesh<2> &mesh);
@@ -297,10 +290,10 @@ namespace Contact
                                    const Vector<float>   &indicators);
   template void flag_all_cells(Mesh<2> &mesh);
   template void flag_all_cells(Mesh<3> &mesh);
-  template void refine_and_transfer(Mesh<2>                     &mesh,
-                                    Discretization<2>           &discretization,
-                                    std::vector<Vector<double>> &solutions);
-  template void refine_and_transfer(Mesh<3>                     &mesh,
-                                    Discretization<3>           &discretization,
-                                    std::vector<Vector<double>> &solutions);
+  template void refine_and_transfer(Mesh<2>                    &mesh,
+                                    Discretization<2>          &discretization,
+                                    std::vector<GhostedVector> &solutions);
+  template void refine_and_transfer(Mesh<3>                    &mesh,
+                                    Discretization<3>          &discretization,
+                                    std::vector<GhostedVector> &solutions);
 } // namespace Contact

@@ -72,9 +72,9 @@ namespace Contact
    * behind. Every rank holds them in full, before and after.
    */
   template<int dim>
-  void refine_and_transfer(Mesh<dim>                   &mesh,
-                           Discretization<dim>         &discretization,
-                           std::vector<Vector<double>> &solutions);
+  void refine_and_transfer(Mesh<dim>                  &mesh,
+                           Discretization<dim>        &discretization,
+                           std::vector<GhostedVector> &solutions);
 } // namespace Contact
 
 #endif

@@ -101,9 +101,9 @@ namespace Contact
 
 
 
-    std::vector<Piece> pieces_of(const Surface<2>     &surface,
-                                 const Vector<double> &from,
-                                 const Vector<double> &to)
+    std::vector<Piece> pieces_of(const Surface<2>    &surface,
+                                 const GhostedVector &from,
+                                 const GhostedVector &to)
     {
       std::vector<Piece> pieces;
       for (const SurfaceFacet<2> &edge : surface.facets)
@@ -158,8 +158,8 @@ namespace Contact
     void look(const Surface<2>                  &surface,
               const Surface<2>                  &other,
               const bool                         is_master,
-              const Vector<double>              &from,
-              const Vector<double>              &to,
+              const GhostedVector               &from,
+              const GhostedVector               &to,
               std::optional<ContactCrossing<2>> &deepest)
     {
       const auto pieces = pieces_of(other, from, to);
@@ -201,8 +201,8 @@ namespace Contact
 
   std::optional<ContactCrossing<2>>
   find_crossing(const ContactPair<2> &contact_pair,
-                const Vector<double> &from,
-                const Vector<double> &to)
+                const GhostedVector  &from,
+                const GhostedVector  &to)
   {
     std::optional<ContactCrossing<2>> deepest;
     if (contact_pair.master)

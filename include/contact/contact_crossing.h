@@ -36,13 +36,13 @@ namespace Contact
    */
   std::optional<ContactCrossing<2>>
   find_crossing(const ContactPair<2> &contact_pair,
-                const Vector<double> &from,
-                const Vector<double> &to);
+                const GhostedVector  &from,
+                const GhostedVector  &to);
 
   /// In space nothing is looked for.
   inline std::optional<ContactCrossing<3>> find_crossing(const ContactPair<3> &,
-                                                         const Vector<double> &,
-                                                         const Vector<double> &)
+                                                         const GhostedVector &,
+                                                         const GhostedVector &)
   {
     return {};
   }

@@ -30,11 +30,11 @@ namespace Contact
 
 
     /// The deepest node of @p surface.
-    void look(const Surface<2>     &surface,
-              const Surface<2>     &other,
-              const bool            is_master,
-              const Vector<double> &u,
-              ContactDepth<2>      &deepest)
+    void look(const Surface<2>    &surface,
+              const Surface<2>    &other,
+              const bool           is_master,
+              const GhostedVector &u,
+              ContactDepth<2>     &deepest)
     {
       const SurfaceSearch<2> search(other, u);
       const auto             normals = surface.facet_normals(u);
@@ -100,10 +100,10 @@ namespace Contact
 
 
   template<int dim>
-  void look_at_obstacle(const Surface<dim>   &slave,
-                        const Obstacle<dim>  &obstacle,
-                        const Vector<double> &u,
-                        ContactDepth<dim>    &deepest)
+  void look_at_obstacle(const Surface<dim>  &slave,
+                        const Obstacle<dim> &obstacle,
+                        const GhostedVector &u,
+                        ContactDepth<dim>   &deepest)
   {
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       for (const FacetPoint<dim> &xi : places_between_nodes<dim>())
@@ -131,17 +131,17 @@ namespace Contact
 
   template void look_at_obstacle(const Surface<2> &,
                                  const Obstacle<2> &,
-                                 const Vector<double> &,
+                                 const GhostedVector &,
                                  ContactDepth<2> &);
   template void look_at_obstacle(const Surface<3> &,
                                  const Obstacle<3> &,
-                                 const Vector<double> &,
+                                 const GhostedVector &,
                                  ContactDepth<3> &);
 
 
 
   ContactDepth<2> largest_depth(const ContactPair<2> &contact_pair,
-                                const Vector<double> &u)
+                                const GhostedVector  &u)
   {
     ContactDepth<2> deepest;
     if (contact_pair.master)

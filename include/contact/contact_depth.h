@@ -40,16 +40,16 @@ namespace Contact
    * edge as deep as it was pushed.
    */
   ContactDepth<2> largest_depth(const ContactPair<2> &contact_pair,
-                                const Vector<double> &u);
+                                const GhostedVector  &u);
   ContactDepth<3> largest_depth(const ContactPair<3> &contact_pair,
-                                const Vector<double> &u);
+                                const GhostedVector  &u);
 
   /// The deepest place of the slave inside of an obstacle.
   template<int dim>
-  void look_at_obstacle(const Surface<dim>   &slave,
-                        const Obstacle<dim>  &obstacle,
-                        const Vector<double> &u,
-                        ContactDepth<dim>    &deepest);
+  void look_at_obstacle(const Surface<dim>  &slave,
+                        const Obstacle<dim> &obstacle,
+                        const GhostedVector &u,
+                        ContactDepth<dim>   &deepest);
 } // namespace Contact
 
 #endif

@@ -193,7 +193,7 @@ namespace Contact
   template<int dim>
   double ContactInterface<dim>::pressure(
     const std::vector<std::pair<unsigned int, double>> &multipliers,
-    const Vector<double>                               &solution) const
+    const GhostedVector                                &solution) const
   {
     double sum = 0;
     for (const auto &[k, factor] : multipliers)
@@ -205,8 +205,8 @@ namespace Contact
 
 
   template<int dim>
-  bool ContactInterface<dim>::pair(const Vector<double> &u,
-                                   const PairingMode    &mode)
+  bool ContactInterface<dim>::pair(const GhostedVector &u,
+                                   const PairingMode   &mode)
   {
     bool changed = false;
     for (const auto &contact_pair : pairs)
@@ -222,7 +222,7 @@ namespace Contact
 
 
   template<int dim>
-  double ContactInterface<dim>::misfit(const Vector<double> &u) const
+  double ContactInterface<dim>::misfit(const GhostedVector &u) const
   {
     std::vector<ContactPoint<dim>> closest = all_points;
     for (const auto &contact_pair : pairs)
@@ -247,8 +247,8 @@ namespace Contact
 
 
   template<int dim>
-  double ContactInterface<dim>::largest_change(const Vector<double> &u,
-                                               const Vector<double> &from) const
+  double ContactInterface<dim>::largest_change(const GhostedVector &u,
+                                               const GhostedVector &from) const
   {
     double     change = 0;
     const auto look   = [&](const Surface<dim> &surface) {
@@ -270,8 +270,8 @@ namespace Contact
   template<int dim>
   ContactState<dim>
   ContactInterface<dim>::state(const ContactPoint<dim> &point,
-                               const Vector<double>    &solution,
-                               const Vector<double>    &u_start) const
+                               const GhostedVector     &solution,
+                               const GhostedVector     &u_start) const
   {
     const bool     tied = contact_pair(point).tied;
     Tensor<1, dim> r, dr;
@@ -313,7 +313,7 @@ namespace Contact
 
 
   template<int dim>
-  void ContactInterface<dim>::remember_shears(const Vector<double> &solution)
+  void ContactInterface<dim>::remember_shears(const GhostedVector &solution)
   {
     for (ContactPoint<dim> &point : all_points)
       point.shear_at_start = state(point, solution, solution).lambda_t;
@@ -322,7 +322,7 @@ namespace Contact
 
 
   template<int dim>
-  double ContactInterface<dim>::constraint_norm(const Vector<double> &rhs) const
+  double ContactInterface<dim>::constraint_norm(const GhostedVector &rhs) const
   {
     // Every multiplier has a point of its own surroundings: the last one wins.
     std::vector<double> stiffness(n_normal_multipliers(), 0.);

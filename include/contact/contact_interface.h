@@ -139,25 +139,25 @@ namespace Contact
     /// [MPa].
     double
     pressure(const std::vector<std::pair<unsigned int, double>> &multipliers,
-             const Vector<double> &solution) const;
+             const GhostedVector &solution) const;
 
     /**
      * Pair all points with the master in the configuration @p u. Returns
      * whether a point changed its master edge: then the matrix couples other
      * unknowns than before.
      */
-    bool pair(const Vector<double> &u, const PairingMode &mode = {});
+    bool pair(const GhostedVector &u, const PairingMode &mode = {});
 
     /// The pairing stands still from now on.
     void forget_changes();
 
     /// By how much the gaps of points in contact, and the penetrations of
     /// others, change under the closest points in the configuration @p u [mm].
-    double misfit(const Vector<double> &u) const;
+    double misfit(const GhostedVector &u) const;
 
     /// The largest change of a displacement of the surfaces [mm].
-    double largest_change(const Vector<double> &u,
-                          const Vector<double> &from) const;
+    double largest_change(const GhostedVector &u,
+                          const GhostedVector &from) const;
 
     /**
      * The first guess of the active set: points that touch, penetrate, or are
@@ -165,7 +165,7 @@ namespace Contact
      * costs time only: the search of the active set finds the rest. It leaves
      * corners of the master out: their conditions may follow from others.
      */
-    void initialize_status(const Vector<double> &u);
+    void initialize_status(const GhostedVector &u);
 
     /**
      * If no point is in contact, begin with those that come first as the
@@ -173,12 +173,12 @@ namespace Contact
      * no further than a hundredth of an edge behind it. A guess again. Corners
      * of the master, if no point of the slave is as close.
      */
-    void activate_nearest(const Vector<double> &u);
+    void activate_nearest(const GhostedVector &u);
 
     /// Set the bounds of the next Tresca problem from the present pressures;
     /// return the largest change, relative to the largest bound.
-    double update_bounds(const Vector<double> &solution,
-                         const Vector<double> &u_start);
+    double update_bounds(const GhostedVector &solution,
+                         const GhostedVector &u_start);
 
     /// Let points whose bound follows a pressure that is not known yet stick
     /// whatever their shear, until the bounds are updated.
@@ -191,15 +191,15 @@ namespace Contact
 
     /// Update the statuses of all points in the present state. Returns how many
     /// change; without @p keep they are counted only.
-    unsigned int update_statuses(const Vector<double> &solution,
-                                 const Vector<double> &u_start,
-                                 const bool            moving_bound,
-                                 const bool            keep);
+    unsigned int update_statuses(const GhostedVector &solution,
+                                 const GhostedVector &u_start,
+                                 const bool           moving_bound,
+                                 const bool           keep);
 
     /// Update the status of the first point only whose status changes.
-    void update_first_status(const Vector<double> &solution,
-                             const Vector<double> &u_start,
-                             const bool            moving_bound);
+    void update_first_status(const GhostedVector &solution,
+                             const GhostedVector &u_start,
+                             const bool           moving_bound);
 
     /**
      * A bound that was frozen while a point was under pressure may leave it no
@@ -212,7 +212,7 @@ namespace Contact
 
     /// Open the points that a new pairing has moved so far from the master that
     /// they would: to begin with them closed would pull the bodies together.
-    void release_parted(const Vector<double> &solution);
+    void release_parted(const GhostedVector &solution);
 
     StatusCount count() const;
 
@@ -221,16 +221,17 @@ namespace Contact
      * thickness], to be compared with that of the forces: a gap times the
      * stiffness E/h of the bodies at the point, times its weight.
      */
-    double constraint_norm(const Vector<double> &rhs) const;
+    double constraint_norm(const GhostedVector &rhs) const;
 
     /// The statuses of all points, and as numbers.
     std::vector<PointStatus<dim>> statuses() const;
     void set_statuses(const std::vector<PointStatus<dim>> &all);
     std::vector<signed char> signature() const;
 
-    /// The statuses and the bounds.
+    /// The statuses, the bounds and the multipliers in @p solution, in an order
+    /// that does not depend on the number of ranks.
     template<class Archive>
-    void serialize(Archive &archive, const unsigned int);
+    void serialize(Archive &archive, GhostedVector &solution);
 
     /// The unknowns of a point: displacements of its nodes, its multipliers,
     /// and unknowns of other nodes that its pairing depends on.
@@ -260,16 +261,16 @@ namespace Contact
 
     /// The status of a point in a state, after its present one.
     PointStatus<dim> status_in(const ContactPoint<dim> &point,
-                               const Vector<double>    &solution,
-                               const Vector<double>    &u_start,
+                               const GhostedVector     &solution,
+                               const GhostedVector     &u_start,
                                const bool               moving_bound) const;
 
     /// The supports move in this increment by @p motion, zero elsewhere [mm]:
     /// a point that only they move along its tangent slips with them.
-    void set_support_motion(const Vector<double> &motion);
+    void set_support_motion(const GhostedVector &motion);
 
     /// An increment begins with @p solution.
-    void remember_shears(const Vector<double> &solution);
+    void remember_shears(const GhostedVector &solution);
 
     /// The tractions that follow from a status and trial values.
     Traction<dim> traction(const ContactPoint<dim>  &point,
@@ -281,8 +282,8 @@ namespace Contact
     /// The slip is without what springs give way, see
     /// PointPairing::springs.
     ContactState<dim> state(const ContactPoint<dim> &point,
-                            const Vector<double>    &solution,
-                            const Vector<double>    &u_start) const;
+                            const GhostedVector     &solution,
+                            const GhostedVector     &u_start) const;
 
   private:
     /// The direction of slip of a point that cannot stick.
@@ -302,7 +303,7 @@ namespace Contact
 
     std::vector<ContactPoint<dim>>                    all_points;
     std::map<unsigned int, std::vector<unsigned int>> in_corner;
-    Vector<double> support_motion; // of this increment
+    GhostedVector support_motion; // of this increment
 
     /// Of each normal multiplier the number of its tangential one.
     std::vector<unsigned int> tangential_number;
@@ -335,11 +336,36 @@ namespace Contact
 
   template<int dim>
   template<class Archive>
-  void ContactInterface<dim>::serialize(Archive &archive, const unsigned int)
+  void ContactInterface<dim>::serialize(Archive       &archive,
+                                        GhostedVector &solution)
   {
-    std::vector<signed char> codes     = signature();
-    Vector<double>           of_points = bounds();
-    archive &codes          &of_points;
+    std::vector<signed char>  codes     = signature();
+    Vector<double>            of_points = bounds();
+    std::vector<unsigned int> order(all_points.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto place = [&](const unsigned int q) {
+      const Point<dim> X = contact_pair(all_points[q]).place(all_points[q]);
+      std::array<double, 3> place{};
+      std::copy_n(X.begin_raw(), dim, place.begin());
+      return std::make_pair(all_points[q].contact_pair, place);
+    };
+    std::stable_sort(order.begin(),
+                     order.end(),
+                     [&](const auto a, const auto b) {
+                       return place(a) < place(b);
+                     });
+    for (const unsigned int q : order)
+      {
+        const ContactPoint<dim> &point = all_points[q];
+        archive                 &codes[q] & of_points[q];
+        for (unsigned int m = 0; m < point.n_multipliers; ++m)
+          {
+            const unsigned int k = point.multipliers[m];
+            archive           &solution[normal_index(k)];
+            for (unsigned int t = 0; t < dim - 1 && has_friction(point); ++t)
+              archive &solution[tangential_index(k, t)];
+          }
+      }
     if (!Archive::is_loading::value)
       return;
     std::vector<PointStatus<dim>> all;

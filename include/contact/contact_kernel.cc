@@ -35,7 +35,7 @@ namespace Contact
   template<>
   ContactKernel<2>::Motion
   ContactKernel<2>::motion_of_projection(const ContactPoint<2> &point,
-                                         const Vector<double>  &solution,
+                                         const GhostedVector   &solution,
                                          const Tensor<1, 2>    &r) const
   {
     Tensor<1, 2> kappa = point.projection_curvature;
@@ -104,8 +104,8 @@ namespace Contact
   template<>
   ContactKernel<2>::Motion
   ContactKernel<2>::motion(const ContactPoint<2> &point,
-                           const Vector<double>  &solution,
-                           const Vector<double>  &u_start) const
+                           const GhostedVector   &solution,
+                           const GhostedVector   &u_start) const
   {
     Tensor<1, 2> r = -point.projection, d_r;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
@@ -188,10 +188,9 @@ namespace Contact
 
   // Systems in space pair the points before each step.
   template<>
-  ContactKernel<3>::Motion
-  ContactKernel<3>::motion(const ContactPoint<3> &,
-                           const Vector<double> &,
-                           const Vector<double> &) const
+  ContactKernel<3>::Motion ContactKernel<3>::motion(const ContactPoint<3> &,
+                                                    const GhostedVector &,
+                                                    const GhostedVector &) const
   {
     AssertThrow(false, ExcNotImplemented());
     return Motion();
@@ -219,8 +218,8 @@ namespace Contact
 
   template<int dim>
   void ContactKernel<dim>::rows(const ContactPoint<dim>    &point,
-                                const Vector<double>       &solution,
-                                const Vector<double>       &u_start,
+                                const GhostedVector        &solution,
+                                const GhostedVector        &u_start,
                                 const ContactLinearization &linearization,
                                 Rows                       &rows) const
   {
@@ -274,8 +273,8 @@ namespace Contact
   template<int dim>
   void
   ContactKernel<dim>::assemble_point(const ContactPoint<dim>    &point,
-                                     const Vector<double>       &solution,
-                                     const Vector<double>       &u_start,
+                                     const GhostedVector        &solution,
+                                     const GhostedVector        &u_start,
                                      const ContactLinearization &linearization,
                                      Rows                       &rows,
                                      FullMatrix<double>         &matrix,
@@ -336,16 +335,17 @@ namespace Contact
 
 
   template<int dim>
-  void ContactKernel<dim>::assemble(const Vector<double>       &solution,
-                                    const Vector<double>       &u_start,
+  void ContactKernel<dim>::assemble(const GhostedVector        &solution,
+                                    const GhostedVector        &u_start,
                                     const ContactLinearization &linearization,
-                                    Vector<double>             &rhs,
+                                    GhostedVector              &rhs,
                                     SparseMatrix<double>       *matrix) const
   {
     const auto        &constraints = interface.discretization.constraints;
     Rows               rows;
     FullMatrix<double> local_matrix;
-    Vector<double>     local_rhs;
+    Vector<double>     local_rhs, none;
+    Vector<double>    &whole = matrix != nullptr ? rhs : none;
     for (const ContactPoint<dim> &point : interface.points())
       {
         assemble_point(point,
@@ -363,7 +363,7 @@ namespace Contact
                                                  local_rhs,
                                                  rows.unknowns,
                                                  *matrix,
-                                                 rhs);
+                                                 whole);
       }
   }
 

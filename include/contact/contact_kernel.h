@@ -40,10 +40,10 @@ namespace Contact
 
     /// Add minus the residual to @p rhs and, unless @p matrix is null, the
     /// tangent to it; constraints eliminated.
-    void assemble(const Vector<double>       &solution,
-                  const Vector<double>       &u_start,
+    void assemble(const GhostedVector        &solution,
+                  const GhostedVector        &u_start,
                   const ContactLinearization &linearization,
-                  Vector<double>             &rhs,
+                  GhostedVector              &rhs,
                   SparseMatrix<double>       *matrix) const;
 
     /**
@@ -65,18 +65,18 @@ namespace Contact
     };
 
     void rows(const ContactPoint<dim>    &point,
-              const Vector<double>       &solution,
-              const Vector<double>       &u_start,
+              const GhostedVector        &solution,
+              const GhostedVector        &u_start,
               const ContactLinearization &linearization,
               Rows                       &rows) const;
 
   private:
     struct Motion;
     Motion motion(const ContactPoint<dim> &point,
-                  const Vector<double>    &solution,
-                  const Vector<double>    &u_start) const;
+                  const GhostedVector     &solution,
+                  const GhostedVector     &u_start) const;
     Motion motion_of_projection(const ContactPoint<dim> &point,
-                                const Vector<double>    &solution,
+                                const GhostedVector     &solution,
                                 const Tensor<1, dim>    &r) const;
     Motion motion_of_change(const ContactPoint<dim> &point) const;
 
@@ -93,8 +93,8 @@ namespace Contact
                     const Vector<double>    &residual) const;
 
     void assemble_point(const ContactPoint<dim>    &point,
-                        const Vector<double>       &solution,
-                        const Vector<double>       &u_start,
+                        const GhostedVector        &solution,
+                        const GhostedVector        &u_start,
                         const ContactLinearization &linearization,
                         Rows                       &rows,
                         FullMatrix<double>         &matrix,

@@ -43,6 +43,12 @@ namespace Contact
       return n_displacements() + n_multipliers();
     }
 
+    /// The undeformed bodies without tractions.
+    GhostedVector zero() const
+    {
+      return GhostedVector(discretization->distribution, n_multipliers());
+    }
+
     bool has_friction() const
     {
       return interface && interface->has_friction();

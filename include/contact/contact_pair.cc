@@ -64,8 +64,8 @@ namespace Contact
                            const Discretization<dim> &discretization)
     {
       std::set<unsigned int> held;
-      const auto             normals = slave.facet_normals(
-        Vector<double>(discretization.dof_handler.n_dofs()));
+      const auto             normals =
+        slave.facet_normals(GhostedVector(discretization.distribution));
       for (unsigned int e = 0; e < slave.facets.size(); ++e)
         for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
           {
@@ -289,18 +289,17 @@ namespace Contact
   // Glued surfaces keep the pairs of the undeformed state.
   template<int dim>
   bool ContactPair<dim>::pair(const ArrayView<ContactPoint<dim>> &points,
-                              const Vector<double>               &u,
+                              const GhostedVector                &u,
                               const PairingMode                  &mode) const
   {
-    return tied ? pair_all(points, Vector<double>(u.size()), {})
-                : pair_all(points, u, mode);
+    return tied ? pair_all(points, u.zero(), {}) : pair_all(points, u, mode);
   }
 
 
 
   template<int dim>
   bool ContactPair<dim>::pair_all(const ArrayView<ContactPoint<dim>> &points,
-                                  const Vector<double>               &u,
+                                  const GhostedVector                &u,
                                   const PairingMode &mode) const
   {
     const auto part = [&](const unsigned int first, const unsigned int end) {
@@ -330,7 +329,7 @@ namespace Contact
 
   template<>
   bool ContactPair<2>::pair_corners(const ArrayView<ContactPoint<2>> &points,
-                                    const Vector<double>             &u) const
+                                    const GhostedVector              &u) const
   {
     // Whether a node of the slave edge sees the master.
     const auto is_seen = [&](const ContactPoint<2> &corner) {
@@ -369,7 +368,7 @@ namespace Contact
 
   template<>
   bool ContactPair<3>::pair_corners(const ArrayView<ContactPoint<3>> &,
-                                    const Vector<double> &) const
+                                    const GhostedVector &) const
   {
     return false;
   }
@@ -378,7 +377,7 @@ namespace Contact
 
   template<int dim>
   bool ContactPair<dim>::project(const ArrayView<ContactPoint<dim>> &points,
-                                 const Vector<double>               &u,
+                                 const GhostedVector                &u,
                                  const PairingMode                  &mode) const
   {
     bool changed = false;
@@ -420,7 +419,7 @@ namespace Contact
   // In the plane the kernel finds the derivatives.
   template<>
   void ContactPair<2>::differentiate(ContactPoint<2> &,
-                                     const Vector<double> &,
+                                     const GhostedVector &,
                                      const PairingMode &) const
   {
   }
@@ -428,9 +427,9 @@ namespace Contact
 
 
   template<>
-  void ContactPair<3>::differentiate(ContactPoint<3>      &point,
-                                     const Vector<double> &u,
-                                     const PairingMode    &mode) const
+  void ContactPair<3>::differentiate(ContactPoint<3>     &point,
+                                     const GhostedVector &u,
+                                     const PairingMode   &mode) const
   {
     point.change = PairingChange<3>();
     if (mode.with_derivatives && point.status.kind != Status::open)

@@ -75,19 +75,19 @@ namespace Contact
     /// Pair the points of this contact pair in the configuration @p u. Returns
     /// whether one has other unknowns than before.
     bool pair(const ArrayView<ContactPoint<dim>> &points,
-              const Vector<double>               &u,
+              const GhostedVector                &u,
               const PairingMode                  &mode) const;
 
     /// The same by the closest points of the master, wherever on the slave the
     /// points lie.
     bool project(const ArrayView<ContactPoint<dim>> &points,
-                 const Vector<double>               &u,
+                 const GhostedVector                &u,
                  const PairingMode                  &mode = {}) const;
 
     /// The change of a pairing, for points in contact, if the mode asks for it.
-    void differentiate(ContactPoint<dim>    &point,
-                       const Vector<double> &u,
-                       const PairingMode    &mode) const;
+    void differentiate(ContactPoint<dim>   &point,
+                       const GhostedVector &u,
+                       const PairingMode   &mode) const;
 
     /// The surface that a point belongs to: but for corners of the master, the
     /// slave.
@@ -131,10 +131,10 @@ namespace Contact
     std::vector<ContactPoint<dim>> make_discretization_points();
     void make_axis_points(std::vector<ContactPoint<dim>> &points);
     bool pair_all(const ArrayView<ContactPoint<dim>> &points,
-                  const Vector<double>               &u,
+                  const GhostedVector                &u,
                   const PairingMode                  &mode) const;
     bool pair_corners(const ArrayView<ContactPoint<dim>> &points,
-                      const Vector<double>               &u) const;
+                      const GhostedVector                &u) const;
 
     const Elasticity<dim>    &elasticity;
     const Parameters::Contact parameters;

@@ -209,7 +209,7 @@ namespace Contact
 
   Tensor<1, 1> prescribed_slip(const ContactPoint<2>   &point,
                                const Discretization<2> &discretization,
-                               const Vector<double>    &motion)
+                               const GhostedVector     &motion)
   {
     const FreeRows rows(point, discretization);
     if (!rows.are_parallel())
@@ -337,7 +337,7 @@ namespace Contact
 
   template<int dim>
   Point<dim> slave_position(const ContactPoint<dim> &point,
-                            const Vector<double>    &u)
+                            const GhostedVector     &u)
   {
     Point<dim> x;
     for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
@@ -351,7 +351,7 @@ namespace Contact
   template<int dim>
   void skip_where_held(ContactPoint<dim>         &point,
                        const Discretization<dim> &discretization,
-                       const Vector<double>      &u)
+                       const GhostedVector       &u)
   {
     if (is_free_along(point, point.n_nodes, point.normal, discretization))
       return;
@@ -376,7 +376,7 @@ namespace Contact
   void pair_with_obstacle(ContactPoint<dim>         &point,
                           const Obstacle<dim>       &obstacle,
                           const Discretization<dim> &discretization,
-                          const Vector<double>      &u)
+                          const GhostedVector       &u)
   {
     const auto projection = obstacle.closest_point(slave_position(point, u));
     point.facing          = is_free_along(point,
@@ -403,22 +403,22 @@ namespace Contact
                                       MultiplierSpace              &multipliers);
   template void     skip_where_held(ContactPoint<2>         &point,
                                     const Discretization<2> &discretization,
-                                    const Vector<double>    &u);
+                                    const GhostedVector     &u);
   template void     skip_where_held(ContactPoint<3>         &point,
                                     const Discretization<3> &discretization,
-                                    const Vector<double>    &u);
+                                    const GhostedVector     &u);
   template Point<2> slave_position(const ContactPoint<2> &point,
-                                   const Vector<double>  &u);
+                                   const GhostedVector   &u);
   template Point<3> slave_position(const ContactPoint<3> &point,
-                                   const Vector<double>  &u);
+                                   const GhostedVector   &u);
   template void     pair_with_obstacle(ContactPoint<2>         &point,
                                        const Obstacle<2>       &obstacle,
                                        const Discretization<2> &discretization,
-                                       const Vector<double>    &u);
+                                       const GhostedVector     &u);
   template void     pair_with_obstacle(ContactPoint<3>         &point,
                                        const Obstacle<3>       &obstacle,
                                        const Discretization<3> &discretization,
-                                       const Vector<double>    &u);
+                                       const GhostedVector     &u);
   template struct PointPairing<2>;
   template struct PointPairing<3>;
 } // namespace Contact

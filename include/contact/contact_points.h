@@ -293,10 +293,10 @@ namespace Contact
    */
   Tensor<1, 1> prescribed_slip(const ContactPoint<2>   &point,
                                const Discretization<2> &discretization,
-                               const Vector<double>    &motion);
+                               const GhostedVector     &motion);
   Tensor<1, 2> prescribed_slip(const ContactPoint<3>   &point,
                                const Discretization<3> &discretization,
-                               const Vector<double>    &motion);
+                               const GhostedVector     &motion);
 
   /**
    * A point whose nodes are held on both sides has no unknown for its pressure
@@ -306,7 +306,7 @@ namespace Contact
   template<int dim>
   void skip_where_held(ContactPoint<dim>         &point,
                        const Discretization<dim> &discretization,
-                       const Vector<double>      &u);
+                       const GhostedVector       &u);
 
   /**
    * Across a plane of symmetry of both bodies a point does not slip, and its
@@ -318,7 +318,7 @@ namespace Contact
    */
   void make_symmetric(ContactPoint<3>         &point,
                       const Discretization<3> &discretization,
-                      const Vector<double>    &u,
+                      const GhostedVector     &u,
                       const double             tolerance);
 
   /// Mark where what supports hold of the slave ends. A node there that sticks
@@ -339,7 +339,7 @@ namespace Contact
   /// The current position of the place on the slave.
   template<int dim>
   Point<dim> slave_position(const ContactPoint<dim> &point,
-                            const Vector<double>    &u);
+                            const GhostedVector     &u);
 
   /// Make the tangents perpendicular to the normal: in the plane n turned by 90
   /// degrees, in space those that there are, turned with the normal.
@@ -379,14 +379,14 @@ namespace Contact
                         const Surface<2>        &master,
                         const SurfaceSearch<2>  &search,
                         const Discretization<2> &discretization,
-                        const Vector<double>    &u,
+                        const GhostedVector     &u,
                         const bool               keeps_edge = false);
   void pair_with_master(ContactPoint<3>         &point,
                         const NormalCone<3>     &directions,
                         const Surface<3>        &master,
                         const SurfaceSearch<3>  &search,
                         const Discretization<3> &discretization,
-                        const Vector<double>    &u,
+                        const GhostedVector     &u,
                         const bool               keeps_facet = false);
 
   /// The same on a rigid obstacle.
@@ -394,7 +394,7 @@ namespace Contact
   void pair_with_obstacle(ContactPoint<dim>         &point,
                           const Obstacle<dim>       &obstacle,
                           const Discretization<dim> &discretization,
-                          const Vector<double>      &u);
+                          const GhostedVector       &u);
 } // namespace Contact
 
 #endif

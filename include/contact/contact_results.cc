@@ -221,8 +221,8 @@ namespace Contact
   template<>
   ContactResults contact_results(const ContactInterface<2> &interface,
                                  const ContactPair<2>      &contact_pair,
-                                 const Vector<double>      &solution,
-                                 const Vector<double>      &u_start,
+                                 const GhostedVector       &solution,
+                                 const GhostedVector       &u_start,
                                  const bool                 moving_bound)
   {
     const Surface<2>     &slave = contact_pair.slave;
@@ -276,8 +276,8 @@ namespace Contact
   template<>
   ContactResults contact_results(const ContactInterface<3> &interface,
                                  const ContactPair<3>      &contact_pair,
-                                 const Vector<double>      &solution,
-                                 const Vector<double>      &u_start,
+                                 const GhostedVector       &solution,
+                                 const GhostedVector       &u_start,
                                  const bool                 moving_bound)
   {
     ContactResults results;
@@ -310,7 +310,7 @@ namespace Contact
   // that faces the master is pushed along the normal of the corner's.
   std::vector<CornerLoad> corner_loads(const ContactInterface<2> &interface,
                                        const ContactPair<2>      &contact_pair,
-                                       const Vector<double>      &solution)
+                                       const GhostedVector       &solution)
   {
     if (!contact_pair.has_corner_points())
       return {};
@@ -353,12 +353,12 @@ namespace Contact
 
 
   template<int dim>
-  Vector<double> contact_forces(const ContactInterface<dim> &interface,
-                                const Vector<double>        &solution,
-                                const Vector<double>        &u_start,
-                                const bool                   moving_bound)
+  GhostedVector contact_forces(const ContactInterface<dim> &interface,
+                               const GhostedVector         &solution,
+                               const GhostedVector         &u_start,
+                               const bool                   moving_bound)
   {
-    Vector<double> forces(u_start.size());
+    GhostedVector forces = u_start.zero();
     for (const ContactPoint<dim> &point : interface.points())
       {
         const ContactState<dim> now = interface.state(point, solution, u_start);
@@ -382,8 +382,8 @@ namespace Contact
   template<int dim>
   std::string describe_changes(const ContactInterface<dim>         &interface,
                                const std::vector<PointStatus<dim>> &statuses,
-                               const Vector<double>                &solution,
-                               const Vector<double>                &u_start)
+                               const GhostedVector                 &solution,
+                               const GhostedVector                 &u_start)
   {
     const unsigned int max_lines = 10;
     unsigned int       n         = 0;
@@ -406,20 +406,20 @@ namespace Contact
     return text.str();
   }
 
-  template Vector<double> contact_forces(const ContactInterface<2> &,
-                                         const Vector<double> &,
-                                         const Vector<double> &,
-                                         const bool);
-  template Vector<double> contact_forces(const ContactInterface<3> &,
-                                         const Vector<double> &,
-                                         const Vector<double> &,
-                                         const bool);
-  template std::string    describe_changes(const ContactInterface<2> &,
-                                           const std::vector<PointStatus<2>> &,
-                                           const Vector<double> &,
-                                           const Vector<double> &);
-  template std::string    describe_changes(const ContactInterface<3> &,
-                                           const std::vector<PointStatus<3>> &,
-                                           const Vector<double> &,
-                                           const Vector<double> &);
+  template GhostedVector contact_forces(const ContactInterface<2> &,
+                                        const GhostedVector &,
+                                        const GhostedVector &,
+                                        const bool);
+  template GhostedVector contact_forces(const ContactInterface<3> &,
+                                        const GhostedVector &,
+                                        const GhostedVector &,
+                                        const bool);
+  template std::string   describe_changes(const ContactInterface<2> &,
+                                          const std::vector<PointStatus<2>> &,
+                                          const GhostedVector &,
+                                          const GhostedVector &);
+  template std::string   describe_changes(const ContactInterface<3> &,
+                                          const std::vector<PointStatus<3>> &,
+                                          const GhostedVector &,
+                                          const GhostedVector &);
 } // namespace Contact

@@ -55,18 +55,18 @@ namespace Contact
   template<int dim>
   ContactResults contact_results(const ContactInterface<dim> &interface,
                                  const ContactPair<dim>      &contact_pair,
-                                 const Vector<double>        &solution,
-                                 const Vector<double>        &u_start,
+                                 const GhostedVector         &solution,
+                                 const GhostedVector         &u_start,
                                  const bool moving_bound = false);
 
   /// The forces of contact on the nodes by displacement unknown, w (p n + q t)
   /// C summed over the points [N per mm of thickness; rings: N]. The vector is
   /// as long as @p u_start.
   template<int dim>
-  Vector<double> contact_forces(const ContactInterface<dim> &interface,
-                                const Vector<double>        &solution,
-                                const Vector<double>        &u_start,
-                                const bool                   moving_bound);
+  GhostedVector contact_forces(const ContactInterface<dim> &interface,
+                               const GhostedVector         &solution,
+                               const GhostedVector         &u_start,
+                               const bool                   moving_bound);
 
   /**
    * The load of the points at corners of the master on a node of the slave: the
@@ -89,11 +89,11 @@ namespace Contact
   /// By slave node; empty if there are no such points.
   std::vector<CornerLoad> corner_loads(const ContactInterface<2> &interface,
                                        const ContactPair<2>      &contact_pair,
-                                       const Vector<double>      &solution);
+                                       const GhostedVector       &solution);
 
   inline std::vector<CornerLoad> corner_loads(const ContactInterface<3> &,
                                               const ContactPair<3> &,
-                                              const Vector<double> &)
+                                              const GhostedVector &)
   {
     return {};
   }
@@ -103,8 +103,8 @@ namespace Contact
   template<int dim>
   std::string describe_changes(const ContactInterface<dim>         &interface,
                                const std::vector<PointStatus<dim>> &statuses,
-                               const Vector<double>                &solution,
-                               const Vector<double>                &u_start);
+                               const GhostedVector                 &solution,
+                               const GhostedVector                 &u_start);
 } // namespace Contact
 
 #endif

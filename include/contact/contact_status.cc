@@ -30,7 +30,7 @@ namespace Contact
 
 
   template<int dim>
-  void ContactInterface<dim>::initialize_status(const Vector<double> &u)
+  void ContactInterface<dim>::initialize_status(const GhostedVector &u)
   {
     for (ContactPoint<dim> &point : all_points)
       if (point.facing && !point.is_master_corner &&
@@ -55,7 +55,7 @@ namespace Contact
 
 
   template<int dim>
-  void ContactInterface<dim>::activate_nearest(const Vector<double> &u)
+  void ContactInterface<dim>::activate_nearest(const GhostedVector &u)
   {
     if (count().active > 0)
       return;
@@ -103,7 +103,7 @@ namespace Contact
 
   // What stuck before begins to slip.
   template<int dim>
-  void ContactInterface<dim>::set_support_motion(const Vector<double> &motion)
+  void ContactInterface<dim>::set_support_motion(const GhostedVector &motion)
   {
     support_motion = motion;
     for (ContactPoint<dim> &point : all_points)
@@ -135,8 +135,8 @@ namespace Contact
 
 
   template<int dim>
-  double ContactInterface<dim>::update_bounds(const Vector<double> &solution,
-                                              const Vector<double> &u_start)
+  double ContactInterface<dim>::update_bounds(const GhostedVector &solution,
+                                              const GhostedVector &u_start)
   {
     double change = 0, largest = 0;
     for (ContactPoint<dim> &point : all_points)
@@ -251,8 +251,8 @@ namespace Contact
   template<int dim>
   PointStatus<dim>
   ContactInterface<dim>::status_in(const ContactPoint<dim> &point,
-                                   const Vector<double>    &solution,
-                                   const Vector<double>    &u_start,
+                                   const GhostedVector     &solution,
+                                   const GhostedVector     &u_start,
                                    const bool               moving_bound) const
   {
     const ContactState<dim> now = state(point, solution, u_start);
@@ -267,10 +267,10 @@ namespace Contact
 
   template<int dim>
   unsigned int
-  ContactInterface<dim>::update_statuses(const Vector<double> &solution,
-                                         const Vector<double> &u_start,
-                                         const bool            moving_bound,
-                                         const bool            keep)
+  ContactInterface<dim>::update_statuses(const GhostedVector &solution,
+                                         const GhostedVector &u_start,
+                                         const bool           moving_bound,
+                                         const bool           keep)
   {
     std::vector<PointStatus<dim>> updated;
     for (const ContactPoint<dim> &point : all_points)
@@ -292,10 +292,9 @@ namespace Contact
 
 
   template<int dim>
-  void
-  ContactInterface<dim>::update_first_status(const Vector<double> &solution,
-                                             const Vector<double> &u_start,
-                                             const bool            moving_bound)
+  void ContactInterface<dim>::update_first_status(const GhostedVector &solution,
+                                                  const GhostedVector &u_start,
+                                                  const bool moving_bound)
   {
     for (unsigned int q = 0; q < all_points.size(); ++q)
       {
@@ -342,7 +341,7 @@ namespace Contact
 
 
   template<int dim>
-  void ContactInterface<dim>::release_parted(const Vector<double> &solution)
+  void ContactInterface<dim>::release_parted(const GhostedVector &solution)
   {
     for (ContactPoint<dim> &point : all_points)
       if (!contact_pair(point).tied &&

@@ -74,7 +74,7 @@ namespace Contact
     const Surface<2>                             &slave,
     const SurfaceSearch<2>                       &search,
     const Discretization<2>                      &discretization,
-    const Vector<double>                         &u)
+    const GhostedVector                          &u)
   {
     // A slave edge beside the end of the master does not obstruct it.
     NormalCone<2> directions = directions_of(point, master, master_normals);

@@ -90,7 +90,7 @@ namespace Contact
     const Surface<2>                             &slave,
     const SurfaceSearch<2>                       &search,
     const Discretization<2>                      &discretization,
-    const Vector<double>                         &u);
+    const GhostedVector                          &u);
 
   /**
    * Whether a face beside the corner lies along the slave edge that the corner

@@ -88,7 +88,7 @@ namespace Contact
 
   PairingChange<3> change_of_projection(const ContactPoint<3> &point,
                                         const Surface<3>      &master,
-                                        const Vector<double>  &u)
+                                        const GhostedVector   &u)
   {
     PairingChange<3> change;
     const double     round_off = 1e-10;

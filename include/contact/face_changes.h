@@ -49,7 +49,7 @@ namespace Contact
    */
   PairingChange<3> change_of_projection(const ContactPoint<3> &point,
                                         const Surface<3>      &master,
-                                        const Vector<double>  &u);
+                                        const GhostedVector   &u);
 
   /**
    * The change of the integrals of a slave node's dual function Phi over the

@@ -49,12 +49,12 @@ namespace Contact
 
     /// The deepest node of @p surface; each rank looks at its share of the
     /// facets.
-    void look(const Surface<3>     &surface,
-              const Surface<3>     &other,
-              const bool            is_master,
-              const PointShares    &share,
-              const Vector<double> &u,
-              ContactDepth<3>      &deepest)
+    void look(const Surface<3>    &surface,
+              const Surface<3>    &other,
+              const bool           is_master,
+              const PointShares   &share,
+              const GhostedVector &u,
+              ContactDepth<3>     &deepest)
     {
       const SurfaceSearch<3> own(surface, u), search(other, u);
       const auto             normals       = surface.facet_normals(u);
@@ -127,7 +127,7 @@ namespace Contact
 
 
   ContactDepth<3> largest_depth(const ContactPair<3> &contact_pair,
-                                const Vector<double> &u)
+                                const GhostedVector  &u)
   {
     const MPI_Comm  communicator = contact_pair.discretization.communicator;
     ContactDepth<3> deepest;

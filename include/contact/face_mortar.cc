@@ -98,7 +98,7 @@ namespace Contact
 
 
   bool MortarDiscretization<3>::pair(const ArrayView<ContactPoint<3>> &points,
-                                     const Vector<double>             &u,
+                                     const GhostedVector              &u,
                                      const bool with_derivatives) const
   {
     if (!point_shares)
@@ -304,7 +304,7 @@ namespace Contact
   void MortarDiscretization<3>::fill_in(const NodeIntegrals     &integrals,
                                         const unsigned int       node,
                                         const FaceConfiguration &now,
-                                        const Vector<double>    &u,
+                                        const GhostedVector     &u,
                                         ContactPoint<3>         &point) const
   {
     const double length = slave.reference_length(point.slave_facet);

@@ -51,7 +51,7 @@ namespace Contact
     make_points(MultiplierSpace &multipliers) const;
 
     bool pair(const ArrayView<ContactPoint<3>> &points,
-              const Vector<double>             &u,
+              const GhostedVector              &u,
               const bool                        with_derivatives = false) const;
 
   private:
@@ -103,7 +103,7 @@ namespace Contact
     void         fill_in(const NodeIntegrals     &integrals,
                          const unsigned int       node,
                          const FaceConfiguration &now,
-                         const Vector<double>    &u,
+                         const GhostedVector     &u,
                          ContactPoint<3>         &point) const;
     Tensor<1, 3> normal(const NodeIntegrals     &integrals,
                         const unsigned int       node,

@@ -38,8 +38,8 @@ namespace Contact
 
   // A facet of degree 2 may lie outside of the box of its nodes, by no more
   // than the largest size of the box; and so may the overhang.
-  SurfaceSearch<3>::SurfaceSearch(const Surface<3>     &surface,
-                                  const Vector<double> &u)
+  SurfaceSearch<3>::SurfaceSearch(const Surface<3>    &surface,
+                                  const GhostedVector &u)
     : surface(surface)
   {
     for (unsigned int i = 0; i < surface.nodes.size(); ++i)

@@ -58,7 +58,7 @@ namespace Contact
   class SurfaceSearch<3>
   {
   public:
-    SurfaceSearch(const Surface<3> &surface, const Vector<double> &u);
+    SurfaceSearch(const Surface<3> &surface, const GhostedVector &u);
 
     Projection<3> closest_point(const Point<3> &x) const;
 

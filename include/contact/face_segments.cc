@@ -157,7 +157,7 @@ namespace Contact
   FaceConfiguration::FaceConfiguration(const Surface<3>     &slave,
                                        const Surface<3>     &master,
                                        const SymmetryPlanes &planes,
-                                       const Vector<double> &u)
+                                       const GhostedVector  &u)
     : slave_normals(planes.facet_normals(slave, u))
     , master_normals(planes.facet_normals(master, u))
     , slave_search(slave, u)

@@ -23,7 +23,7 @@ namespace Contact
     FaceConfiguration(const Surface<3>     &slave,
                       const Surface<3>     &master,
                       const SymmetryPlanes &planes,
-                      const Vector<double> &u);
+                      const GhostedVector  &u);
 
     std::vector<Point<3>>  slave_x, master_x;
     FacetNormals<3>        slave_normals, master_normals;

@@ -21,15 +21,14 @@ namespace Contact
   template<int dim>
   struct IncrementState
   {
-    Vector<double> solution;
-    Vector<double> start;
-    double         load_factor = 0;
+    GhostedVector solution;
+    GhostedVector start;
+    double        load_factor = 0;
 
     /// Undeformed, without forces.
-    void reinit(const std::size_t n_unknowns)
+    void reinit(const ContactModel<dim> &model)
     {
-      solution.reinit(n_unknowns);
-      start.reinit(n_unknowns);
+      solution = start = model.zero();
     }
 
     /// An increment starts here, up to the load factor @p to.
@@ -58,11 +57,13 @@ namespace Contact
 
     /// The largest change of a displacement [mm]. Collective.
     double largest_change(const ContactModel<dim> &model,
-                          const Vector<double>    &from) const
+                          const GhostedVector     &from) const
     {
-      double change = 0;
-      for (unsigned int i = 0; i < model.n_displacements(); ++i)
-        change = std::max(change, std::abs(solution[i] - from[i]));
+      double     change = 0;
+      const auto n = model.discretization->distribution->locally_owned_size();
+      for (unsigned int k = 0; k < n; ++k)
+        change =
+          std::max(change, std::abs(solution.begin()[k] - from.begin()[k]));
       return Utilities::MPI::max(change, model.discretization->communicator);
     }
 

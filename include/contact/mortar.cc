@@ -78,7 +78,7 @@ namespace Contact
 
 
   bool MortarDiscretization<2>::pair(const ArrayView<ContactPoint<2>> &points,
-                                     const Vector<double>             &u,
+                                     const GhostedVector              &u,
                                      const bool with_derivatives) const
   {
     const MortarGeometry<double> now(slave, master, discretization, u);
@@ -122,7 +122,7 @@ namespace Contact
 
   void MortarDiscretization<2>::fill_in(const MortarGeometry<double> &now,
                                         const MortarPairing<double>  &pairing,
-                                        const Vector<double>         &u,
+                                        const GhostedVector          &u,
                                         ContactPoint<2> &point) const
   {
     const unsigned int node = slave_node(point);
@@ -167,7 +167,7 @@ namespace Contact
   // of the line has other nodes.
   bool
   MortarDiscretization<2>::is_on_symmetry_line(const ContactPoint<2> &point,
-                                               const Vector<double>  &u) const
+                                               const GhostedVector   &u) const
   {
     const auto along_tangent = [&](const unsigned int a) {
       double s = 0;

@@ -87,18 +87,18 @@ namespace Contact
      * point has other unknowns than before.
      */
     bool pair(const ArrayView<ContactPoint<2>> &points,
-              const Vector<double>             &u,
+              const GhostedVector              &u,
               const bool                        with_derivatives = false) const;
 
   private:
     void fill_in(const MortarGeometry<double> &now,
                  const MortarPairing<double>  &pairing,
-                 const Vector<double>         &u,
+                 const GhostedVector          &u,
                  ContactPoint<2>              &point) const;
 
     /// Whether a point is on a line that both bodies are symmetric to.
     bool is_on_symmetry_line(const ContactPoint<2> &point,
-                             const Vector<double>  &u) const;
+                             const GhostedVector   &u) const;
 
     void add_nodes(const MortarPairing<double> &pairing,
                    ContactPoint<2>             &point) const;

@@ -142,7 +142,7 @@ namespace Contact
     const Surface<2>        &slave,
     const Surface<2>        &master,
     const Discretization<2> &discretization,
-    const Vector<double>    &u)
+    const GhostedVector     &u)
     : slave(slave)
     , master(master)
     , slave_normals(slave.facets.size())

@@ -76,7 +76,7 @@ namespace Contact
     MortarGeometry(const Surface<2>        &slave,
                    const Surface<2>        &master,
                    const Discretization<2> &discretization,
-                   const Vector<double>    &u);
+                   const GhostedVector     &u);
 
     /**
      * Take derivatives with respect to the positions of these nodes, and to

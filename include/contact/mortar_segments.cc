@@ -25,7 +25,7 @@ namespace Contact
 
 
   MortarSegments::MortarSegments(const MortarGeometry<double> &geometry,
-                                 const Vector<double>         &u)
+                                 const GhostedVector          &u)
     : now(geometry)
     , search(geometry.master, u)
   {

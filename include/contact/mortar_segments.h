@@ -87,7 +87,7 @@ namespace Contact
   public:
     /// In the configuration @p u, which is that of @p geometry.
     MortarSegments(const MortarGeometry<double> &geometry,
-                   const Vector<double>         &u);
+                   const GhostedVector          &u);
 
     /// The part of a slave edge that faces the master.
     MortarOverlap overlap(const unsigned int slave_facet) const;

@@ -44,11 +44,11 @@ namespace Contact
   {
     /// The master side of a point at its projection on an edge. Returns the
     /// tangent.
-    Tensor<1, 2> add_master(ContactPoint<2>      &point,
-                            const Surface<2>     &master,
-                            const unsigned int    edge,
-                            const double          xi,
-                            const Vector<double> &u)
+    Tensor<1, 2> add_master(ContactPoint<2>     &point,
+                            const Surface<2>    &master,
+                            const unsigned int   edge,
+                            const double         xi,
+                            const GhostedVector &u)
     {
       const EdgeShape shape(master.degree, xi);
       Tensor<1, 2>    along;
@@ -86,10 +86,10 @@ namespace Contact
 
     /// The projection at the vertex of two edges: the sum of their tangents,
     /// whose nodes come in the order of the chain.
-    Tensor<1, 2> add_vertex(ContactPoint<2>      &point,
-                            const Surface<2>     &master,
-                            const unsigned int    other,
-                            const Vector<double> &u)
+    Tensor<1, 2> add_vertex(ContactPoint<2>     &point,
+                            const Surface<2>    &master,
+                            const unsigned int   other,
+                            const GhostedVector &u)
     {
       const double side = point.master_xi > 0 ? 1 : -1;
       point.master_xi   = side;
@@ -114,7 +114,7 @@ namespace Contact
                         const Surface<2>        &master,
                         const SurfaceSearch<2>  &search,
                         const Discretization<2> &discretization,
-                        const Vector<double>    &u,
+                        const GhostedVector     &u,
                         const bool               keeps_edge)
   {
     const Point<2> x = slave_position(point, u);

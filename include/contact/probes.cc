@@ -151,7 +151,7 @@ namespace Contact
                           const unsigned int           vertex,
                           const ContactInterface<dim> *interface,
                           const Discretization<dim>   &discretization,
-                          const Vector<double>        &solution)
+                          const GhostedVector         &solution)
   {
     const auto found =
       slave_nodes_at<dim>(discretization.vertex_dofs[vertex], interface);
@@ -210,7 +210,7 @@ namespace Contact
   template<int dim>
   double body_energy(const std::string       &body,
                      const ContactModel<dim> &model,
-                     const Vector<double>    &u)
+                     const GhostedVector     &u)
   {
     return model.elasticity->strain_energy(model.mesh->body(body,
                                                             "Probes/Probes"),
@@ -224,7 +224,7 @@ namespace Contact
                      const unsigned int                        vertex,
                      const Discretization<dim>                &discretization,
                      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                     const Vector<double>                     &u)
+                     const GhostedVector                      &u)
   {
     if (is_displacement(quantity))
       return u[discretization.vertex_dofs[vertex][component_of(quantity)]];
@@ -240,7 +240,7 @@ namespace Contact
                                         const unsigned int       vertex,
                                         const double             factor,
                                         const ContactModel<dim> &model,
-                                        Vector<double>          &derivative)
+                                        GhostedVector           &derivative)
     {
       const NodeDoFs<dim> &dofs = model.discretization->vertex_dofs[vertex];
       derivative[dofs[component_of(quantity)]] += factor;
@@ -253,7 +253,7 @@ namespace Contact
                                     const unsigned int       vertex,
                                     const double             factor,
                                     const ContactModel<dim> &model,
-                                    Vector<double>          &derivative)
+                                    GhostedVector           &derivative)
     {
       const ContactInterface<dim> &interface = *model.interface;
       const auto [contact_pair, n] =
@@ -280,8 +280,8 @@ namespace Contact
                                   const unsigned int       vertex,
                                   const double             factor,
                                   const ContactModel<dim> &model,
-                                  const Vector<double>    &solution,
-                                  Vector<double>          &derivative)
+                                  const GhostedVector     &solution,
+                                  GhostedVector           &derivative)
     {
       const StressRecovery<dim> recovery(*model.discretization);
       const auto                cells = recovery.cells_at(vertex);
@@ -299,8 +299,8 @@ namespace Contact
 
       const double step =
         std::cbrt(std::numeric_limits<double>::epsilon()) * diameter;
-      Vector<double> u           = solution;
-      const auto     stress_with = [&](const types::global_dof_index dof,
+      GhostedVector u           = solution;
+      const auto    stress_with = [&](const types::global_dof_index dof,
                                    const double                  value) {
         u[dof]              = value;
         const double stress = stress_component(
@@ -323,8 +323,8 @@ namespace Contact
                            const unsigned int       vertex,
                            const double             factor,
                            const ContactModel<dim> &model,
-                           const Vector<double>    &solution,
-                           Vector<double>          &derivative)
+                           const GhostedVector     &solution,
+                           GhostedVector           &derivative)
     {
       if (is_displacement(quantity))
         add_derivative_of_displacement(quantity,
@@ -401,12 +401,12 @@ namespace Contact
 
 
   template<int dim>
-  Vector<double> probe_derivative(const Parameters::Probes::Definition &probe,
-                                  const ContactModel<dim>              &model,
-                                  const Vector<double> &solution)
+  GhostedVector probe_derivative(const Parameters::Probes::Definition &probe,
+                                 const ContactModel<dim>              &model,
+                                 const GhostedVector                  &solution)
   {
-    Vector<double> derivative(model.n_unknowns());
-    double         factor = 1;
+    GhostedVector derivative = model.zero();
+    double        factor     = 1;
     for (const std::string &place : probe.places)
       {
         if (is_force(probe.quantity))
@@ -444,36 +444,36 @@ namespace Contact
                                    const unsigned int         vertex,
                                    const ContactInterface<2> *interface,
                                    const Discretization<2>   &discretization,
-                                   const Vector<double>      &solution);
+                                   const GhostedVector       &solution);
   template double contact_traction(const Parameters::Quantity quantity,
                                    const unsigned int         vertex,
                                    const ContactInterface<3> *interface,
                                    const Discretization<3>   &discretization,
-                                   const Vector<double>      &solution);
+                                   const GhostedVector       &solution);
   template double
   probe_value(const Parameters::Quantity                quantity,
               const unsigned int                        vertex,
               const Discretization<2>                  &discretization,
               const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-              const Vector<double>                     &u);
+              const GhostedVector                      &u);
   template double
                   probe_value(const Parameters::Quantity                quantity,
                               const unsigned int                        vertex,
                               const Discretization<3>                  &discretization,
                               const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                              const Vector<double>                     &u);
+                              const GhostedVector                      &u);
   template double body_energy(const std::string     &body,
                               const ContactModel<2> &model,
-                              const Vector<double>  &u);
+                              const GhostedVector   &u);
   template double body_energy(const std::string     &body,
                               const ContactModel<3> &model,
-                              const Vector<double>  &u);
+                              const GhostedVector   &u);
   template double probe_value(const Parameters::Probes::Definition &probe,
                               const ContactModel<2>                &model,
                               const IncrementState<2>              &state);
 
-  template Vector<double>
+  template GhostedVector
   probe_derivative(const Parameters::Probes::Definition &probe,
                    const ContactModel<2>                &model,
-                   const Vector<double>                 &solution);
+                   const GhostedVector                  &solution);
 } // namespace Contact

@@ -45,7 +45,7 @@ namespace Contact
                           const unsigned int           vertex,
                           const ContactInterface<dim> *interface,
                           const Discretization<dim>   &discretization,
-                          const Vector<double>        &solution);
+                          const GhostedVector         &solution);
 
   /// The stress [MPa] that a quantity means.
   double stress_component(const Parameters::Quantity   quantity,
@@ -58,13 +58,13 @@ namespace Contact
                      const unsigned int                        vertex,
                      const Discretization<dim>                &discretization,
                      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                     const Vector<double>                     &u);
+                     const GhostedVector                      &u);
 
   /// The energy [N mm per mm of thickness] of a named body. Collective.
   template<int dim>
   double body_energy(const std::string       &body,
                      const ContactModel<dim> &model,
-                     const Vector<double>    &u);
+                     const GhostedVector     &u);
 
   /// A probe in a state [mm, MPa, N or N mm per mm of thickness]; at points by
   /// the cells around them alone.
@@ -76,9 +76,9 @@ namespace Contact
   /// The derivative of a probe with respect to all unknowns, in a state: of
   /// tractions without the forces of corners of the master.
   template<int dim>
-  Vector<double> probe_derivative(const Parameters::Probes::Definition &probe,
-                                  const ContactModel<dim>              &model,
-                                  const Vector<double> &solution);
+  GhostedVector probe_derivative(const Parameters::Probes::Definition &probe,
+                                 const ContactModel<dim>              &model,
+                                 const GhostedVector &solution);
 } // namespace Contact
 
 #endif

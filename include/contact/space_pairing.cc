@@ -129,7 +129,7 @@ namespace Contact
   // The shortest one that has the prescribed components.
   Tensor<1, 2> prescribed_slip(const ContactPoint<3>   &point,
                                const Discretization<3> &discretization,
-                               const Vector<double>    &motion)
+                               const GhostedVector     &motion)
   {
     const double round_off = 1e-10;
     const auto   held      = prescribed_components(point, discretization);
@@ -163,7 +163,7 @@ namespace Contact
 
   void make_symmetric(ContactPoint<3>         &point,
                       const Discretization<3> &discretization,
-                      const Vector<double>    &u,
+                      const GhostedVector     &u,
                       const double             tolerance)
   {
     const double sine   = 0.9;
@@ -275,7 +275,7 @@ namespace Contact
                         const Surface<3>        &master,
                         const SurfaceSearch<3>  &search,
                         const Discretization<3> &discretization,
-                        const Vector<double>    &u,
+                        const GhostedVector     &u,
                         const bool               keeps_facet)
   {
     const Point<3> x = slave_position(point, u);

@@ -295,8 +295,8 @@ namespace Contact
 
 
   template<int dim>
-  Point<dim> Surface<dim>::position(const unsigned int    node,
-                                    const Vector<double> &u) const
+  Point<dim> Surface<dim>::position(const unsigned int   node,
+                                    const GhostedVector &u) const
   {
     Point<dim> x = nodes[node].X;
     for (unsigned int c = 0; c < dim; ++c)
@@ -309,7 +309,7 @@ namespace Contact
   template<int dim>
   Tensor<1, dim> Surface<dim>::normal(const SurfaceFacet<dim> &facet,
                                       const unsigned int       a,
-                                      const Vector<double>    &u) const
+                                      const GhostedVector     &u) const
   {
     const FacetShape<dim>               shape(degree, node_place<dim>(a));
     std::array<Tensor<1, dim>, dim - 1> tangents;
@@ -324,7 +324,7 @@ namespace Contact
 
   template<int dim>
   std::vector<Tensor<1, dim>>
-  Surface<dim>::normals(const Vector<double> &u) const
+  Surface<dim>::normals(const GhostedVector &u) const
   {
     std::vector<Tensor<1, dim>> normals(nodes.size());
     for (const SurfaceFacet<dim> &facet : facets)
@@ -338,7 +338,7 @@ namespace Contact
 
 
   template<int dim>
-  FacetNormals<dim> Surface<dim>::facet_normals(const Vector<double> &u) const
+  FacetNormals<dim> Surface<dim>::facet_normals(const GhostedVector &u) const
   {
     const auto        mean = normals(u);
     FacetNormals<dim> normals(facets.size());
@@ -361,7 +361,7 @@ namespace Contact
   Tensor<1, dim>
   Surface<dim>::mean_normal(const unsigned int               node,
                             const std::vector<unsigned int> &of_facets,
-                            const Vector<double>            &u) const
+                            const GhostedVector             &u) const
   {
     Tensor<1, dim> sum;
     for (const unsigned int e : of_facets)

@@ -317,15 +317,15 @@ namespace Contact
     }
 
     /// Current position of a node.
-    Point<dim> position(const unsigned int node, const Vector<double> &u) const;
+    Point<dim> position(const unsigned int node, const GhostedVector &u) const;
 
     /// The outward unit normals at the nodes of the deformed surface: the mean
     /// of those of the facets that meet there.
-    std::vector<Tensor<1, dim>> normals(const Vector<double> &u) const;
+    std::vector<Tensor<1, dim>> normals(const GhostedVector &u) const;
 
     /// The same by facet: at corners the normal of the facets on its side
     /// alone.
-    FacetNormals<dim> facet_normals(const Vector<double> &u) const;
+    FacetNormals<dim> facet_normals(const GhostedVector &u) const;
 
     /// The facets around a node of a facet that no corner parts from it.
     std::vector<unsigned int> smooth_around(const unsigned int facet,
@@ -369,7 +369,7 @@ namespace Contact
     /// The outward unit normal at a node by some of the facets around it.
     Tensor<1, dim> mean_normal(const unsigned int               node,
                                const std::vector<unsigned int> &of_facets,
-                               const Vector<double>            &u) const;
+                               const GhostedVector             &u) const;
 
     /// The direction of an edge at its coordinate xi, undeformed.
     Tensor<1, dim> reference_tangent(const SurfaceFacet<dim> &edge,
@@ -378,7 +378,7 @@ namespace Contact
     /// The outward unit normal at a node of a facet by that facet alone.
     Tensor<1, dim> normal(const SurfaceFacet<dim> &facet,
                           const unsigned int       a,
-                          const Vector<double>    &u) const;
+                          const GhostedVector     &u) const;
 
     const Discretization<dim> &discretization;
   };

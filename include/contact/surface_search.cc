@@ -41,8 +41,8 @@ namespace Contact
 
 
 
-  SurfaceSearch<2>::SurfaceSearch(const Surface<2>     &surface,
-                                  const Vector<double> &u)
+  SurfaceSearch<2>::SurfaceSearch(const Surface<2>    &surface,
+                                  const GhostedVector &u)
     : surface(surface)
   {
     for (unsigned int i = 0; i < surface.nodes.size(); ++i)

@@ -94,7 +94,7 @@ namespace Contact
   class SurfaceSearch<2>
   {
   public:
-    SurfaceSearch(const Surface<2> &surface, const Vector<double> &u);
+    SurfaceSearch(const Surface<2> &surface, const GhostedVector &u);
 
     Projection<2> closest_point(const Point<2> &x) const;
 

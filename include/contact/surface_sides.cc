@@ -104,7 +104,7 @@ namespace Contact
   template<>
   void Surface<3>::find_corners()
   {
-    const Vector<double> undeformed(discretization.dof_handler.n_dofs());
+    const GhostedVector undeformed(discretization.distribution);
     const auto normal_at = [&](const SurfaceFacet<3> &facet, const Side &ends) {
       Tensor<1, 3> sum;
       for (unsigned int a = 0; a < 4; ++a)
@@ -185,8 +185,8 @@ namespace Contact
   template<>
   double Surface<3>::largest_bend() const
   {
-    const Vector<double> undeformed(discretization.dof_handler.n_dofs());
-    double               smallest_cosine = 1;
+    const GhostedVector undeformed(discretization.distribution);
+    double              smallest_cosine = 1;
     for (const SurfaceFacet<3> &facet : facets)
       {
         Tensor<1, 3> centre;

@@ -70,7 +70,7 @@ namespace Contact
 
     SurfaceState<2> save_pair(const ContactInterface<2> &interface,
                               const ContactPair<2>      &contact_pair,
-                              const Vector<double>      &solution)
+                              const GhostedVector       &solution)
     {
       const auto      all_places = places(contact_pair.slave);
       SurfaceState<2> state;
@@ -110,7 +110,7 @@ namespace Contact
                       const ContactPair<2>         &contact_pair,
                       const ContactInterface<2>    &interface,
                       std::vector<ContactPoint<2>> &points,
-                      Vector<double>               &solution)
+                      GhostedVector                &solution)
     {
       const auto all_places = places(contact_pair.slave);
       for (unsigned int i = 0; i < contact_pair.slave.nodes.size(); ++i)
@@ -164,7 +164,7 @@ namespace Contact
                          const ContactPair<2>         &contact_pair,
                          const ContactInterface<2>    &interface,
                          std::vector<ContactPoint<2>> &points,
-                         Vector<double>               &solution)
+                         GhostedVector                &solution)
     {
       auto corner = state.corners.begin();
       for (unsigned int q = contact_pair.first_point;
@@ -192,7 +192,7 @@ namespace Contact
 
     SurfaceState<3> save_pair(const ContactInterface<3> &interface,
                               const ContactPair<3>      &contact_pair,
-                              const Vector<double>      &solution)
+                              const GhostedVector       &solution)
     {
       SurfaceState<3> state;
       for (unsigned int i = 0; i < contact_pair.slave.nodes.size(); ++i)
@@ -216,7 +216,7 @@ namespace Contact
                       const ContactPair<3>         &contact_pair,
                       const ContactInterface<3>    &interface,
                       std::vector<ContactPoint<3>> &points,
-                      Vector<double>               &solution)
+                      GhostedVector                &solution)
     {
       const auto nearest = pack_rtree_of_indices(state.place);
       for (unsigned int i = 0; i < contact_pair.slave.nodes.size(); ++i)
@@ -242,7 +242,7 @@ namespace Contact
                          const ContactPair<3> &,
                          const ContactInterface<3> &,
                          std::vector<ContactPoint<3>> &,
-                         Vector<double> &)
+                         GhostedVector &)
     {
     }
   } // namespace
@@ -252,7 +252,7 @@ namespace Contact
   template<int dim>
   std::vector<SurfaceState<dim>>
   save_surfaces(const ContactInterface<dim> &interface,
-                const Vector<double>        &solution)
+                const GhostedVector         &solution)
   {
     std::vector<SurfaceState<dim>> states;
     for (const auto &contact_pair : interface.pairs)
@@ -265,7 +265,7 @@ namespace Contact
   template<int dim>
   void restore_surfaces(const std::vector<SurfaceState<dim>> &states,
                         ContactInterface<dim>                &interface,
-                        Vector<double>                       &solution)
+                        GhostedVector                        &solution)
   {
     std::vector<ContactPoint<dim>> points = interface.points();
     for (unsigned int z = 0; z < states.size(); ++z)
@@ -279,16 +279,16 @@ namespace Contact
 
   template std::vector<SurfaceState<2>>
   save_surfaces(const ContactInterface<2> &interface,
-                const Vector<double>      &solution);
+                const GhostedVector       &solution);
 
   template std::vector<SurfaceState<3>>
   save_surfaces(const ContactInterface<3> &interface,
-                const Vector<double>      &solution);
+                const GhostedVector       &solution);
 
   template void restore_surfaces(const std::vector<SurfaceState<2>> &states,
                                  ContactInterface<2>                &interface,
-                                 Vector<double>                     &solution);
+                                 GhostedVector                      &solution);
   template void restore_surfaces(const std::vector<SurfaceState<3>> &states,
                                  ContactInterface<3>                &interface,
-                                 Vector<double>                     &solution);
+                                 GhostedVector                      &solution);
 } // namespace Contact

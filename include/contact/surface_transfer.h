@@ -52,13 +52,13 @@ namespace Contact
   template<int dim>
   std::vector<SurfaceState<dim>>
   save_surfaces(const ContactInterface<dim> &interface,
-                const Vector<double>        &solution);
+                const GhostedVector         &solution);
 
   /// Set statuses and bounds of the points, and the multipliers in @p solution.
   template<int dim>
   void restore_surfaces(const std::vector<SurfaceState<dim>> &states,
                         ContactInterface<dim>                &interface,
-                        Vector<double>                       &solution);
+                        GhostedVector                        &solution);
 } // namespace Contact
 
 #endif

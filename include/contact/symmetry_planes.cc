@@ -56,8 +56,8 @@ namespace Contact
 
 
   // A surface that lies in the plane has its own normal.
-  FacetNormals<3> SymmetryPlanes::facet_normals(const Surface<3>     &surface,
-                                                const Vector<double> &u) const
+  FacetNormals<3> SymmetryPlanes::facet_normals(const Surface<3>    &surface,
+                                                const GhostedVector &u) const
   {
     FacetNormals<3> normals = surface.facet_normals(u);
     const double    sine    = 0.9;
@@ -81,7 +81,7 @@ namespace Contact
 
   std::vector<double> SymmetryPlanes::bends(const Surface<3> &surface) const
   {
-    const Vector<double>      undeformed(discretization.dof_handler.n_dofs());
+    const GhostedVector       undeformed(discretization.distribution);
     const auto                means = facet_normals(surface, undeformed);
     const SurfaceSearch<3>    search(surface, undeformed);
     std::vector<double>       bends(surface.nodes.size(), 0.);

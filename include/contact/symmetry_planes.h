@@ -27,8 +27,8 @@ namespace Contact
 
     /// Surface::facet_normals() of either surface, along the planes that their
     /// nodes are on.
-    FacetNormals<3> facet_normals(const Surface<3>     &surface,
-                                  const Vector<double> &u) const;
+    FacetNormals<3> facet_normals(const Surface<3>    &surface,
+                                  const GhostedVector &u) const;
 
     /// By node of the undeformed surface, the largest angle [rad] between a
     /// facet there and the mean, that of all facets around an edge or a corner,

@@ -7,8 +7,10 @@
 
 #include <sstream>
 
+#include "base/all_ranks.h"
 #include "base/files.h"
 #include "base/restart_file.h"
+#include "solid/cell_values.h"
 
 namespace Contact
 {
@@ -42,15 +44,33 @@ namespace Contact
       return;
     TimerOutput::Scope scope(report.timer, "output");
     report.write_summary();
+    auto       start        = invariants->state();
+    const auto communicator = model.discretization->communicator;
+    n_parts                 = Utilities::MPI::n_mpi_processes(communicator);
+    number                  = report.summary.increments.size();
+    on_all_ranks(communicator, [&]() {
+      write_file(part(Utilities::MPI::this_mpi_process(communicator)),
+                 [&](std::ostream &out) {
+                   const auto values =
+                     values_on_cells(*model.discretization, vectors(start));
+                   write_restart(out, key(), [&](auto &archive) {
+                     archive &values;
+                   });
+                 });
+    });
     report.files().write_first("restart.bin", [&](std::ostream &out) {
       write_restart(out, key(), [&](auto &archive) {
-        serialize(archive, steps);
+        archive &n_parts &number;
+        serialize(archive, steps, start);
       });
     });
+    report.files().remove("restart_(?!" + std::to_string(number) +
+                          "\\.)[0-9.]+bin");
   }
 
 
 
+  // Each rank looks at the parts of all one by one: cells may be elsewhere now.
   template<int dim>
   void Checkpoint<dim>::read(LoadSteps &steps)
   {
@@ -60,9 +80,20 @@ namespace Contact
         report.screen << "Nothing to go on from: no " << file << std::endl;
         return;
       }
+    auto start = invariants->state();
     read_restart(file, key(), [&](auto &archive) {
-      serialize(archive, steps);
+      archive &n_parts &number;
+      for (unsigned int r = 0; r < n_parts; ++r)
+        {
+          CellValues values;
+          read_restart(part(r), key(), [&](auto &archive) { archive &values; });
+          take_from_cells(*model.discretization, values, vectors(start));
+        }
+      for (GhostedVector *vector : vectors(start))
+        vector->update_ghosts();
+      serialize(archive, steps, start);
     });
+    invariants->restore(start);
     report.files().write_series();
     report.screen << "Restart behind the load factor "
                   << report.increment().load_factor << std::endl;
@@ -72,18 +103,18 @@ namespace Contact
 
   template<int dim>
   template<class Archive>
-  void Checkpoint<dim>::serialize(Archive &archive, LoadSteps &steps)
+  void
+  Checkpoint<dim>::serialize(Archive &archive, LoadSteps &steps, State &start)
   {
-    archive  &steps;
-    archive  &convergence;
-    archive &*invariants;
-    archive  &report.summary.increments;
-    archive  &report.files();
-    archive  &state.solution;
+    archive &steps;
+    archive &convergence;
+    archive &start;
+    archive &report.summary.increments;
+    archive &report.files();
     if (Archive::is_loading::value)
       pairing.pair(state.solution);
     if (model.interface)
-      archive &*model.interface;
+      model.interface->serialize(archive, state.solution);
   }
 
 
@@ -93,12 +124,29 @@ namespace Contact
   std::string Checkpoint<dim>::key() const
   {
     std::ostringstream key;
-    key << "contact restart 2, ranks "
-        << Utilities::MPI::n_mpi_processes(model.discretization->communicator)
-        << ", unknowns " << state.solution.size() << ", mesh "
+    key << "contact restart 3, unknowns " << state.solution.size() << ", mesh "
         << checksum(parameters.mesh.file) << '\n';
     prm.print_parameters(key, ParameterHandler::ShortPRM);
     return key.str();
+  }
+
+
+
+  template<int dim>
+  std::filesystem::path Checkpoint<dim>::part(const unsigned int rank) const
+  {
+    return report.files().directory / ("restart_" + std::to_string(number) +
+                                       "." + std::to_string(rank) + ".bin");
+  }
+
+
+
+  template<int dim>
+  std::vector<GhostedVector *> Checkpoint<dim>::vectors(State &start) const
+  {
+    auto all = start.vectors();
+    all.push_back(&state.solution);
+    return all;
   }
 
   template class Checkpoint<2>;

@@ -17,8 +17,10 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * The file that a run which was interrupted goes on from: all that an
-   * increment leaves to the next one. Levels below the last one are computed
+   * The files that a run which was interrupted goes on from: all that an
+   * increment leaves to the next one, restart.bin, and of the vectors a part by
+   * each rank, restart_INCREMENTS.RANK.bin. Any number of ranks can go on.
+   * Levels below the last one are computed
    * again, which costs less than to keep their meshes.
    */
   template<int dim>
@@ -43,8 +45,14 @@ namespace Contact
     void read(LoadSteps &steps);
 
   private:
+    using State = typename InvariantCheck<dim>::State;
+
     template<class Archive>
-    void serialize(Archive &archive, LoadSteps &steps);
+    void serialize(Archive &archive, LoadSteps &steps, State &start);
+
+    /// The file of a rank, and the vectors in it.
+    std::filesystem::path        part(const unsigned int rank) const;
+    std::vector<GhostedVector *> vectors(State &start) const;
 
     std::string key() const;
 
@@ -56,6 +64,8 @@ namespace Contact
     Pairing<dim>                               &pairing;
     ConvergenceTest<dim>                       &convergence;
     Report<dim>                                &report;
+    unsigned int                                n_parts = 0;
+    unsigned int                                number = 0; // of the increments
   };
 } // namespace Contact
 

@@ -16,8 +16,8 @@ namespace Contact
   template<int dim>
   std::vector<NodeRow<dim>>
   collect_nodes(const Discretization<dim> &discretization,
-                const Vector<double>      &u,
-                const Vector<double>      &contact_forces)
+                const GhostedVector       &u,
+                const GhostedVector       &contact_forces)
   {
     const IndexSet &owned = discretization.dof_handler.locally_owned_dofs();
     std::set<types::global_dof_index>    seen;
@@ -86,12 +86,12 @@ namespace Contact
 
   template std::vector<NodeRow<2>>
   collect_nodes(const Discretization<2> &discretization,
-                const Vector<double>    &u,
-                const Vector<double>    &contact_forces);
+                const GhostedVector     &u,
+                const GhostedVector     &contact_forces);
   template std::vector<NodeRow<3>>
                 collect_nodes(const Discretization<3> &discretization,
-                              const Vector<double>    &u,
-                              const Vector<double>    &contact_forces);
+                              const GhostedVector     &u,
+                              const GhostedVector     &contact_forces);
   template void write_nodes(std::ostream                  &out,
                             const Mesh<2>                 &mesh,
                             const std::vector<NodeRow<2>> &rows);

@@ -40,8 +40,8 @@ namespace Contact
   template<int dim>
   std::vector<NodeRow<dim>>
   collect_nodes(const Discretization<dim> &discretization,
-                const Vector<double>      &u,
-                const Vector<double>      &contact_forces);
+                const GhostedVector       &u,
+                const GhostedVector       &contact_forces);
 
   /// Write the nodes as lines of numbers that a reader gets back to the last
   /// bit, below a line with names and units.

@@ -169,7 +169,7 @@ namespace Contact
       return;
     TimerOutput::Scope scope(report.timer, "output");
 
-    Vector<double> forces;
+    GhostedVector forces;
     if (model.interface)
       forces = contact_forces(*model.interface,
                               state.solution,

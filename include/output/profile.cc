@@ -52,7 +52,7 @@ namespace Contact
     template<int dim>
     double normal_force(const ContactInterface<dim> &interface,
                         const ContactPoint<dim>     &point,
-                        const Vector<double>        &solution)
+                        const GhostedVector         &solution)
     {
       const ContactState<dim> now = interface.state(point, solution, solution);
       return point.weight * interface
@@ -89,8 +89,8 @@ namespace Contact
     template<int dim>
     void add_gap_and_slip(const ContactInterface<dim>  &interface,
                           const ContactPair<dim>       &contact_pair,
-                          const Vector<double>         &solution,
-                          const Vector<double>         &u_start,
+                          const GhostedVector          &solution,
+                          const GhostedVector          &u_start,
                           std::vector<ProfileRow<dim>> &rows)
     {
       // These points only look: they carry no multiplier.
@@ -142,8 +142,8 @@ namespace Contact
     template<int dim>
     void add_contact_values(const ContactInterface<dim>  &interface,
                             const ContactPair<dim>       &contact_pair,
-                            const Vector<double>         &solution,
-                            const Vector<double>         &u_start,
+                            const GhostedVector          &solution,
+                            const GhostedVector          &u_start,
                             std::vector<ProfileRow<dim>> &rows)
     {
       const auto of_corners = corner_loads(interface, contact_pair, solution);
@@ -266,8 +266,8 @@ namespace Contact
                 const ContactPair<dim>                   &contact_pair,
                 const Discretization<dim>                &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                const Vector<double>                     &solution,
-                const Vector<double>                     &u_start,
+                const GhostedVector                      &solution,
+                const GhostedVector                      &u_start,
                 const std::optional<ExactSolution>       &exact)
   {
     auto rows =
@@ -286,7 +286,7 @@ namespace Contact
                  const ContactPair<dim>                   &contact_pair,
                  const Discretization<dim>                &discretization,
                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                 const Vector<double>                     &solution,
+                 const GhostedVector                      &solution,
                  const std::vector<ProfileRow<dim>>       &slave,
                  const std::optional<ExactSolution>       &exact)
   {
@@ -330,8 +330,8 @@ namespace Contact
   pair_profiles(const ContactInterface<dim>              &interface,
                 const Discretization<dim>                &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                const Vector<double>                     &solution,
-                const Vector<double>                     &u_start,
+                const GhostedVector                      &solution,
+                const GhostedVector                      &u_start,
                 const std::optional<ExactSolution>       &exact,
                 const bool                                with_masters)
   {
@@ -366,23 +366,23 @@ namespace Contact
                 const ContactPair<2>                     &contact_pair,
                 const Discretization<2>                  &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                const Vector<double>                     &solution,
-                const Vector<double>                     &u_start,
+                const GhostedVector                      &solution,
+                const GhostedVector                      &u_start,
                 const std::optional<ExactSolution>       &exact);
   template std::vector<PairProfile<2>>
   pair_profiles(const ContactInterface<2>                &interface,
                 const Discretization<2>                  &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                const Vector<double>                     &solution,
-                const Vector<double>                     &u_start,
+                const GhostedVector                      &solution,
+                const GhostedVector                      &u_start,
                 const std::optional<ExactSolution>       &exact,
                 const bool                                with_masters);
   template std::vector<PairProfile<3>>
   pair_profiles(const ContactInterface<3>                &interface,
                 const Discretization<3>                  &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                const Vector<double>                     &solution,
-                const Vector<double>                     &u_start,
+                const GhostedVector                      &solution,
+                const GhostedVector                      &u_start,
                 const std::optional<ExactSolution>       &exact,
                 const bool                                with_masters);
 } // namespace Contact

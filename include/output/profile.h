@@ -84,8 +84,8 @@ namespace Contact
                 const ContactPair<dim>                   &contact_pair,
                 const Discretization<dim>                &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                const Vector<double>                     &solution,
-                const Vector<double>                     &u_start,
+                const GhostedVector                      &solution,
+                const GhostedVector                      &u_start,
                 const std::optional<ExactSolution>       &exact);
 
   /**
@@ -107,7 +107,7 @@ namespace Contact
                  const ContactPair<dim>                   &contact_pair,
                  const Discretization<dim>                &discretization,
                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                 const Vector<double>                     &solution,
+                 const GhostedVector                      &solution,
                  const std::vector<ProfileRow<dim>>       &slave,
                  const std::optional<ExactSolution>       &exact);
 
@@ -118,8 +118,8 @@ namespace Contact
   pair_profiles(const ContactInterface<dim>              &interface,
                 const Discretization<dim>                &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                const Vector<double>                     &solution,
-                const Vector<double>                     &u_start,
+                const GhostedVector                      &solution,
+                const GhostedVector                      &u_start,
                 const std::optional<ExactSolution>       &exact,
                 const bool                                with_masters);
 } // namespace Contact

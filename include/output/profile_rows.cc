@@ -100,7 +100,7 @@ namespace Contact
   make_rows(const Surface<dim>                       &surface,
             const Discretization<dim>                &discretization,
             const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-            const Vector<double>                     &u)
+            const GhostedVector                      &u)
   {
     const auto stresses =
       node_stresses(surface, discretization, vertex_stresses);
@@ -133,10 +133,10 @@ namespace Contact
   make_rows(const Surface<2>                         &surface,
             const Discretization<2>                  &discretization,
             const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-            const Vector<double>                     &u);
+            const GhostedVector                      &u);
   template std::vector<ProfileRow<3>>
   make_rows(const Surface<3>                         &surface,
             const Discretization<3>                  &discretization,
             const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-            const Vector<double>                     &u);
+            const GhostedVector                      &u);
 } // namespace Contact

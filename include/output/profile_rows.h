@@ -22,7 +22,7 @@ namespace Contact
   make_rows(const Surface<dim>                       &surface,
             const Discretization<dim>                &discretization,
             const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-            const Vector<double>                     &u);
+            const GhostedVector                      &u);
 } // namespace Contact
 
 #endif

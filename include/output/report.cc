@@ -78,6 +78,9 @@ namespace Contact
     summary.in_space        = dim == 3;
     summary.n_displacements = model.n_displacements();
     summary.n_multipliers   = model.n_multipliers();
+    summary.n_held          = Utilities::MPI::max(
+      GhostedVector(model.discretization->distribution).n_held(),
+      communicator);
   }
 
 
@@ -136,7 +139,7 @@ namespace Contact
 
   template<int dim>
   void Report<dim>::print_notes_on_result(const ContactModel<dim> &model,
-                                          const Vector<double>    &solution)
+                                          const GhostedVector     &solution)
   {
     for (const std::string &note :
          notes_on_result(model, parameters, solution, summary))
@@ -275,9 +278,8 @@ namespace Contact
     // This file counts, too.
     ++summary.counters["files"];
     write_summary();
-    if (summary.converged &&
-        Utilities::MPI::this_mpi_process(communicator) == 0)
-      std::filesystem::remove(result_files->directory / "restart.bin");
+    if (summary.converged)
+      result_files->remove("restart[0-9._]*bin");
 
     if (screen.is_active())
       {

@@ -75,7 +75,7 @@ namespace Contact
 
     /// Doubts about the result of the last increment.
     void print_notes_on_result(const ContactModel<dim> &model,
-                               const Vector<double>    &solution);
+                               const GhostedVector     &solution);
 
     void print_level(const ContactModel<dim> &model,
                      const unsigned int       level,

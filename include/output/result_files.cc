@@ -148,7 +148,15 @@ namespace Contact
   template<int dim>
   void ResultFiles<dim>::remove_increments() const
   {
-    const std::regex name("(bodies|contact)_[0-9.]+p?vtu|restart\\.bin");
+    remove("(bodies|contact)_[0-9.]+p?vtu|restart[0-9._]*bin");
+  }
+
+
+
+  template<int dim>
+  void ResultFiles<dim>::remove(const std::string &names) const
+  {
+    const std::regex                   name(names);
     std::vector<std::filesystem::path> found;
     if (rank() == 0)
       for (const auto &file : std::filesystem::directory_iterator(directory))
@@ -164,18 +172,6 @@ namespace Contact
   unsigned int ResultFiles<dim>::rank() const
   {
     return Utilities::MPI::this_mpi_process(discretization.communicator);
-  }
-
-
-
-  template<int dim>
-  Vector<double>
-  ResultFiles<dim>::owned_part(const Vector<double> &values) const
-  {
-    Vector<double> part(discretization.dof_handler.n_dofs());
-    for (const auto i : discretization.dof_handler.locally_owned_dofs())
-      part[i] = values[i];
-    return part;
   }
 
 
@@ -217,10 +213,10 @@ namespace Contact
     const unsigned int                        k,
     const double                              load_factor,
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-    const Vector<double>                     &solution,
-    const Vector<double>                     &contact_forces)
+    const GhostedVector                      &solution,
+    const GhostedVector                      &contact_forces)
   {
-    const Vector<double> u = owned_part(solution);
+    const auto u = discretization.distributed(solution);
 
     const auto    &triangulation = discretization.mesh.triangulation;
     Vector<double> body(triangulation.n_active_cells());
@@ -234,18 +230,18 @@ namespace Contact
                                  load_factor,
                                  discretization.degree,
                                  "N" + discretization.per_thickness()));
-    const auto add_vector = [&](const Vector<double> &values,
-                                const std::string    &name) {
+    const auto add_vector = [&](const DistributedVector &values,
+                                const std::string       &name) {
       data_out.add_data_vector(discretization.dof_handler,
                                values,
                                std::vector<std::string>(dim, name),
                                {std::size_t(dim), component_is_part_of_vector});
     };
     add_vector(u, "displacement");
-    Vector<double> forces;
+    DistributedVector forces;
     if (contact_forces.size() > 0)
       {
-        forces = owned_part(contact_forces);
+        forces = discretization.distributed(contact_forces);
         add_vector(forces, "contact_force");
       }
     vertex_fields.attach(data_out);
@@ -319,8 +315,8 @@ namespace Contact
 
 
   template<int dim>
-  void ResultFiles<dim>::write_nodes(const Vector<double> &solution,
-                                     const Vector<double> &contact_forces) const
+  void ResultFiles<dim>::write_nodes(const GhostedVector &solution,
+                                     const GhostedVector &contact_forces) const
   {
     const auto rows = collect_nodes(discretization, solution, contact_forces);
     write_first("nodes.csv", [&](std::ostream &out) {

@@ -40,6 +40,9 @@ namespace Contact
     /// what it left to go on from.
     void remove_increments() const;
 
+    /// Remove the files whose names match a regular expression.
+    void remove(const std::string &names) const;
+
     /**
      * Write bodies_000k.vtu of increment @p k, and bodies.pvd anew: all cells
      * at their degree with displacement [mm], Cauchy stress and von Mises
@@ -50,8 +53,8 @@ namespace Contact
     void write_bodies(const unsigned int                        k,
                       const double                              load_factor,
                       const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
-                      const Vector<double>                     &solution,
-                      const Vector<double> &contact_forces = {});
+                      const GhostedVector                      &solution,
+                      const GhostedVector &contact_forces = {});
 
     /**
      * Write contact_000k.vtu of increment @p k, and contact.pvd anew: the
@@ -69,8 +72,8 @@ namespace Contact
     void write_profile(const std::vector<PairProfile<dim>> &pairs) const;
 
     /// Write nodes.csv: see write_nodes() and collect_nodes(). Collective.
-    void write_nodes(const Vector<double> &solution,
-                     const Vector<double> &contact_forces) const;
+    void write_nodes(const GhostedVector &solution,
+                     const GhostedVector &contact_forces) const;
 
     /// The increments written so far, for a restart.
     template<class Archive>
@@ -100,10 +103,6 @@ namespace Contact
                              const DataOutInterface<dim> &data) const;
 
     unsigned int rank() const;
-
-    /// The values of a vector of the displacement at the unknowns that this
-    /// rank owns: of others it may not know all.
-    Vector<double> owned_part(const Vector<double> &values) const;
 
     const Discretization<dim> &discretization;
     Series                     bodies, contact;

@@ -218,12 +218,11 @@ namespace Contact
     template<int dim>
     void add_notes_on_roundness(const Parameters::All       &parameters,
                                 const ContactInterface<dim> &interface,
-                                const Vector<double>        &solution,
+                                const GhostedVector         &solution,
                                 std::vector<std::string>    &notes)
     {
-      const double moved =
-        interface.largest_change(solution, Vector<double>(solution.size()));
-      const auto entries = parameters.pairs();
+      const double moved = interface.largest_change(solution, solution.zero());
+      const auto   entries = parameters.pairs();
       for (unsigned int z = 0; z < entries.size(); ++z)
         {
           const ContactPair<dim> &contact_pair = *interface.pairs[z];
@@ -257,7 +256,7 @@ namespace Contact
 
 
     void add_note_on_idleness(const RunSummary         &summary,
-                              const Vector<double>     &solution,
+                              const GhostedVector      &solution,
                               std::vector<std::string> &notes)
     {
       bool is_loaded = !solution.all_zero(), touches = false;
@@ -298,7 +297,7 @@ namespace Contact
   template<int dim>
   std::vector<std::string> notes_on_result(const ContactModel<dim> &model,
                                            const Parameters::All   &parameters,
-                                           const Vector<double>    &solution,
+                                           const GhostedVector     &solution,
                                            const RunSummary        &summary)
   {
     std::vector<std::string> notes;
@@ -313,10 +312,10 @@ namespace Contact
                                                    const Parameters::All &);
   template std::vector<std::string> notes_on_result(const ContactModel<2> &,
                                                     const Parameters::All &,
-                                                    const Vector<double> &,
+                                                    const GhostedVector &,
                                                     const RunSummary &);
   template std::vector<std::string> notes_on_result(const ContactModel<3> &,
                                                     const Parameters::All &,
-                                                    const Vector<double> &,
+                                                    const GhostedVector &,
                                                     const RunSummary &);
 } // namespace Contact

@@ -28,7 +28,7 @@ namespace Contact
   template<int dim>
   std::vector<std::string> notes_on_result(const ContactModel<dim> &model,
                                            const Parameters::All   &parameters,
-                                           const Vector<double>    &solution,
+                                           const GhostedVector     &solution,
                                            const RunSummary        &summary);
 } // namespace Contact
 

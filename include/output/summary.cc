@@ -224,6 +224,7 @@ namespace Contact
                 {"unknowns",
                  {{"displacement", summary.n_displacements},
                   {"multipliers", summary.n_multipliers}}},
+                {"displacements_on_a_process", summary.n_held},
                 {"contact", Json::object()},
                 {"exact", summary.exact},
                 {"errors", summary.errors},

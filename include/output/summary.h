@@ -151,6 +151,7 @@ namespace Contact
     bool        in_space        = false; // the mesh has volumes
     std::size_t n_displacements = 0;     // unknowns
     std::size_t n_multipliers   = 0;
+    std::size_t n_held          = 0; // displacements, most by a process
 
     /// The contact zone at full load, see ContactResults; what the exact
     /// solution has instead, and the errors relative to that, see

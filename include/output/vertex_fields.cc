@@ -47,10 +47,14 @@ namespace Contact
     , dof_handler(discretization.mesh.triangulation)
   {
     distribute_dofs(discretization.mesh, fe, dof_handler);
-    const auto components = stress_fields<dim>();
+    const auto              components = stress_fields<dim>();
+    const DistributedVector zero(dof_handler.locally_owned_dofs(),
+                                 DoFTools::extract_locally_relevant_dofs(
+                                   dof_handler),
+                                 discretization.communicator);
     for (const auto &component : components)
-      fields.emplace_back(component.name, Vector<double>(dof_handler.n_dofs()));
-    fields.emplace_back("von_mises", Vector<double>(dof_handler.n_dofs()));
+      fields.emplace_back(component.name, zero);
+    fields.emplace_back("von_mises", zero);
 
     // A vertex of another rank may have cells that this one does not know.
     const IndexSet &owned = dof_handler.locally_owned_dofs();
@@ -67,6 +71,8 @@ namespace Contact
               fields[c].second[dof] = stress[components[c].i][components[c].j];
             fields.back().second[dof] = von_mises(stress);
           }
+    for (auto &field : fields)
+      field.second.update_ghost_values();
   }
 
 

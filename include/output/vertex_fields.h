@@ -40,7 +40,7 @@ namespace Contact
     DoFHandler<dim>             dof_handler;
 
     /// Name and values by unknown of the fields.
-    std::vector<std::pair<std::string, Vector<double>>> fields;
+    std::vector<std::pair<std::string, DistributedVector>> fields;
   };
 } // namespace Contact
 

@@ -75,13 +75,13 @@ namespace Contact
     for (const auto &[name, force] : boundary.resultant_force[c])
       {
         // The shares add up to the length; of rings, to their area.
-        const Vector<double> shares =
+        const GhostedVector shares =
           integrate_boundary(name,
                              spread,
                              [&](const Point<dim> &, const Tensor<1, dim> &) {
                                return direction;
                              });
-        const double area = shares.mean_value() * shares.size();
+        const double area = shares.sum();
         if (!(area > 0))
           throw InputError("the boundary '" + name +
                              "' has no area that a force could be spread over",
@@ -138,7 +138,7 @@ namespace Contact
 
   // The integral of a traction times the shape functions, from all ranks.
   template<int dim>
-  Vector<double>
+  GhostedVector
   DeadLoads<dim>::integrate_boundary(const std::string   &name,
                                      const std::string   &entry,
                                      const TractionField &traction)
@@ -155,7 +155,7 @@ namespace Contact
                                     update_values | update_JxW_values |
                                       update_quadrature_points |
                                       update_normal_vectors);
-    Vector<double>        integrals(discretization.dof_handler.n_dofs());
+    GhostedVector         integrals(discretization.distribution);
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (cell->is_locally_owned() && cell->face(f)->at_boundary() &&
@@ -172,7 +172,7 @@ namespace Contact
               },
               integrals);
           }
-    Utilities::MPI::sum(integrals, discretization.communicator, integrals);
+    integrals.sum_up();
     return integrals;
   }
 
@@ -181,7 +181,7 @@ namespace Contact
   // The same of a body. A constant force times the radius times the shape
   // functions is integrated exactly on straight cells.
   template<int dim>
-  Vector<double>
+  GhostedVector
   DeadLoads<dim>::integrate_body(const types::material_id body,
                                  const BodyForceField    &force) const
   {
@@ -193,7 +193,7 @@ namespace Contact
                                 quadrature,
                                 update_values | update_JxW_values |
                                   update_quadrature_points);
-    Vector<double>    integrals(discretization.dof_handler.n_dofs());
+    GhostedVector     integrals(discretization.distribution);
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && cell->material_id() == body)
         {
@@ -207,7 +207,7 @@ namespace Contact
             },
             integrals);
         }
-    Utilities::MPI::sum(integrals, discretization.communicator, integrals);
+    integrals.sum_up();
     return integrals;
   }
 
@@ -218,7 +218,7 @@ namespace Contact
     const FEValuesBase<dim>                                   &values,
     const typename DoFHandler<dim>::active_cell_iterator      &cell,
     const std::function<Tensor<1, dim>(const unsigned int q)> &density,
-    Vector<double>                                            &integrals) const
+    GhostedVector                                             &integrals) const
   {
     const auto                          &fe = values.get_fe();
     std::vector<types::global_dof_index> dofs(values.dofs_per_cell);
@@ -237,20 +237,20 @@ namespace Contact
 
 
   template<int dim>
-  Vector<double> &DeadLoads<dim>::load_of(const std::string &entry)
+  GhostedVector &DeadLoads<dim>::load_of(const std::string &entry)
   {
-    Vector<double> &load = loads[entry];
+    GhostedVector &load = loads[entry];
     if (load.size() == 0)
-      load.reinit(discretization.dof_handler.n_dofs());
+      load = GhostedVector(discretization.distribution);
     return load;
   }
 
 
 
   template<int dim>
-  Vector<double> DeadLoads<dim>::at(const double load_factor) const
+  GhostedVector DeadLoads<dim>::at(const double load_factor) const
   {
-    Vector<double> sum(discretization.dof_handler.n_dofs());
+    GhostedVector sum(discretization.distribution);
     for (const auto &[entry, load] : loads)
       sum.add(discretization.factor(entry, load_factor), load);
     return sum;

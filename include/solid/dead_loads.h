@@ -35,7 +35,7 @@ namespace Contact
 
     /// The forces under a load factor [N per mm of thickness; rings and
     /// volumes: N].
-    Vector<double> at(const double load_factor) const;
+    GhostedVector at(const double load_factor) const;
 
     /// The sum of all their magnitudes at their full values, in the same unit:
     /// what is small against it is small.
@@ -62,15 +62,15 @@ namespace Contact
       std::function<Tensor<1, dim>(const Point<dim> &, const Tensor<1, dim> &)>;
 
     /// The forces of a traction on the boundary @p name that @p entry names.
-    Vector<double> integrate_boundary(const std::string   &name,
-                                      const std::string   &entry,
-                                      const TractionField &traction);
+    GhostedVector integrate_boundary(const std::string   &name,
+                                     const std::string   &entry,
+                                     const TractionField &traction);
 
     /// Force by volume [N/mm^3] by place.
     using BodyForceField = std::function<Tensor<1, dim>(const Point<dim> &)>;
 
-    Vector<double> integrate_body(const types::material_id body,
-                                  const BodyForceField    &force) const;
+    GhostedVector integrate_body(const types::material_id body,
+                                 const BodyForceField    &force) const;
 
     /// Add the integrals of a density times the shape functions of a cell, over
     /// the cell or one of its faces.
@@ -78,15 +78,15 @@ namespace Contact
       const FEValuesBase<dim>                                   &values,
       const typename DoFHandler<dim>::active_cell_iterator      &cell,
       const std::function<Tensor<1, dim>(const unsigned int q)> &density,
-      Vector<double> &integrals) const;
+      GhostedVector &integrals) const;
 
     /// The sum of the magnitudes of the forces of an entry.
-    Vector<double> &load_of(const std::string &entry);
+    GhostedVector &load_of(const std::string &entry);
 
-    const Discretization<dim>            &discretization;
-    std::map<std::string, Vector<double>> loads; // at their full values
-    std::set<types::global_dof_index>     nodal_forces;
-    std::set<types::boundary_id>          loaded;
+    const Discretization<dim>           &discretization;
+    std::map<std::string, GhostedVector> loads; // at their full values
+    std::set<types::global_dof_index>    nodal_forces;
+    std::set<types::boundary_id>         loaded;
   };
 } // namespace Contact
 

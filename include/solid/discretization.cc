@@ -8,6 +8,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 
+#include <boost/serialization/set.hpp>
+
 #include "base/errors.h"
 #include "base/string_utilities.h"
 #include "parameters/formula.h"
@@ -117,20 +119,69 @@ namespace Contact
     collect_supports();
     collect_ties();
     make_constraints({});
+    distribute_vectors();
+  }
+
+
+
+  // The surfaces of contact are in full on every rank.
+  template<int dim>
+  void Discretization<dim>::distribute_vectors()
+  {
+    using DoFs = std::set<types::global_dof_index>;
+    DoFs                                 shared;
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->is_locally_owned() && cell->at_boundary(f) &&
+            free_centres.count(cell->face(f)->boundary_id()) > 0)
+          {
+            dofs.resize(cell->get_fe().n_dofs_per_face(f));
+            cell->face(f)->get_dof_indices(dofs, cell->active_fe_index());
+            shared.insert(dofs.begin(), dofs.end());
+          }
+    for (const auto &[name, vertex] : mesh.points)
+      if (vertex != numbers::invalid_unsigned_int)
+        shared.insert(vertex_dofs[vertex].begin(), vertex_dofs[vertex].end());
+
+    IndexSet ghosts = DoFTools::extract_locally_relevant_dofs(dof_handler);
+    for (const DoFs &of_rank : Utilities::MPI::all_gather(communicator, shared))
+      ghosts.add_indices(of_rank.begin(), of_rank.end());
+    distribution = std::make_shared<Utilities::MPI::Partitioner>(
+      dof_handler.locally_owned_dofs(),
+      ghosts,
+      communicator);
   }
 
 
 
   template<int dim>
-  void Discretization<dim>::gather(Vector<double> &u) const
+  void Discretization<dim>::distribute(const AffineConstraints<double> &lines,
+                                       GhostedVector                   &u) const
   {
-    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
-      return;
-    Vector<double> own(dof_handler.n_dofs());
-    for (const auto i : dof_handler.locally_owned_dofs())
-      own[i] = u[i];
-    Utilities::MPI::sum(own, communicator, own);
-    std::copy(own.begin(), own.end(), u.begin());
+    for (const auto &line : lines.get_lines())
+      if (distribution->in_local_range(line.index))
+        {
+          double value = line.inhomogeneity;
+          for (const auto &[dof, coefficient] : line.entries)
+            value += coefficient * u[dof];
+          u[line.index] = value;
+        }
+    u.update_ghosts();
+  }
+
+
+
+  template<int dim>
+  DistributedVector
+  Discretization<dim>::distributed(const GhostedVector &solution) const
+  {
+    DistributedVector u(dof_handler.locally_owned_dofs(),
+                        DoFTools::extract_locally_relevant_dofs(dof_handler),
+                        communicator);
+    std::copy_n(solution.begin(), u.locally_owned_size(), u.begin());
+    u.update_ghost_values();
+    return u;
   }
 
 

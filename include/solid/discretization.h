@@ -7,7 +7,6 @@
 #define contact_discretization_h
 
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/vector.h>
 
 #include <array>
 #include <functional>
@@ -16,6 +15,7 @@
 #include <string>
 
 #include "base/counters.h"
+#include "base/ghosted_vector.h"
 #include "mesh/mesh.h"
 #include "parameters/parameters.h"
 #include "solid/element_spaces.h"
@@ -42,8 +42,8 @@ namespace Contact
    * for.
    *
    * With several ranks each has the unknowns of its cells and their neighbors;
-   * supports and the unknowns of named points are known to all.
-   * Vectors of the displacement are held in full by every rank.
+   * supports are known to all. Vectors of the displacement hold these unknowns
+   * and, on every rank, those of all contact faces, of ties and named points.
    */
   template<int dim>
   class Discretization
@@ -90,6 +90,7 @@ namespace Contact
     const hp::FECollection<dim>      fe;
     const hp::QCollection<dim>       quadrature;
     DoFHandler<dim>                  dof_handler;
+    Distribution                     distribution;
 
     /// Behind the unit N of a force: it is one by thickness, or of a whole
     /// ring, or in space.
@@ -126,27 +127,40 @@ namespace Contact
      * unknowns from their value in @p u to the displacement prescribed under
      * @p load_factor. Costs nothing where nothing changes.
      */
-    void constrain_update(const Vector<double> &u, const double load_factor);
+    void constrain_update(const GhostedVector &u, const double load_factor);
 
     /**
      * Bring all supported unknowns of @p u, and those that follow them, to what
      * is prescribed under @p load_factor at once: the next update moves none.
      * For bodies whose tangent does not depend on the strains this makes.
      */
-    void prescribe(Vector<double> &u, const double load_factor);
+    void prescribe(GhostedVector &u, const double load_factor);
 
     /// The way of all supported unknowns from @p u to what is prescribed under
     /// @p load_factor [mm], zero elsewhere.
-    Vector<double> support_motion(const Vector<double> &u,
-                                  const double          load_factor) const;
+    GhostedVector support_motion(const GhostedVector &u,
+                                 const double         load_factor) const;
 
-    /// Give all ranks what the owner of each unknown has in @p u: a rank knows
-    /// the constraints of its own unknowns, not those of all others.
-    void gather(Vector<double> &u) const;
+    /// The displacements at the beginning of @p solution.
+    GhostedVector displacements(const GhostedVector &solution) const
+    {
+      GhostedVector u(distribution);
+      std::copy_n(solution.begin(), u.n_held(), u.begin());
+      return u;
+    }
+
+    /// The displacements at the beginning of @p solution with ghosts on the
+    /// cells of this rank and their neighbors alone. Collective.
+    DistributedVector distributed(const GhostedVector &solution) const;
+
+    /// Set the unknowns of @p u that @p lines constrain. A rank knows the
+    /// constraints of its own unknowns, not those of all others. Collective.
+    void distribute(const AffineConstraints<double> &lines,
+                    GhostedVector                   &u) const;
 
     /// Set the constrained unknowns at the beginning of @p v, a change under
     /// which supports rest: zero, or as the unknowns that they follow.
-    void constrain_homogeneously(Vector<double> &v) const
+    void constrain_homogeneously(GhostedVector &v) const
     {
       for (const auto &line : constraints.get_lines())
         {
@@ -167,8 +181,8 @@ namespace Contact
 
     /// The largest distance of a supported unknown of @p u from its prescribed
     /// value under @p load_factor [mm].
-    double distance_from_supports(const Vector<double> &u,
-                                  const double          load_factor) const;
+    double distance_from_supports(const GhostedVector &u,
+                                  const double         load_factor) const;
 
     /// Whether the next update moves a supported unknown.
     bool update_is_prescribed() const
@@ -217,6 +231,7 @@ namespace Contact
     void check_radii();
     void hold_axis();
     void collect_vertex_dofs();
+    void distribute_vectors();
     void gather_named_points();
     void collect_supports();
     void hold_leaders_of_hanging_nodes();

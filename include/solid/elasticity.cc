@@ -94,7 +94,7 @@ namespace Contact
   template<int dim>
   template<class Numbers>
   VolumeRatio<dim>
-  Elasticity<dim>::visit(const Vector<double> &u,
+  Elasticity<dim>::visit(const GhostedVector  &u,
                          const bool            with_tangent,
                          const StressStiffness stress_stiffness,
                          const Numbers        &numbers,
@@ -102,7 +102,7 @@ namespace Contact
   {
     FullMatrix<double>  tangent;
     FullMatrix<double> *wanted = with_tangent ? &tangent : nullptr;
-    Vector<double>      forces;
+    Vector<double>      forces, of_cell;
     VolumeRatio<dim>    smallest;
     for (const unsigned int number : numbers)
       {
@@ -113,10 +113,11 @@ namespace Contact
         forces.reinit(n);
         if (with_tangent)
           tangent.reinit(n, n);
-        const double of_cell =
-          cell_forces(cell, u, stress_stiffness, wanted, forces);
-        if (of_cell < smallest.value)
-          smallest = {of_cell, cell.body, cell.centre};
+        u.extract(cell.dofs, of_cell);
+        const double ratio =
+          cell_forces(cell, of_cell, stress_stiffness, wanted, forces);
+        if (ratio < smallest.value)
+          smallest = {ratio, cell.body, cell.centre};
         springs.add_springs(cell, u, wanted, forces);
         visitor(cell.dofs, tangent, forces);
       }
@@ -127,9 +128,9 @@ namespace Contact
 
   template<int dim>
   VolumeRatio<dim>
-  Elasticity<dim>::visit_cells(const Vector<double> &u,
-                               const bool            with_tangent,
-                               const CellVisitor    &visitor) const
+  Elasticity<dim>::visit_cells(const GhostedVector &u,
+                               const bool           with_tangent,
+                               const CellVisitor   &visitor) const
   {
     return visit(
       u,
@@ -143,7 +144,7 @@ namespace Contact
 
   template<int dim>
   VolumeRatio<dim>
-  Elasticity<dim>::visit_cells(const Vector<double>            &u,
+  Elasticity<dim>::visit_cells(const GhostedVector             &u,
                                const bool                       with_tangent,
                                const std::vector<unsigned int> &chosen,
                                const CellVisitor               &visitor) const
@@ -155,7 +156,7 @@ namespace Contact
 
   template<int dim>
   VolumeRatio<dim>
-  Elasticity<dim>::visit_cells(const Vector<double>            &u,
+  Elasticity<dim>::visit_cells(const GhostedVector             &u,
                                const StressStiffness            stiffness,
                                const std::vector<unsigned int> &chosen,
                                const CellVisitor               &visitor) const
@@ -167,24 +168,25 @@ namespace Contact
 
   template<int dim>
   VolumeRatio<dim>
-  Elasticity<dim>::assemble(const Vector<double> &u,
+  Elasticity<dim>::assemble(const GhostedVector  &u,
                             const double          load_factor,
-                            Vector<double>       &rhs,
+                            GhostedVector        &rhs,
                             SparseMatrix<double> *matrix,
                             const StressStiffness stress_stiffness) const
   {
     const auto &constraints = discretization.constraints;
-    const auto &owned       = discretization.dof_handler.locally_owned_dofs();
-    const auto  load        = dead_loads.at(load_factor);
-    for (unsigned int i = 0; i < load.size(); ++i)
-      if (load[i] != 0 && owned.is_element(i))
+    const auto [first, end] = discretization.distribution->local_range();
+    const auto load         = dead_loads.at(load_factor);
+    for (auto i = first; i < end; ++i)
+      if (load[i] != 0)
         constraints.distribute_local_to_global(i, load[i], rhs);
 
     // Bodies at rest exert nothing.
     if (matrix == nullptr && springs.held().empty() && u.all_zero())
       return VolumeRatio<dim>();
 
-    Vector<double> cell_rhs;
+    Vector<double>  cell_rhs, none;
+    Vector<double> &whole = matrix != nullptr ? rhs : none;
     return visit(
       u,
       matrix != nullptr,
@@ -202,17 +204,17 @@ namespace Contact
                                                  cell_rhs,
                                                  dofs,
                                                  *matrix,
-                                                 rhs);
+                                                 whole);
       });
   }
 
 
 
   template<int dim>
-  Vector<double> Elasticity<dim>::forces(const Vector<double> &u,
-                                         const double load_factor) const
+  GhostedVector Elasticity<dim>::forces(const GhostedVector &u,
+                                        const double         load_factor) const
   {
-    Vector<double> forces(discretization.dof_handler.n_dofs());
+    GhostedVector forces(discretization.distribution);
     visit_cells(u,
                 false,
                 [&](const std::vector<types::global_dof_index> &dofs,
@@ -220,7 +222,7 @@ namespace Contact
                     const Vector<double> &cell_forces) {
                   forces.add(dofs, cell_forces);
                 });
-    Utilities::MPI::sum(forces, discretization.communicator, forces);
+    forces.sum_up();
     forces -= dead_loads.at(load_factor);
     return forces;
   }
@@ -229,13 +231,13 @@ namespace Contact
 
   template<int dim>
   std::vector<std::vector<SymmetricTensor<2, 3>>>
-  Elasticity<dim>::stresses(const Vector<double> &u) const
+  Elasticity<dim>::stresses(const GhostedVector &u) const
   {
     std::vector<std::vector<SymmetricTensor<2, 3>>> stresses(
       discretization.mesh.triangulation.n_active_cells());
     for (const auto *part : {&tables.own, &tables.neighbors})
       for (const CellTable<dim> &cell : *part)
-        stresses[cell.active_index] = cell_stresses(cell, u);
+        stresses[cell.active_index] = cell_stresses(cell, u.extract(cell.dofs));
     return stresses;
   }
 
@@ -244,8 +246,8 @@ namespace Contact
   // The tables are in the order of the active cells.
   template<int dim>
   std::vector<SymmetricTensor<2, 3>>
-  Elasticity<dim>::stresses(const unsigned int    active_index,
-                            const Vector<double> &u) const
+  Elasticity<dim>::stresses(const unsigned int   active_index,
+                            const GhostedVector &u) const
   {
     for (const auto *part : {&tables.own, &tables.neighbors})
       {
@@ -257,7 +259,7 @@ namespace Contact
                                              return table.active_index < index;
                                            });
         if (cell != part->end() && cell->active_index == active_index)
-          return cell_stresses(*cell, u);
+          return cell_stresses(*cell, u.extract(cell->dofs));
       }
     Assert(false, ExcMessage("The cell is of another rank."));
     return {};
@@ -266,11 +268,11 @@ namespace Contact
 
 
   template<int dim>
-  double Elasticity<dim>::strain_energy(const Vector<double> &u) const
+  double Elasticity<dim>::strain_energy(const GhostedVector &u) const
   {
     double energy = 0;
     for (const CellTable<dim> &cell : tables.own)
-      energy += cell_energy(cell, u);
+      energy += cell_energy(cell, u.extract(cell.dofs));
     return Utilities::MPI::sum(energy, discretization.communicator);
   }
 
@@ -278,12 +280,12 @@ namespace Contact
 
   template<int dim>
   double Elasticity<dim>::strain_energy(const types::material_id body,
-                                        const Vector<double>    &u) const
+                                        const GhostedVector     &u) const
   {
     double energy = 0;
     for (const CellTable<dim> &cell : tables.own)
       if (cell.body == body)
-        energy += cell_energy(cell, u);
+        energy += cell_energy(cell, u.extract(cell.dofs));
     return Utilities::MPI::sum(energy, discretization.communicator);
   }
 
@@ -292,15 +294,19 @@ namespace Contact
   template<int dim>
   void Elasticity<dim>::add_internal_forces(const types::material_id body,
                                             const double             factor,
-                                            const Vector<double>    &u,
-                                            Vector<double> &forces) const
+                                            const GhostedVector     &u,
+                                            GhostedVector &forces) const
   {
     Vector<double> of_cell;
     for (const CellTable<dim> &cell : tables.own)
       if (cell.body == body)
         {
           of_cell.reinit(cell.dofs.size());
-          cell_forces(cell, u, StressStiffness::with, nullptr, of_cell);
+          cell_forces(cell,
+                      u.extract(cell.dofs),
+                      StressStiffness::with,
+                      nullptr,
+                      of_cell);
           for (unsigned int i = 0; i < cell.dofs.size(); ++i)
             forces[cell.dofs[i]] += factor * of_cell[i];
         }

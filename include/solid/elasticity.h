@@ -109,14 +109,14 @@ namespace Contact
     /// Visit all cells of this rank, or only those with the numbers @p chosen.
     /// Returns the smallest volume ratio among them; in small strain, 1. With a
     /// stress stiffness tangents are asked for.
-    VolumeRatio<dim> visit_cells(const Vector<double> &u,
-                                 const bool            with_tangent,
-                                 const CellVisitor    &visitor) const;
-    VolumeRatio<dim> visit_cells(const Vector<double>            &u,
+    VolumeRatio<dim> visit_cells(const GhostedVector &u,
+                                 const bool           with_tangent,
+                                 const CellVisitor   &visitor) const;
+    VolumeRatio<dim> visit_cells(const GhostedVector             &u,
                                  const bool                       with_tangent,
                                  const std::vector<unsigned int> &chosen,
                                  const CellVisitor &visitor) const;
-    VolumeRatio<dim> visit_cells(const Vector<double>            &u,
+    VolumeRatio<dim> visit_cells(const GhostedVector             &u,
                                  const StressStiffness            stiffness,
                                  const std::vector<unsigned int> &chosen,
                                  const CellVisitor &visitor) const;
@@ -139,9 +139,9 @@ namespace Contact
      * returns the smallest volume ratio among its own cells.
      */
     VolumeRatio<dim> assemble(
-      const Vector<double> &u,
+      const GhostedVector  &u,
       const double          load_factor,
-      Vector<double>       &rhs,
+      GhostedVector        &rhs,
       SparseMatrix<double> *matrix,
       const StressStiffness stress_stiffness = StressStiffness::with) const;
 
@@ -149,26 +149,26 @@ namespace Contact
      * The forces on all nodes, unconstrained: internal minus load. Where a
      * node is supported or in contact, the force that acts there.
      */
-    Vector<double> forces(const Vector<double> &u,
-                          const double          load_factor) const;
+    GhostedVector forces(const GhostedVector &u,
+                         const double         load_factor) const;
 
     /**
      * The energy stored in the bodies [N mm per mm of thickness]: its
      * derivative are the internal forces. Without that of stabilization.
      * Collective.
      */
-    double strain_energy(const Vector<double> &u) const;
+    double strain_energy(const GhostedVector &u) const;
 
     /// That of one body. Collective.
     double strain_energy(const types::material_id body,
-                         const Vector<double>    &u) const;
+                         const GhostedVector     &u) const;
 
     /// Add the derivative of the energy of a body, its internal forces, times
     /// @p factor. Of several ranks each adds its own part.
     void add_internal_forces(const types::material_id body,
                              const double             factor,
-                             const Vector<double>    &u,
-                             Vector<double>          &forces) const;
+                             const GhostedVector     &u,
+                             GhostedVector           &forces) const;
 
     /// Grows whenever the tangent becomes another one under the same u: with
     /// the stabilization.
@@ -186,11 +186,11 @@ namespace Contact
     /// Cauchy stress [MPa] in all quadrature points, by active cell; nothing
     /// for the cells that this rank does not know.
     std::vector<std::vector<SymmetricTensor<2, 3>>>
-    stresses(const Vector<double> &u) const;
+    stresses(const GhostedVector &u) const;
 
     /// The same in those of one cell, that this rank knows.
     std::vector<SymmetricTensor<2, 3>> stresses(const unsigned int active_index,
-                                                const Vector<double> &u) const;
+                                                const GhostedVector &u) const;
 
     /// The tangent does not depend on the displacement.
     virtual bool is_linear() const = 0;
@@ -214,7 +214,7 @@ namespace Contact
 
   private:
     template<class Numbers>
-    VolumeRatio<dim> visit(const Vector<double> &u,
+    VolumeRatio<dim> visit(const GhostedVector  &u,
                            const bool            with_tangent,
                            const StressStiffness stress_stiffness,
                            const Numbers        &numbers,
@@ -224,7 +224,8 @@ namespace Contact
     Elasticity(const Discretization<dim> &discretization,
                const Parameters::Solids  &parameters);
 
-    /// Internal forces and, if @p tangent is not null, tangent of a cell.
+    /// Internal forces and, if @p tangent is not null, tangent of a cell with
+    /// the displacements @p u of its own.
     /// Returns the smallest det F, at most one.
     virtual double cell_forces(const CellTable<dim> &cell,
                                const Vector<double> &u,

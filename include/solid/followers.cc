@@ -166,13 +166,13 @@ namespace Contact
 
   template<int dim>
   void hand_over_from_followers(const Discretization<dim> &discretization,
-                                Vector<double>            &forces)
+                                GhostedVector             &forces)
   {
     const auto constraints = followers(discretization);
     if (Utilities::MPI::max(constraints.n_constraints(),
                             discretization.communicator) == 0)
       return;
-    Vector<double> handed_over(forces.size());
+    GhostedVector handed_over(discretization.distribution);
     for (const auto &line : constraints.get_lines())
       if (discretization.dof_handler.locally_owned_dofs().is_element(
             line.index))
@@ -181,7 +181,7 @@ namespace Contact
           for (const auto &[other, coefficient] : line.entries)
             handed_over[other] += coefficient * forces[line.index];
         }
-    Utilities::MPI::sum(handed_over, discretization.communicator, handed_over);
+    handed_over.sum_up();
     forces += handed_over;
   }
 
@@ -194,7 +194,7 @@ namespace Contact
                                                   AffineConstraints<double> &);
   template AffineConstraints<double> followers(const Discretization<2> &);
   template void hand_over_from_followers(const Discretization<2> &,
-                                         Vector<double> &);
+                                         GhostedVector &);
   template std::vector<BoundNode>
                                      bound_nodes(const Discretization<3> &,
                                                  const DoFHandler<3>::active_cell_iterator &);
@@ -202,5 +202,5 @@ namespace Contact
                                                   AffineConstraints<double> &);
   template AffineConstraints<double> followers(const Discretization<3> &);
   template void hand_over_from_followers(const Discretization<3> &,
-                                         Vector<double> &);
+                                         GhostedVector &);
 } // namespace Contact

@@ -8,9 +8,10 @@
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/vector.h>
 
 #include <vector>
+
+#include "base/ghosted_vector.h"
 
 namespace Contact
 {
@@ -64,7 +65,7 @@ namespace Contact
   /// node carries what it exerts on its support. Collective.
   template<int dim>
   void hand_over_from_followers(const Discretization<dim> &discretization,
-                                Vector<double>            &forces);
+                                GhostedVector             &forces);
 } // namespace Contact
 
 #endif

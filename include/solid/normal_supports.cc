@@ -69,7 +69,7 @@ namespace Contact
 
   template<int dim>
   double
-  NormalSupports<dim>::Line::motion(const Vector<double>       &u,
+  NormalSupports<dim>::Line::motion(const GhostedVector        &u,
                                     const PerSupportEntry<dim> &factors) const
   {
     const double value = prescribed.at(factors);

@@ -94,7 +94,7 @@ namespace Contact
 
       /// The way of the pivot from @p u to where the supports want it, exactly
       /// zero within round-off [mm].
-      double motion(const Vector<double>       &u,
+      double motion(const GhostedVector        &u,
                     const PerSupportEntry<dim> &factors) const;
     };
 

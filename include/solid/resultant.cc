@@ -71,10 +71,10 @@ namespace Contact
 
 
   template<int dim>
-  double Resultant<dim>::value(const Vector<double> &solution,
-                               const double          load_factor) const
+  double Resultant<dim>::value(const GhostedVector &solution,
+                               const double         load_factor) const
   {
-    Vector<double> forces = elasticity.forces(solution, load_factor);
+    GhostedVector forces = elasticity.forces(solution, load_factor);
     hand_over_from_followers(discretization, forces);
     double      sum   = 0;
     const auto &owned = discretization.dof_handler.locally_owned_dofs();
@@ -87,12 +87,12 @@ namespace Contact
 
 
   template<int dim>
-  Vector<double> Resultant<dim>::test_function() const
+  GhostedVector Resultant<dim>::test_function() const
   {
-    Vector<double> v(discretization.dof_handler.n_dofs());
+    GhostedVector v(discretization.distribution);
     for (const auto &[dof, weight] : weights)
       v[dof] = weight;
-    followers(discretization).distribute(v);
+    discretization.distribute(followers(discretization), v);
     return v;
   }
 
@@ -110,11 +110,11 @@ namespace Contact
 
 
   template<int dim>
-  void Resultant<dim>::add_derivative(const Vector<double> &solution,
-                                      const double          factor,
-                                      Vector<double>       &derivative) const
+  void Resultant<dim>::add_derivative(const GhostedVector &solution,
+                                      const double         factor,
+                                      GhostedVector       &derivative) const
   {
-    const Vector<double>      v = test_function();
+    const GhostedVector       v = test_function();
     std::vector<unsigned int> chosen;
     for (unsigned int c = 0; c < elasticity.n_cells(); ++c)
       {

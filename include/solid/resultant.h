@@ -36,18 +36,17 @@ namespace Contact
               const bool                          of_supports);
 
     /// Collective.
-    double value(const Vector<double> &solution,
-                 const double          load_factor) const;
+    double value(const GhostedVector &solution, const double load_factor) const;
 
     /// Add the derivative with respect to the displacements, times @p factor,
     /// to the @p derivative: K^T v, v the test function. On one rank.
-    void add_derivative(const Vector<double> &solution,
-                        const double          factor,
-                        Vector<double>       &derivative) const;
+    void add_derivative(const GhostedVector &solution,
+                        const double         factor,
+                        GhostedVector       &derivative) const;
 
     /// P_a e_i at these nodes, and what follows from that at those that follow
     /// them: R_i = v . f. On one rank.
-    Vector<double> test_function() const;
+    GhostedVector test_function() const;
 
     /// The displacement unknowns of these nodes, on this rank.
     IndexSet unknowns() const;

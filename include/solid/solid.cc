@@ -97,7 +97,7 @@ namespace Contact
         Tensor<2, dim>        H;
         for (unsigned int a = 0; a < n; ++a)
           for (unsigned int i = 0; i < dim; ++i)
-            H[i] += u[cell.dofs[dim * a + i]] * unit[a];
+            H[i] += u[dim * a + i] * unit[a];
         return H * transpose(cell.gradient_maps[q]);
       }
 
@@ -109,8 +109,7 @@ namespace Contact
         double h = 0;
         if constexpr (Symmetry::has_hoop)
           for (unsigned int a = 0; a < cell.n_nodes(); ++a)
-            h += u[cell.dofs[dim * a]] *
-                 cell.hoop_gradients[q * cell.n_nodes() + a];
+            h += u[dim * a] * cell.hoop_gradients[q * cell.n_nodes() + a];
         return h;
       }
 

@@ -37,7 +37,7 @@ namespace Contact
   template<int dim>
   void StabilizationSprings<dim>::hold(
     const std::map<unsigned int, SpringStiffness> &stiffness,
-    const Vector<double>                          &rest)
+    const GhostedVector                           &rest)
   {
     Assert(rest.size() >= discretization.dof_handler.n_dofs(),
            ExcDimensionMismatch(rest.size(),
@@ -65,7 +65,7 @@ namespace Contact
     if (!stiffness.empty())
       ++n_changes;
     stiffness.clear();
-    rest.reinit(0);
+    rest = GhostedVector();
   }
 
 
@@ -118,7 +118,7 @@ namespace Contact
 
   template<int dim>
   double
-  StabilizationSprings<dim>::largest_rotation(const Vector<double> &du) const
+  StabilizationSprings<dim>::largest_rotation(const GhostedVector &du) const
   {
     double largest = 0;
     for (const CellTable<dim> &cell : cells)
@@ -143,7 +143,7 @@ namespace Contact
   template<int dim>
   double StabilizationSprings<dim>::rotation(const CellTable<dim> &cell,
                                              const Vector<double> &row,
-                                             const Vector<double> &u) const
+                                             const GhostedVector  &u) const
   {
     double angle = 0;
     for (unsigned int i = 0; i < row.size(); ++i)
@@ -155,7 +155,7 @@ namespace Contact
 
   template<int dim>
   void StabilizationSprings<dim>::add_springs(const CellTable<dim> &cell,
-                                              const Vector<double> &u,
+                                              const GhostedVector  &u,
                                               FullMatrix<double>   *tangent,
                                               Vector<double> &forces) const
   {
@@ -184,7 +184,7 @@ namespace Contact
 
   template<int dim>
   std::map<unsigned int, double>
-  StabilizationSprings<dim>::energy(const Vector<double> &u) const
+  StabilizationSprings<dim>::energy(const GhostedVector &u) const
   {
     std::map<unsigned int, double> energies;
     for (const auto &of_piece : stiffness)

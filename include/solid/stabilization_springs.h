@@ -67,7 +67,7 @@ namespace Contact
      * before. Not collective, but has to be the same on all ranks.
      */
     void hold(const std::map<unsigned int, SpringStiffness> &stiffness,
-              const Vector<double>                          &rest);
+              const GhostedVector                           &rest);
 
     /// Hold nothing any longer.
     void release();
@@ -88,7 +88,7 @@ namespace Contact
     /// Add the forces of the springs of a cell under the displacement @p u and,
     /// unless @p tangent is null, their stiffness.
     void add_springs(const CellTable<dim> &cell,
-                     const Vector<double> &u,
+                     const GhostedVector  &u,
                      FullMatrix<double>   *tangent,
                      Vector<double>       &forces) const;
 
@@ -97,11 +97,11 @@ namespace Contact
      * if it is translated, and 1/2 kappa theta^2 in addition if it turns [N mm
      * per mm of thickness]. Collective.
      */
-    std::map<unsigned int, double> energy(const Vector<double> &u) const;
+    std::map<unsigned int, double> energy(const GhostedVector &u) const;
 
     /// The largest rotation of a cell of the held pieces under the displacement
     /// @p du, in the mean over the cell [rad]. Collective.
-    double largest_rotation(const Vector<double> &du) const;
+    double largest_rotation(const GhostedVector &du) const;
 
     /// The volume of a piece by its area in the plane [-]; of rings their mean
     /// circumference [mm]; in space the edge of a cube of that volume [mm].
@@ -128,12 +128,12 @@ namespace Contact
     /// The rotation of a cell since it was at rest.
     double rotation(const CellTable<dim> &cell,
                     const Vector<double> &row,
-                    const Vector<double> &u) const;
+                    const GhostedVector  &u) const;
 
     const Discretization<dim>         &discretization;
     const std::vector<CellTable<dim>> &cells;
     std::vector<double>                areas, volumes; // by piece, of all ranks
-    Vector<double>                     rest;
+    GhostedVector                      rest;
     unsigned int                       n_changes = 0;
 
     std::map<unsigned int, SpringStiffness> stiffness;

@@ -38,7 +38,7 @@ namespace Contact
   template<int dim>
   std::vector<SymmetricTensor<2, 3>>
   StressRecovery<dim>::vertex_stresses(const Elasticity<dim> &elasticity,
-                                       const Vector<double>  &u) const
+                                       const GhostedVector   &u) const
   {
     const auto         at_points = elasticity.stresses(u);
     const unsigned int n_vertices =
@@ -100,7 +100,7 @@ namespace Contact
   StressRecovery<dim>::stress_at(const unsigned int     vertex,
                                  const Cells           &cells,
                                  const Elasticity<dim> &elasticity,
-                                 const Vector<double>  &u) const
+                                 const GhostedVector   &u) const
   {
     SymmetricTensor<2, 3> sum;
     for (const auto &cell : cells)

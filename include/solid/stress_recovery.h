@@ -30,7 +30,7 @@ namespace Contact
     /// By vertex of the triangulation.
     std::vector<SymmetricTensor<2, 3>>
     vertex_stresses(const Elasticity<dim> &elasticity,
-                    const Vector<double>  &u) const;
+                    const GhostedVector   &u) const;
 
     /// The cells around a vertex, and the stress there by them alone.
     using Cells = std::vector<typename DoFHandler<dim>::active_cell_iterator>;
@@ -38,7 +38,7 @@ namespace Contact
     SymmetricTensor<2, 3> stress_at(const unsigned int     vertex,
                                     const Cells           &cells,
                                     const Elasticity<dim> &elasticity,
-                                    const Vector<double>  &u) const;
+                                    const GhostedVector   &u) const;
 
   private:
     SymmetricTensor<2, 3>

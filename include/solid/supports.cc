@@ -176,8 +176,8 @@ namespace Contact
 
 
   template<int dim>
-  void Discretization<dim>::constrain_update(const Vector<double> &u,
-                                             const double          load_factor)
+  void Discretization<dim>::constrain_update(const GhostedVector &u,
+                                             const double         load_factor)
   {
     std::map<types::global_dof_index, double> updates;
     bool                                      vanish = true;
@@ -187,14 +187,19 @@ namespace Contact
       {
         const double value   = displacement.at(factors);
         largest_displacement = std::max(largest_displacement, std::abs(value));
-        updates[dof]         = beyond_round_off(value, u[dof]);
-        vanish               = vanish && updates[dof] == 0;
+        if (!u.holds(dof))
+          continue;
+        updates[dof] = beyond_round_off(value, u[dof]);
+        vanish       = vanish && updates[dof] == 0;
       }
     for (const auto &line : normal_supports.lines())
-      {
-        updates[line.pivot] = line.motion(u, factors);
-        vanish              = vanish && updates[line.pivot] == 0;
-      }
+      if (u.holds(line.pivot))
+        {
+          updates[line.pivot] = line.motion(u, factors);
+          vanish              = vanish && updates[line.pivot] == 0;
+        }
+    vanish =
+      Utilities::MPI::min(static_cast<unsigned int>(vanish), communicator) > 0;
 
     if (!(vanish && updates_vanish))
       make_constraints(updates);
@@ -204,39 +209,46 @@ namespace Contact
 
 
   template<int dim>
-  void Discretization<dim>::prescribe(Vector<double> &u,
-                                      const double    load_factor)
+  void Discretization<dim>::prescribe(GhostedVector &u,
+                                      const double   load_factor)
   {
     constrain_update(u, load_factor);
     if (updates_vanish)
       return;
-    Vector<double> move(u.size());
-    constraints.distribute(move);
-    gather(move);
-    u += move;
+    GhostedVector move(distribution);
+    distribute(constraints, move);
+    std::transform(move.begin(),
+                   move.end(),
+                   u.begin(),
+                   u.begin(),
+                   std::plus<>());
 
     // To the last digit.
     const auto factors = support_factors(load_factor);
     for (const auto &[dof, displacement] : prescribed)
-      u[dof] = displacement.at(factors);
+      if (u.holds(dof))
+        u[dof] = displacement.at(factors);
     for (const auto &line : normal_supports.lines())
-      u[line.pivot] += line.motion(u, factors);
+      if (u.holds(line.pivot))
+        u[line.pivot] += line.motion(u, factors);
     constrain_update(u, load_factor);
   }
 
 
 
   template<int dim>
-  Vector<double>
-  Discretization<dim>::support_motion(const Vector<double> &u,
-                                      const double          load_factor) const
+  GhostedVector
+  Discretization<dim>::support_motion(const GhostedVector &u,
+                                      const double         load_factor) const
   {
-    const auto     factors = support_factors(load_factor);
-    Vector<double> motion(dof_handler.n_dofs());
+    const auto    factors = support_factors(load_factor);
+    GhostedVector motion(dof_handler.n_dofs());
     for (const auto &[dof, displacement] : prescribed)
-      motion[dof] = displacement.at(factors) - u[dof];
+      if (u.holds(dof))
+        motion[dof] = displacement.at(factors) - u[dof];
     for (const auto &line : normal_supports.lines())
-      motion[line.pivot] = line.motion(u, factors);
+      if (u.holds(line.pivot))
+        motion[line.pivot] = line.motion(u, factors);
     return motion;
   }
 
@@ -244,18 +256,20 @@ namespace Contact
 
   template<int dim>
   double
-  Discretization<dim>::distance_from_supports(const Vector<double> &u,
+  Discretization<dim>::distance_from_supports(const GhostedVector &u,
                                               const double load_factor) const
   {
     const auto factors = support_factors(load_factor);
     double     largest = 0;
     for (const auto &[dof, displacement] : prescribed)
-      largest =
-        std::max(largest,
-                 std::abs(beyond_round_off(displacement.at(factors), u[dof])));
+      if (u.holds(dof))
+        largest = std::max(largest,
+                           std::abs(beyond_round_off(displacement.at(factors),
+                                                     u[dof])));
     for (const auto &line : normal_supports.lines())
-      largest = std::max(largest, std::abs(line.motion(u, factors)));
-    return largest;
+      if (u.holds(line.pivot))
+        largest = std::max(largest, std::abs(line.motion(u, factors)));
+    return Utilities::MPI::max(largest, communicator);
   }
 
 

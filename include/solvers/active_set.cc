@@ -24,9 +24,9 @@ namespace Contact
 
 
 
-  bool ActiveSetSearch::correct(const Vector<double> &solution,
-                                const Vector<double> &u_start,
-                                Vector<double>       &update)
+  bool ActiveSetSearch::correct(const GhostedVector &solution,
+                                const GhostedVector &u_start,
+                                Vector<double>      &update)
   {
     problem.collect(solution, u_start);
     Vector<double> corrected = update;

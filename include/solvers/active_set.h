@@ -45,9 +45,9 @@ namespace Contact
      * @p update is left as it is. Throws NotConverged if statuses let a body
      * go.
      */
-    bool correct(const Vector<double> &solution,
-                 const Vector<double> &u_start,
-                 Vector<double>       &update);
+    bool correct(const GhostedVector &solution,
+                 const GhostedVector &u_start,
+                 Vector<double>      &update);
 
     /// Whether the statuses found are those in the points.
     bool keeps_statuses() const;

@@ -6,9 +6,9 @@
 #ifndef contact_aitken_h
 #define contact_aitken_h
 
-#include <deal.II/lac/vector.h>
-
 #include <cmath>
+
+#include "base/ghosted_vector.h"
 
 namespace Contact
 {
@@ -25,12 +25,12 @@ namespace Contact
   {
   public:
     /// The part of the @p step to take: 1 is to its end.
-    double length(const Vector<double> &step)
+    double length(const GhostedVector &step)
     {
       if (last.size() == step.size() && last.l2_norm() > 0)
         {
           const double product = step * last;
-          const double factor  = product / last.norm_sqr();
+          const double factor  = product / (last * last);
           const bool   is_parallel =
             std::abs(product) > 0.95 * step.l2_norm() * last.l2_norm();
           if (is_parallel && std::abs(factor) > 0.3 && factor < 0.98)
@@ -46,11 +46,11 @@ namespace Contact
     /// The iteration starts anew.
     void forget()
     {
-      last.reinit(0);
+      last = GhostedVector();
     }
 
   private:
-    Vector<double> last;
+    GhostedVector last;
   };
 } // namespace Contact
 

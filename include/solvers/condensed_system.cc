@@ -83,8 +83,8 @@ namespace Contact
 
   // The lines of now, and a pattern that has room for them.
   template<int dim>
-  void CondensedSystem<dim>::eliminate(const Vector<double> &solution,
-                                       const Vector<double> &u_start)
+  void CondensedSystem<dim>::eliminate(const GhostedVector &solution,
+                                       const GhostedVector &u_start)
   {
     {
       TimerOutput::Scope scope(timer, "assembly");
@@ -226,16 +226,15 @@ namespace Contact
 
 
   template<int dim>
-  unsigned int CondensedSystem<dim>::solve(const Vector<double> &solution,
-                                           const Vector<double> &u_start,
-                                           const Vector<double> &residual,
-                                           const double          tolerance,
-                                           Vector<double>       &update,
-                                           const bool            keep_tangents)
+  unsigned int CondensedSystem<dim>::solve(const GhostedVector &solution,
+                                           const GhostedVector &u_start,
+                                           const GhostedVector &residual,
+                                           const double         tolerance,
+                                           GhostedVector       &update,
+                                           const bool           keep_tangents)
   {
-    Vector<double> rhs(owned.size());
-    std::copy_n(residual.begin(), rhs.size(), rhs.begin());
-    bool is_new = true;
+    GhostedVector rhs    = discretization.displacements(residual);
+    bool          is_new = true;
     eliminate(solution, u_start);
     {
       TimerOutput::Scope scope(timer, "assembly");
@@ -268,31 +267,25 @@ namespace Contact
                        : 1e-6 * size,
                      x);
 
-    // Allgather the unknowns that are solved for, then distribute the
-    // constraints.
-    row = 0;
-    rhs = 0;
-    for (const auto i : owned)
-      rhs[i] = x.begin()[row++];
-    Utilities::MPI::sum(rhs, communicator, rhs);
-    elimination.distribute(rhs);
-    discretization.gather(rhs);
-    std::copy_n(rhs.begin(), rhs.size(), update.begin());
+    // The unknowns that are solved for, then those that constraints determine.
+    std::copy_n(x.begin(), row, update.begin());
+    update.update_ghosts();
+    elimination.distribute(update);
     return n_iterations;
   }
 
 
 
   template<int dim>
-  Vector<double>
-  CondensedSystem<dim>::linear_forces(const Vector<double> &solution,
-                                      const double          load_factor) const
+  GhostedVector
+  CondensedSystem<dim>::linear_forces(const GhostedVector &solution,
+                                      const double         load_factor) const
   {
-    const auto    &base = discretization.constraints;
-    const auto     load = elasticity.dead_loads.at(load_factor);
-    Vector<double> forces(owned.size());
-    for (unsigned int i = 0; i < load.size(); ++i)
-      if (load[i] != 0 && owned.is_element(i))
+    const auto   &base = discretization.constraints;
+    const auto    load = elasticity.dead_loads.at(load_factor);
+    GhostedVector forces(discretization.distribution);
+    for (const auto i : owned)
+      if (load[i] != 0)
         base.distribute_local_to_global(i, load[i], forces);
 
     Vector<double> of_cell, u;
@@ -300,15 +293,13 @@ namespace Contact
       {
         const Dofs &dofs = elasticity.dofs_of_cell(interface_cells[k]);
         of_cell.reinit(dofs.size());
-        u.reinit(dofs.size());
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          u[i] = solution[dofs[i]];
+        solution.extract(dofs, u);
         interface_tangents[k].vmult(of_cell, u);
         of_cell += interface_forces[k];
         of_cell *= -1;
         base.distribute_local_to_global(of_cell, dofs, forces);
       }
-    Utilities::MPI::sum(forces, discretization.communicator, forces);
+    forces.sum_up();
     return forces;
   }
 
@@ -343,9 +334,9 @@ namespace Contact
 
 
   template<int dim>
-  bool CondensedSystem<dim>::assemble(const Vector<double> &solution,
-                                      const bool            keep_tangents,
-                                      Vector<double>       &rhs)
+  bool CondensedSystem<dim>::assemble(const GhostedVector &solution,
+                                      const bool           keep_tangents,
+                                      GhostedVector       &rhs)
   {
     const bool tangents_serve = !on_any_rank(
       !tangents_are_known || !(elasticity.is_linear() || keep_tangents) ||
@@ -360,7 +351,8 @@ namespace Contact
       restore_interface_rows();
 
     // With what the eliminated unknowns are to move by themselves: -K h.
-    Vector<double> moved_forces(rhs.size()), none;
+    GhostedVector  moved_forces(discretization.distribution);
+    Vector<double> none;
     for (unsigned int k = 0; k < interface_cells.size(); ++k)
       add_interface(interface_tangents[k],
                     elasticity.dofs_of_cell(interface_cells[k]),
@@ -379,9 +371,7 @@ namespace Contact
     if (is_new)
       matrix.compress(VectorOperation::add);
 
-    Utilities::MPI::sum(moved_forces,
-                        discretization.communicator,
-                        moved_forces);
+    moved_forces.sum_up();
     rhs += moved_forces;
     return is_new;
   }
@@ -393,8 +383,8 @@ namespace Contact
   void CondensedSystem<dim>::add_interface(const FullMatrix<double> &tangent,
                                            const Dofs               &dofs,
                                            const Vector<double>     &load,
-                                           const bool      with_matrix,
-                                           Vector<double> &forces)
+                                           const bool     with_matrix,
+                                           GhostedVector &forces)
   {
     const auto &constraints = elimination.constraints();
     if (with_matrix && elimination.is_symmetric())
@@ -417,8 +407,8 @@ namespace Contact
 
   template<int dim>
   void CondensedSystem<dim>::add_pairing(const PairingStiffness<dim> &term,
-                                         const bool      with_matrix,
-                                         Vector<double> &forces)
+                                         const bool     with_matrix,
+                                         GhostedVector &forces)
   {
     const auto &constraints = elimination.constraints();
     const auto &tested      = elimination.test_constraints();
@@ -460,7 +450,7 @@ namespace Contact
   // their sum. While springs hold a body in space its stresses do not turn with
   // it: they would be stronger than the springs, and the matrix not definite.
   template<int dim>
-  void CondensedSystem<dim>::assemble_tangents(const Vector<double> &solution)
+  void CondensedSystem<dim>::assemble_tangents(const GhostedVector &solution)
   {
     ++discretization.counters.tangents;
     const auto &base            = discretization.constraints;
@@ -488,12 +478,10 @@ namespace Contact
                            [&](const Dofs               &dofs,
                                const FullMatrix<double> &tangent,
                                const Vector<double>     &forces) {
-                             u.reinit(dofs.size());
+                             solution.extract(dofs, u);
                              constant.reinit(dofs.size());
-                             for (unsigned int i = 0; i < dofs.size(); ++i)
-                               u[i] = -solution[dofs[i]];
                              tangent.vmult(constant, u);
-                             constant += forces;
+                             constant.sadd(-1, 1, forces);
                              interface_tangents.push_back(tangent);
                              interface_forces.push_back(constant);
                            });

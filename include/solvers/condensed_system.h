@@ -49,12 +49,12 @@ namespace Contact
      * mm of thickness]; 0: six digits. With @p keep_tangents those of the
      * bodies are the last ones. Returns the number of linear iterations.
      */
-    unsigned int solve(const Vector<double> &solution,
-                       const Vector<double> &u_start,
-                       const Vector<double> &residual,
-                       const double          tolerance,
-                       Vector<double>       &update,
-                       const bool            keep_tangents = false);
+    unsigned int solve(const GhostedVector &solution,
+                       const GhostedVector &u_start,
+                       const GhostedVector &residual,
+                       const double         tolerance,
+                       GhostedVector       &update,
+                       const bool           keep_tangents = false);
 
     /**
      * Minus the residual of the bodies in @p solution, in the unknowns at the
@@ -62,8 +62,8 @@ namespace Contact
      *   load - f(u) - K (solution - u),
      * where u is where K was assembled. Collective.
      */
-    Vector<double> linear_forces(const Vector<double> &solution,
-                                 const double          load_factor) const;
+    GhostedVector linear_forces(const GhostedVector &solution,
+                                const double         load_factor) const;
 
     /// The matrix of the last solve.
     const DefiniteSolver::Matrix &system_matrix() const
@@ -84,22 +84,21 @@ namespace Contact
     std::set<types::global_dof_index>
     add_interface_couplings(DynamicSparsityPattern &pattern) const;
 
-    void eliminate(const Vector<double> &solution,
-                   const Vector<double> &u_start);
+    void eliminate(const GhostedVector &solution, const GhostedVector &u_start);
 
     /// Returns whether the matrix is another one than before.
-    bool assemble(const Vector<double> &solution,
-                  const bool            keep_tangents,
-                  Vector<double>       &rhs);
-    void assemble_tangents(const Vector<double> &solution);
+    bool assemble(const GhostedVector &solution,
+                  const bool           keep_tangents,
+                  GhostedVector       &rhs);
+    void assemble_tangents(const GhostedVector &solution);
     void add_interface(const FullMatrix<double> &tangent,
                        const Dofs               &dofs,
                        const Vector<double>     &load,
                        const bool                with_matrix,
-                       Vector<double>           &forces);
+                       GhostedVector            &forces);
     void add_pairing(const PairingStiffness<dim> &term,
                      const bool                   with_matrix,
-                     Vector<double>              &forces);
+                     GhostedVector               &forces);
     void add_unsymmetric(const FullMatrix<double> &tangent, const Dofs &dofs);
     void give_matrix_to_solver();
     void restore_interface_rows();

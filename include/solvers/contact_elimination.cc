@@ -103,9 +103,9 @@ namespace Contact
 
 
   template<int dim>
-  void ContactElimination<dim>::make(const Vector<double> &solution,
-                                     const Vector<double> &u_start,
-                                     const Dofs           &surroundings)
+  void ContactElimination<dim>::make(const GhostedVector &solution,
+                                     const GhostedVector &u_start,
+                                     const Dofs          &surroundings)
   {
     lines.clear();
     test_lines.clear();
@@ -163,8 +163,8 @@ namespace Contact
   template<int dim>
   void ContactElimination<dim>::eliminate_point(const ContactPoint<dim>  &point,
                                                 const Tensor<1, dim - 1> &turn,
-                                                const Vector<double> &solution,
-                                                const Vector<double> &u_start)
+                                                const GhostedVector &solution,
+                                                const GhostedVector &u_start)
   {
     const ContactState<dim> now = interface->state(point, solution, u_start);
     const auto moves = [&](const Tensor<1, dim> &direction, const double way) {
@@ -203,8 +203,8 @@ namespace Contact
   Tensor<1, dim>
   ContactElimination<dim>::with_slide(const ContactPoint<dim> &point,
                                       const Tensor<1, dim>    &direction,
-                                      const Vector<double>    &solution,
-                                      const Vector<double>    &u_start) const
+                                      const GhostedVector     &solution,
+                                      const GhostedVector     &u_start) const
   {
     Tensor<1, dim> sum = direction;
     if (symmetric)
@@ -386,7 +386,7 @@ namespace Contact
 
 
   template<int dim>
-  void ContactElimination<dim>::condense(Vector<double> &rhs) const
+  void ContactElimination<dim>::condense(GhostedVector &rhs) const
   {
     for (const auto line : eliminated)
       {
@@ -449,24 +449,18 @@ namespace Contact
 
 
   template<int dim>
-  void ContactElimination<dim>::distribute(Vector<double> &update) const
+  void ContactElimination<dim>::distribute(GhostedVector &update) const
   {
-    for (const auto &line : lines.get_lines())
-      {
-        double value = line.inhomogeneity;
-        for (const auto &[dof, coefficient] : line.entries)
-          value += coefficient * update[dof];
-        update[line.index] = value;
-      }
-    discretization.constraints.distribute(update);
+    discretization.distribute(lines, update);
+    discretization.distribute(discretization.constraints, update);
   }
 
 
 
   template<int dim>
   MultiplierRecovery<dim>
-  ContactElimination<dim>::recovery(const Vector<double> &u_start,
-                                    const Vector<double> &solution) const
+  ContactElimination<dim>::recovery(const GhostedVector &u_start,
+                                    const GhostedVector &solution) const
   {
     return {
       discretization,
@@ -479,10 +473,9 @@ namespace Contact
 
 
   template<int dim>
-  void
-  ContactElimination<dim>::recover_pressures(const Vector<double> &residual,
-                                             const Vector<double> &u_start,
-                                             Vector<double> &solution) const
+  void ContactElimination<dim>::recover_pressures(const GhostedVector &residual,
+                                                  const GhostedVector &u_start,
+                                                  GhostedVector &solution) const
   {
     const auto tractions = recovery(u_start, solution).tractions(residual);
     for (unsigned int k = 0; k < tractions.size(); ++k)
@@ -493,9 +486,9 @@ namespace Contact
 
 
   template<int dim>
-  void ContactElimination<dim>::recover_shears(const Vector<double> &residual,
-                                               const Vector<double> &u_start,
-                                               Vector<double> &solution) const
+  void ContactElimination<dim>::recover_shears(const GhostedVector &residual,
+                                               const GhostedVector &u_start,
+                                               GhostedVector &solution) const
   {
     if (interface->n_multipliers() == interface->n_normal_multipliers())
       return;

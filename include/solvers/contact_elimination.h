@@ -65,9 +65,9 @@ namespace Contact
      * Discretization puts on the unknowns @p surroundings. Throws NotConverged
      * where a point penetrates and supports leave none of its unknowns free.
      */
-    void make(const Vector<double> &solution,
-              const Vector<double> &u_start,
-              const Dofs           &surroundings);
+    void make(const GhostedVector &solution,
+              const GhostedVector &u_start,
+              const Dofs          &surroundings);
 
     /// Of the displacements, and of the virtual ones.
     const AffineConstraints<double> &constraints() const
@@ -114,22 +114,22 @@ namespace Contact
 
     /// The transpose of the elimination: the force on an eliminated unknown
     /// goes to those that move it.
-    void condense(Vector<double> &rhs) const;
+    void condense(GhostedVector &rhs) const;
 
     /// Complete an update whose free unknowns are known.
-    void distribute(Vector<double> &update) const;
+    void distribute(GhostedVector &update) const;
 
     /**
      * Set the multipliers in @p solution from @p residual, minus the residual
      * of the bodies alone, under the statuses and bounds the points have now,
      * and the lines of the last make(). See MultiplierRecovery.
      */
-    void recover_pressures(const Vector<double> &residual,
-                           const Vector<double> &u_start,
-                           Vector<double>       &solution) const;
-    void recover_shears(const Vector<double> &residual,
-                        const Vector<double> &u_start,
-                        Vector<double>       &solution) const;
+    void recover_pressures(const GhostedVector &residual,
+                           const GhostedVector &u_start,
+                           GhostedVector       &solution) const;
+    void recover_shears(const GhostedVector &residual,
+                        const GhostedVector &u_start,
+                        GhostedVector       &solution) const;
 
     /// A description of the last equations that contradict each other, for the
     /// message of a Newton's method that does not converge. Else empty.
@@ -144,15 +144,15 @@ namespace Contact
                            AffineConstraints<double> &to) const;
     void eliminate_point(const ContactPoint<dim>  &point,
                          const Tensor<1, dim - 1> &turn,
-                         const Vector<double>     &solution,
-                         const Vector<double>     &u_start);
+                         const GhostedVector      &solution,
+                         const GhostedVector      &u_start);
 
     /// The direction that the way of a point along @p direction changes by,
     /// with what the slip makes of it in unsymmetric matrices.
     Tensor<1, dim> with_slide(const ContactPoint<dim> &point,
                               const Tensor<1, dim>    &direction,
-                              const Vector<double>    &solution,
-                              const Vector<double>    &u_start) const;
+                              const GhostedVector     &solution,
+                              const GhostedVector     &u_start) const;
     void eliminate(const ContactPoint<dim> &point, Row row, Row test_row);
     void
     drop(const ContactPoint<dim> &point, const Row &row, const bool is_held);
@@ -167,8 +167,8 @@ namespace Contact
               const Row               &test_row,
               const double             smallest) const;
 
-    MultiplierRecovery<dim> recovery(const Vector<double> &u_start,
-                                     const Vector<double> &solution) const;
+    MultiplierRecovery<dim> recovery(const GhostedVector &u_start,
+                                     const GhostedVector &solution) const;
 
     const Discretization<dim>   &discretization;
     const ContactInterface<dim> *interface;

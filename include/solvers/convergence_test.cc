@@ -19,16 +19,20 @@ namespace Contact
 
 
   template<int dim>
-  double ConvergenceTest<dim>::evaluate(const Vector<double>      &rhs,
+  double ConvergenceTest<dim>::evaluate(const GhostedVector       &rhs,
                                         const IncrementState<dim> &state,
                                         const bool                 moving_bound)
   {
+    const MPI_Comm communicator = model.discretization->communicator;
+    const auto     n = model.discretization->distribution->locally_owned_size();
+    // The multipliers, which all have, count once.
     double square =
-      model.interface ? std::pow(model.interface->constraint_norm(rhs), 2) : 0.;
-    for (unsigned int i = 0; i < model.n_displacements(); ++i)
-      square += rhs[i] * rhs[i];
-    norm  = Utilities::MPI::max(std::sqrt(square),
-                               model.discretization->communicator);
+      model.interface && Utilities::MPI::this_mpi_process(communicator) == 0
+        ? std::pow(model.interface->constraint_norm(rhs), 2)
+        : 0.;
+    for (const double *r = rhs.begin(); r != rhs.begin() + n; ++r)
+      square += *r * *r;
+    norm  = std::sqrt(Utilities::MPI::sum(square, communicator));
     force = scale->in(state.solution,
                       state.start,
                       state.load_factor,

@@ -36,7 +36,7 @@ namespace Contact
     /// Compare the residual @p rhs of a state; @p moving_bound is how it was
     /// assembled. Returns its norm [N per mm of thickness], the same on all
     /// ranks: it decides for all of them what comes next.
-    double evaluate(const Vector<double>      &rhs,
+    double evaluate(const GhostedVector       &rhs,
                     const IncrementState<dim> &state,
                     const bool                 moving_bound);
 

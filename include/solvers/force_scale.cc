@@ -52,7 +52,7 @@ namespace Contact
 
     if (interface != nullptr)
       {
-        const Vector<double> undeformed(discretization.dof_handler.n_dofs());
+        const GhostedVector undeformed(discretization.distribution);
         for (const ContactPoint<dim> &point : interface->points())
           if (point.facing && !interface->contact_pair(point).tied)
             overlap =
@@ -64,11 +64,11 @@ namespace Contact
 
 
   template<int dim>
-  double ForceScale<dim>::in(const Vector<double> &solution,
-                             const Vector<double> &u_start,
-                             const double          load_factor,
-                             const double          newton_tolerance,
-                             const bool            moving_bound) const
+  double ForceScale<dim>::in(const GhostedVector &solution,
+                             const GhostedVector &u_start,
+                             const double         load_factor,
+                             const double         newton_tolerance,
+                             const bool           moving_bound) const
   {
     const double way    = discretization.largest_prescribed();
     const double most   = modulus * (way + overlap) * slender;
@@ -92,8 +92,8 @@ namespace Contact
 
 
   template<int dim>
-  double ForceScale<dim>::contact_forces(const Vector<double> &solution,
-                                         const Vector<double> &u_start,
+  double ForceScale<dim>::contact_forces(const GhostedVector &solution,
+                                         const GhostedVector &u_start,
                                          const bool moving_bound) const
   {
     double sum = 0;
@@ -115,11 +115,11 @@ namespace Contact
 
 
   template<int dim>
-  double ForceScale<dim>::reactions(const Vector<double> &solution,
-                                    const double          load_factor) const
+  double ForceScale<dim>::reactions(const GhostedVector &solution,
+                                    const double         load_factor) const
   {
-    const Vector<double> forces = elasticity.forces(solution, load_factor);
-    double               sum    = 0;
+    const GhostedVector forces = elasticity.forces(solution, load_factor);
+    double              sum    = 0;
     for (const auto dof : discretization.dof_handler.locally_owned_dofs())
       if (discretization.is_fixed(dof) ||
           discretization.normal_supports.line(dof) != nullptr)

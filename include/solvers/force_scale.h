@@ -46,11 +46,11 @@ namespace Contact
                const ContactInterface<dim> *interface);
 
     /// F in the state @p solution under @p load_factor. Collective.
-    double in(const Vector<double> &solution,
-              const Vector<double> &u_start,
-              const double          load_factor,
-              const double          newton_tolerance,
-              const bool            moving_bound) const;
+    double in(const GhostedVector &solution,
+              const GhostedVector &u_start,
+              const double         load_factor,
+              const double         newton_tolerance,
+              const bool           moving_bound) const;
 
     /// The state of which this was the scale is the end of an increment.
     void accept(const double scale)
@@ -65,11 +65,11 @@ namespace Contact
     }
 
   private:
-    double contact_forces(const Vector<double> &solution,
-                          const Vector<double> &u_start,
-                          const bool            moving_bound) const;
-    double reactions(const Vector<double> &solution,
-                     const double          load_factor) const;
+    double contact_forces(const GhostedVector &solution,
+                          const GhostedVector &u_start,
+                          const bool           moving_bound) const;
+    double reactions(const GhostedVector &solution,
+                     const double         load_factor) const;
 
     const Discretization<dim>   &discretization;
     const Elasticity<dim>       &elasticity;

@@ -54,7 +54,7 @@ namespace Contact
         system.forget_pattern();
       }
 
-      void recover_multipliers(const Vector<double> &,
+      void recover_multipliers(const GhostedVector &,
                                const double,
                                IncrementState<2> &) override
       {
@@ -68,7 +68,7 @@ namespace Contact
       // The step under the present status, then the search for the status that
       // the linearised problem has.
       unsigned int make_step(const Step        &step,
-                             Vector<double>    &rhs,
+                             GhostedVector     &rhs,
                              IncrementState<2> &state) override
       {
         const bool settled =
@@ -140,7 +140,7 @@ namespace Contact
                  elimination,
                  solver,
                  timer)
-        , update(model.n_displacements())
+        , update(model.discretization->distribution)
       {
       }
 
@@ -167,9 +167,9 @@ namespace Contact
       // A bound that follows the pressure does so in between. In space nearly
       // incompressible bodies have forces at the new place that are of second
       // order, and the wrong points would open.
-      void recover_multipliers(const Vector<double> &rhs,
-                               const double          part,
-                               IncrementState<dim>  &state) override
+      void recover_multipliers(const GhostedVector &rhs,
+                               const double         part,
+                               IncrementState<dim> &state) override
       {
         if (dim == 3 && part > 0)
           recover_from(system.linear_forces(state.solution, state.load_factor),
@@ -178,7 +178,7 @@ namespace Contact
           recover_from(rhs, state);
       }
 
-      void recover_from(const Vector<double> &rhs, IncrementState<dim> &state)
+      void recover_from(const GhostedVector &rhs, IncrementState<dim> &state)
       {
         elimination.recover_pressures(rhs, state.start, state.solution);
         if (model.has_friction() &&
@@ -194,7 +194,7 @@ namespace Contact
       // Inexact Newton: a step that others follow is solved to a thousandth of
       // the residual, linear bodies under statuses that stay in one.
       unsigned int make_step(const Step          &step,
-                             Vector<double>      &rhs,
+                             GhostedVector       &rhs,
                              IncrementState<dim> &state) override
       {
         const bool statuses_stay =
@@ -216,8 +216,11 @@ namespace Contact
         screen << "      solved to " << std::scientific << std::setprecision(1)
                << relative << std::defaultfloat << std::setprecision(6)
                << " in " << n << " iterations" << std::endl;
-        for (unsigned int i = 0; i < update.size(); ++i)
-          state.solution[i] += update[i];
+        std::transform(update.begin(),
+                       update.end(),
+                       state.solution.begin(),
+                       state.solution.begin(),
+                       std::plus<>());
         model.discretization->constrain_update(state.solution,
                                                state.load_factor);
         return n;
@@ -248,7 +251,7 @@ namespace Contact
       const SolverChoice         solver;
       ContactElimination<dim>    elimination;
       CondensedSystem<dim>       system;
-      Vector<double>             update; // of the displacements
+      GhostedVector              update; // of the displacements
     };
   } // namespace
 

@@ -53,9 +53,9 @@ namespace Contact
     /// none), from @p rhs, minus the residual of the bodies alone, or in space
     /// from what the tangent of that step makes of it. Does nothing if they are
     /// unknowns.
-    virtual void recover_multipliers(const Vector<double> &rhs,
-                                     const double          part,
-                                     IncrementState<dim>  &state) = 0;
+    virtual void recover_multipliers(const GhostedVector &rhs,
+                                     const double         part,
+                                     IncrementState<dim> &state) = 0;
 
     /// Newton's method begins.
     virtual void begin_newton() = 0;
@@ -75,7 +75,7 @@ namespace Contact
     /// residual @p rhs, which is overwritten. Returns the number of linear
     /// iterations.
     virtual unsigned int make_step(const Step          &step,
-                                   Vector<double>      &rhs,
+                                   GhostedVector       &rhs,
                                    IncrementState<dim> &state) = 0;
 
     /// Of what may be why Newton's method does not converge: a sentence, or

@@ -56,8 +56,8 @@ namespace Contact
 
 
 
-  void LinearizedContact::collect(const Vector<double> &solution,
-                                  const Vector<double> &u_start)
+  void LinearizedContact::collect(const GhostedVector &solution,
+                                  const GhostedVector &u_start)
   {
     responses.clear();
     points.resize(interface.points().size());

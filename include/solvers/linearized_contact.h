@@ -65,7 +65,7 @@ namespace Contact
                       const ContactLinearization &linearization);
 
     /// Linearise all points at @p solution under their statuses.
-    void collect(const Vector<double> &solution, const Vector<double> &u_start);
+    void collect(const GhostedVector &solution, const GhostedVector &u_start);
 
     /// Compute the responses to the points that have changed.
     void add_responses();

@@ -165,7 +165,7 @@ namespace Contact
 
   template<int dim>
   std::vector<typename MultiplierRecovery<dim>::Pair>
-  MultiplierRecovery<dim>::tractions(const Vector<double> &residual) const
+  MultiplierRecovery<dim>::tractions(const GhostedVector &residual) const
   {
     std::vector<Pair> tractions(points.size());
     bool              any_coupled = false;
@@ -200,8 +200,8 @@ namespace Contact
   template<int dim>
   typename MultiplierRecovery<dim>::Pair
   MultiplierRecovery<dim>::traction_of_single(
-    const unsigned int    k,
-    const Vector<double> &residual) const
+    const unsigned int   k,
+    const GhostedVector &residual) const
   {
     const ContactPoint<dim> &point = points[k];
     const double             own   = point.weight * point.C[0];
@@ -246,7 +246,7 @@ namespace Contact
   std::vector<typename MultiplierRecovery<dim>::Equation>
   MultiplierRecovery<dim>::coupled_equations(
     const std::vector<unsigned int> &first_column,
-    const Vector<double>            &residual) const
+    const GhostedVector             &residual) const
   {
     std::vector<Equation> system;
     for (const auto &[dof, shares] : equations)
@@ -272,8 +272,8 @@ namespace Contact
 
   template<int dim>
   void
-  MultiplierRecovery<dim>::solve_coupled(const Vector<double> &residual,
-                                         std::vector<Pair>    &tractions) const
+  MultiplierRecovery<dim>::solve_coupled(const GhostedVector &residual,
+                                         std::vector<Pair>   &tractions) const
   {
     const auto           first_column = first_columns();
     const Vector<double> x =

@@ -49,7 +49,7 @@ namespace Contact
     /// Of all points, from @p residual, minus the residual of the bodies alone;
     /// zero for open ones, and of a slipping one the shear across its
     /// direction.
-    std::vector<Pair> tractions(const Vector<double> &residual) const;
+    std::vector<Pair> tractions(const GhostedVector &residual) const;
 
   private:
     using Dof = types::global_dof_index;
@@ -77,10 +77,10 @@ namespace Contact
     Factors factors(const Share &share) const;
     std::vector<Tensor<1, dim - 1>>
          find_shear_directions(const unsigned int point) const;
-    Pair traction_of_single(const unsigned int    point,
-                            const Vector<double> &residual) const;
-    void solve_coupled(const Vector<double> &residual,
-                       std::vector<Pair>    &tractions) const;
+    Pair traction_of_single(const unsigned int   point,
+                            const GhostedVector &residual) const;
+    void solve_coupled(const GhostedVector &residual,
+                       std::vector<Pair>   &tractions) const;
 
     /// A row of the least squares, and its right-hand side.
     struct Equation
@@ -93,7 +93,7 @@ namespace Contact
     std::vector<unsigned int> first_columns() const;
     std::vector<Equation>
     coupled_equations(const std::vector<unsigned int> &first_column,
-                      const Vector<double>            &residual) const;
+                      const GhostedVector             &residual) const;
     static Vector<double> least_squares(const std::vector<Equation> &system,
                                         const unsigned int           n);
 

@@ -36,7 +36,7 @@ namespace Contact
   template<int dim>
   void NewtonState<dim>::begin_level(const double tolerance)
   {
-    rhs.reinit(model.n_unknowns());
+    rhs = model.zero();
     convergence.begin_level(tolerance);
   }
 
@@ -89,7 +89,7 @@ namespace Contact
                                    state.load_factor,
                                    rhs,
                                    nullptr);
-      Utilities::MPI::sum(rhs, communicator, rhs);
+      rhs.sum_up();
       smallest_volume = smallest_of_all_ranks(smallest, communicator);
     }
     n_status_changes = model.interface ? update_status(single_changes) : 0;
@@ -359,9 +359,8 @@ namespace Contact
             part = std::min(part, (before + depth) / (before - gap));
         }
 
-    Vector<double> update(model.n_displacements());
-    for (unsigned int i = 0; i < update.size(); ++i)
-      update[i] = state.solution[i] - last[i];
+    GhostedVector update = state.solution;
+    update -= last;
     const double largest  = 0.05; // [rad]
     const double rotation = springs.largest_rotation(update);
     return model.elasticity->is_linear()

@@ -107,7 +107,7 @@ namespace Contact
     Pairing<dim>                             &pairing;
     TimerOutput                              &timer;
 
-    Vector<double>   rhs; // minus the residual
+    GhostedVector    rhs; // minus the residual
     VolumeRatio<dim> smallest_volume;
     unsigned int     n_status_changes = 0;
 
@@ -116,7 +116,7 @@ namespace Contact
     bool                          one_at_a_time = false;
     bool                          searches      = false;
     double                        part          = 0; // of the last step
-    Vector<double>                last;          // where the last step began
+    GhostedVector                 last;          // where the last step began
     std::vector<PointStatus<dim>> last_statuses; // under which it was made
     double                        last_residual = 0;
   };

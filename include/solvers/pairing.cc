@@ -78,7 +78,7 @@ namespace Contact
 
 
   template<int dim>
-  void Pairing<dim>::pair(const Vector<double> &configuration)
+  void Pairing<dim>::pair(const GhostedVector &configuration)
   {
     timer.enter_subsection("search");
     paired_at = configuration;
@@ -90,8 +90,10 @@ namespace Contact
       parameters.solution.geometry == GeometryLoop::undeformed;
     const bool changed =
       model.interface &&
-      model.interface->pair(is_undeformed ? Vector<double>(configuration.size())
-                                          : configuration,
+      model.interface->pair(is_undeformed
+                              ? GhostedVector(
+                                  model.discretization->distribution)
+                              : configuration,
                             {has_derivatives(), edges_stay});
     timer.leave_subsection();
     system->update_pattern(changed);
@@ -100,13 +102,12 @@ namespace Contact
 
 
   template<int dim>
-  void Pairing<dim>::renew(const Vector<double> &solution,
-                           Relaxation           &relaxation)
+  void Pairing<dim>::renew(const GhostedVector &solution,
+                           Relaxation          &relaxation)
   {
-    const double part = relaxation.length(
-      Vector<double>(solution.begin(),
-                     solution.begin() + model.n_displacements()));
-    Vector<double> configuration = paired_at;
+    const double part =
+      relaxation.length(model.discretization->displacements(solution));
+    GhostedVector configuration = paired_at;
     configuration.sadd(1 - part, part, solution);
     pair(configuration);
   }
@@ -134,8 +135,8 @@ namespace Contact
 
 
   template<int dim>
-  void Pairing<dim>::follow(const Vector<double> &solution,
-                            const bool            after_a_step)
+  void Pairing<dim>::follow(const GhostedVector &solution,
+                            const bool           after_a_step)
   {
     if (!follows_each_step() || is_frozen)
       return;
@@ -145,11 +146,10 @@ namespace Contact
         pair(solution);
         return;
       }
-    Vector<double> step(model.n_displacements());
-    for (unsigned int i = 0; i < step.size(); ++i)
-      step[i] = solution[i] - paired_at[i];
-    const double   length        = extrapolation.length(step);
-    Vector<double> configuration = paired_at;
+    GhostedVector step = model.discretization->displacements(solution);
+    step -= model.discretization->displacements(paired_at);
+    const double  length        = extrapolation.length(step);
+    GhostedVector configuration = paired_at;
     configuration.sadd(1 - length, length, solution);
     pair(length == 1 ? solution : configuration);
   }
@@ -174,7 +174,7 @@ namespace Contact
 
   template<int dim>
   void Pairing<dim>::advance(const IncrementState<dim> &state,
-                             const Vector<double>      &last,
+                             const GhostedVector       &last,
                              const bool                 progress)
   {
     if (!follows_each_step())
@@ -210,7 +210,7 @@ namespace Contact
 
 
   template<int dim>
-  bool Pairing<dim>::renew(const Vector<double> &solution)
+  bool Pairing<dim>::renew(const GhostedVector &solution)
   {
     const bool edges_were_free = !edges_stay;
     if (edges_were_free && guard.goes_in_circles())

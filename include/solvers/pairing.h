@@ -52,10 +52,10 @@ namespace Contact
 
     /// Pair all points under the displacements @p configuration; in the theory
     /// of small displacements under none.
-    void pair(const Vector<double> &configuration);
+    void pair(const GhostedVector &configuration);
 
     /// The displacements of the last pairing.
-    const Vector<double> &configuration() const
+    const GhostedVector &configuration() const
     {
       return paired_at;
     }
@@ -67,7 +67,7 @@ namespace Contact
 
     /// Pair again in a fixed-point iteration that has led to @p solution: where
     /// it jumps to and fro, on the way.
-    void renew(const Vector<double> &solution, Relaxation &relaxation);
+    void renew(const GhostedVector &solution, Relaxation &relaxation);
 
     /// An increment begins, or the @p part of one that was cut, and Newton's
     /// method.
@@ -77,12 +77,12 @@ namespace Contact
     /// Before a Newton step: pair the bodies where they are. If the tangent
     /// does not know how the pairing moves with them, and steps in one and the
     /// same direction become but slowly shorter, where these lead to.
-    void follow(const Vector<double> &solution, const bool after_a_step);
+    void follow(const GhostedVector &solution, const bool after_a_step);
 
     /// A Newton step has led from @p last to the state; progress is the
     /// smallest residual so far. See PairingGuard.
     void advance(const IncrementState<dim> &state,
-                 const Vector<double>      &last,
+                 const GhostedVector       &last,
                  const bool                 progress);
 
     /// Whether the solution under this pairing is one.
@@ -90,7 +90,7 @@ namespace Contact
 
     /// If it is not, pair anew. Returns whether points have been free to face
     /// other edges until now: four times at most.
-    bool renew(const Vector<double> &solution);
+    bool renew(const GhostedVector &solution);
 
     /// The reason why a pairing is not accepted.
     std::string unsettled(const IncrementState<dim> &state) const;
@@ -109,7 +109,7 @@ namespace Contact
     LinearSystem<dim>       *system = nullptr;
 
     ContactLinearization present{};
-    Vector<double>       paired_at;
+    GhostedVector        paired_at;
     AitkenExtrapolation  extrapolation;
 
     // Of the present Newton's method.

@@ -10,8 +10,8 @@ namespace Contact
   template<int dim>
   std::vector<PairingStiffness<dim>>
   PairingStiffness<dim>::terms(const ContactInterface<dim> &interface,
-                               const Vector<double>        &solution,
-                               const Vector<double>        &u_start)
+                               const GhostedVector         &solution,
+                               const GhostedVector         &u_start)
   {
     std::vector<PairingStiffness<dim>> all;
     const IndexSet                    &owned =

@@ -34,8 +34,8 @@ namespace Contact
     /// Of the points in contact whose slave nodes this rank owns.
     static std::vector<PairingStiffness>
     terms(const ContactInterface<dim> &interface,
-          const Vector<double>        &solution,
-          const Vector<double>        &u_start);
+          const GhostedVector         &solution,
+          const GhostedVector         &u_start);
   };
 } // namespace Contact
 

@@ -6,9 +6,9 @@
 #ifndef contact_relaxation_h
 #define contact_relaxation_h
 
-#include <deal.II/lac/vector.h>
-
 #include <limits>
+
+#include "base/ghosted_vector.h"
 
 namespace Contact
 {
@@ -27,11 +27,11 @@ namespace Contact
   public:
     /// The part l to take of the step to @p iterate, the image of where the
     /// iteration is.
-    double length(const Vector<double> &iterate)
+    double length(const GhostedVector &iterate)
     {
       if (last.size() > 0)
         {
-          Vector<double> step(iterate);
+          GhostedVector step(iterate);
           step -= last;
           const double size = step.linfty_norm() / part;
           n_wasted          = size < smallest ? 0 : n_wasted + 1;
@@ -40,7 +40,7 @@ namespace Contact
           bool to_and_fro = false;
           if (before.size() > 0)
             {
-              Vector<double> back(iterate);
+              GhostedVector back(iterate);
               back -= before;
               to_and_fro = back.linfty_norm() < 0.5 * step.linfty_norm();
             }
@@ -48,8 +48,8 @@ namespace Contact
             {
               part /= 2;
               n_wasted = 0;
-              before.reinit(0);
-              last = iterate;
+              before   = GhostedVector();
+              last     = iterate;
               return part;
             }
         }
@@ -59,10 +59,10 @@ namespace Contact
     }
 
   private:
-    Vector<double> last, before;
-    double         smallest = std::numeric_limits<double>::max();
-    double         part     = 1;
-    unsigned int   n_wasted = 0;
+    GhostedVector last, before;
+    double        smallest = std::numeric_limits<double>::max();
+    double        part     = 1;
+    unsigned int  n_wasted = 0;
   };
 } // namespace Contact
 

@@ -95,7 +95,7 @@ namespace Contact
 
 
   template<int dim>
-  Vector<double>
+  GhostedVector
   RigidBodyStabilization<dim>::release(const IncrementState<dim> &state)
   {
     Elasticity<dim> &elasticity = *model.elasticity;
@@ -105,7 +105,7 @@ namespace Contact
         elasticity.springs.release();
         return {};
       }
-    Vector<double> springs =
+    GhostedVector springs =
       elasticity.forces(state.solution, state.load_factor);
     elasticity.springs.release();
     springs.sadd(-1, 1, elasticity.forces(state.solution, state.load_factor));
@@ -143,9 +143,9 @@ namespace Contact
 
   // Against rotation, what turns in itself is held for good.
   template<int dim>
-  void RigidBodyStabilization<dim>::attach(const Vector<double> &solution)
+  void RigidBodyStabilization<dim>::attach(const GhostedVector &solution)
   {
-    Vector<double> rest = solution;
+    GhostedVector rest = solution;
     remove_rotations(*model.discretization, turning, rest);
     model.elasticity->springs.hold(stiffness, rest);
   }
@@ -154,9 +154,9 @@ namespace Contact
 
   template<int dim>
   typename RigidBodyStabilization<dim>::Work
-  RigidBodyStabilization<dim>::work(const Vector<double> &solution) const
+  RigidBodyStabilization<dim>::work(const GhostedVector &solution) const
   {
-    Vector<double> u = solution;
+    GhostedVector u = solution;
     remove_rotations(*model.discretization, turning, u);
     const auto   works = model.elasticity->springs.energy(u);
     const auto   most  = std::max_element(works.begin(),

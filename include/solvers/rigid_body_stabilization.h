@@ -50,7 +50,7 @@ namespace Contact
 
     /// Take the springs away. Returns the forces that they exerted, by
     /// unknown [N per mm of thickness]; none if nothing was held. Collective.
-    Vector<double> release(const IncrementState<dim> &state);
+    GhostedVector release(const IncrementState<dim> &state);
 
     /**
      * Choose the stiffness of the springs, in proportion to that of the softest
@@ -59,7 +59,7 @@ namespace Contact
     void choose_stiffness();
 
     /// Hang up the springs where the pieces are. Collective.
-    void attach(const Vector<double> &solution);
+    void attach(const GhostedVector &solution);
 
     /// The work of the springs since then.
     struct Work
@@ -69,7 +69,7 @@ namespace Contact
       double       force = 0; // of its springs [N per mm of thickness]
     };
 
-    Work work(const Vector<double> &solution) const;
+    Work work(const GhostedVector &solution) const;
 
     /// Throws NotConverged: nothing stops the piece.
     [[noreturn]] void give_up(const Work        &work,

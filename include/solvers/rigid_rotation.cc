@@ -47,7 +47,7 @@ namespace Contact
     double largest_strain(const Discretization<dim> &discretization,
                           const Elasticity<dim>     &elasticity,
                           const unsigned int         piece,
-                          const Vector<double>      &u)
+                          const GhostedVector       &u)
     {
       const auto stresses = elasticity.stresses(u);
       double     largest  = 0;
@@ -124,12 +124,12 @@ namespace Contact
 
 
     /// e_z x (X - C) at the nodes of a piece.
-    Vector<double> rotation_about(const Discretization<2> &discretization,
-                                  const unsigned int       piece,
-                                  const Point<2>          &centre)
+    GhostedVector rotation_about(const Discretization<2> &discretization,
+                                 const unsigned int       piece,
+                                 const Point<2>          &centre)
     {
-      Vector<double> rotation(discretization.dof_handler.n_dofs());
-      const auto    &owned = discretization.dof_handler.locally_owned_dofs();
+      GhostedVector rotation(discretization.distribution);
+      const auto   &owned = discretization.dof_handler.locally_owned_dofs();
       std::vector<types::global_dof_index> dofs;
       for (const auto &cell :
            discretization.dof_handler.active_cell_iterators())
@@ -151,22 +151,22 @@ namespace Contact
                     fe.system_to_component_index(i).first == 0 ? -r[1] : r[0];
                 }
           }
-      Utilities::MPI::sum(rotation, discretization.communicator, rotation);
+      rotation.update_ghosts();
       return rotation;
     }
 
 
 
     /// Whether the loads do no work but round-off in a motion.
-    bool does_no_work(const Vector<double> &load, const Vector<double> &motion)
+    bool does_no_work(const GhostedVector &load, const GhostedVector &motion)
     {
-      double work = 0, magnitude = 0;
-      for (unsigned int i = 0; i < motion.size(); ++i)
-        {
-          work += load[i] * motion[i];
-          magnitude += std::abs(load[i] * motion[i]);
-        }
-      return std::abs(work) <= 1e-10 * magnitude;
+      GhostedVector works = load;
+      std::transform(works.begin(),
+                     works.end(),
+                     motion.begin(),
+                     works.begin(),
+                     std::multiplies<>());
+      return std::abs(works.sum()) <= 1e-10 * works.l1_norm();
     }
 
 
@@ -236,7 +236,7 @@ namespace Contact
 
   template<>
   std::vector<double> rigid_rotations(const Discretization<2> &discretization,
-                                      const Vector<double>    &u)
+                                      const GhostedVector     &u)
   {
     const MeshPieces<2> &pieces = discretization.mesh.pieces;
     std::vector<double>  sums(n_sum * pieces.size());
@@ -307,14 +307,14 @@ namespace Contact
   template<>
   void remove_rotations(const Discretization<2>         &discretization,
                         const std::vector<TurningPiece> &pieces,
-                        Vector<double>                  &u)
+                        GhostedVector                   &u)
   {
     if (pieces.empty())
       return;
     const auto angles = rigid_rotations(discretization, u);
     for (const TurningPiece &piece : pieces)
-      for (unsigned int i = 0; i < piece.rotation.size(); ++i)
-        u[i] -= angles[piece.piece] * piece.rotation[i];
+      for (unsigned int k = 0; k < piece.rotation.n_held(); ++k)
+        u.begin()[k] -= angles[piece.piece] * piece.rotation.begin()[k];
   }
 
 
@@ -323,7 +323,7 @@ namespace Contact
   // displacements by the moments of inertia about the centre of mass.
   template<>
   std::vector<double> rigid_rotations(const Discretization<3> &discretization,
-                                      const Vector<double>    &u)
+                                      const GhostedVector     &u)
   {
     const MeshPieces<3>   &pieces = discretization.mesh.pieces;
     constexpr unsigned int n_sums = 1 + 3 + 3 + 3 + 9;
@@ -396,7 +396,7 @@ namespace Contact
   template<>
   void remove_rotations(const Discretization<3> &,
                         const std::vector<TurningPiece> &,
-                        Vector<double> &)
+                        GhostedVector &)
   {
   }
 
@@ -405,7 +405,7 @@ namespace Contact
   template<int dim>
   void check_rotations(const Discretization<dim> &discretization,
                        const Elasticity<dim>     &elasticity,
-                       const Vector<double>      &u)
+                       const GhostedVector       &u)
   {
     if (!elasticity.is_linear())
       return;
@@ -435,8 +435,8 @@ namespace Contact
                 rigid_modes(const Discretization<3> &discretization);
   template void check_rotations(const Discretization<2> &discretization,
                                 const Elasticity<2>     &elasticity,
-                                const Vector<double>    &u);
+                                const GhostedVector     &u);
   template void check_rotations(const Discretization<3> &discretization,
                                 const Elasticity<3>     &elasticity,
-                                const Vector<double>    &u);
+                                const GhostedVector     &u);
 } // namespace Contact

@@ -32,14 +32,14 @@ namespace Contact
    */
   template<int dim>
   std::vector<double> rigid_rotations(const Discretization<dim> &discretization,
-                                      const Vector<double>      &u);
+                                      const GhostedVector       &u);
 
   template<>
   std::vector<double> rigid_rotations(const Discretization<2> &discretization,
-                                      const Vector<double>    &u);
+                                      const GhostedVector     &u);
   template<>
   std::vector<double> rigid_rotations(const Discretization<3> &discretization,
-                                      const Vector<double>    &u);
+                                      const GhostedVector     &u);
 
   /**
    * A piece that can turn in itself: nothing but contact holds it, without
@@ -52,9 +52,9 @@ namespace Contact
    */
   struct TurningPiece
   {
-    unsigned int   piece;
-    Vector<double> rotation; // e_z x (X - C) at its nodes, zero elsewhere [mm]
-    double         radius;   // of a circle that it touches on [mm]
+    unsigned int  piece;
+    GhostedVector rotation; // e_z x (X - C) at its nodes, zero elsewhere [mm]
+    double        radius;   // of a circle that it touches on [mm]
   };
 
   /// All such pieces. Collective.
@@ -68,7 +68,7 @@ namespace Contact
   template<int dim>
   void remove_rotations(const Discretization<dim>       &discretization,
                         const std::vector<TurningPiece> &pieces,
-                        Vector<double>                  &u);
+                        GhostedVector                   &u);
 
   /**
    * Check that no piece that supports leave free turns further than small
@@ -86,7 +86,7 @@ namespace Contact
   template<int dim>
   void check_rotations(const Discretization<dim> &discretization,
                        const Elasticity<dim>     &elasticity,
-                       const Vector<double>      &u);
+                       const GhostedVector       &u);
 } // namespace Contact
 
 #endif

@@ -62,13 +62,13 @@ namespace Contact
 
 
 
-  bool SaddlePointSystem::solve(const Vector<double> &solution,
-                                const Vector<double> &u_start,
-                                const double          load_factor,
-                                const double          residual,
-                                const double          last_residual,
-                                const StatusSearch    search,
-                                Vector<double>       &rhs_and_update)
+  bool SaddlePointSystem::solve(const GhostedVector &solution,
+                                const GhostedVector &u_start,
+                                const double         load_factor,
+                                const double         residual,
+                                const double         last_residual,
+                                const StatusSearch   search,
+                                GhostedVector       &rhs_and_update)
   {
     if (!factorization_serves(residual, last_residual))
       assemble_and_factorize(solution,
@@ -108,11 +108,11 @@ namespace Contact
   // Tresca's problem under the present bounds, which is convex, is a step
   // towards the solution of Coulomb's if the search for that ends without one
   // at first.
-  bool SaddlePointSystem::search_standing(const Vector<double> &solution,
-                                          const Vector<double> &u_start,
-                                          const double          load_factor,
-                                          const bool            is_first,
-                                          Vector<double>       &rhs_and_update)
+  bool SaddlePointSystem::search_standing(const GhostedVector &solution,
+                                          const GhostedVector &u_start,
+                                          const double         load_factor,
+                                          const bool           is_first,
+                                          GhostedVector       &rhs_and_update)
   {
     ContactLinearization standing = linearization;
     standing.moving_geometry      = false;
@@ -135,12 +135,12 @@ namespace Contact
   // If the search ends at the present statuses, take the Newton step with the
   // linearised geometry under these statuses.
   bool SaddlePointSystem::search_under(const ContactLinearization &standing,
-                                       const Vector<double>       &solution,
-                                       const Vector<double>       &u_start,
+                                       const GhostedVector        &solution,
+                                       const GhostedVector        &u_start,
                                        const double                load_factor,
-                                       Vector<double> &rhs_and_update)
+                                       GhostedVector &rhs_and_update)
   {
-    const Vector<double> newton_step = rhs_and_update;
+    const GhostedVector newton_step = rhs_and_update;
     assemble_and_factorize(solution,
                            u_start,
                            load_factor,
@@ -159,20 +159,20 @@ namespace Contact
 
 
 
-  void SaddlePointSystem::solve_factorized(Vector<double> &rhs_and_update)
+  void SaddlePointSystem::solve_factorized(GhostedVector &rhs_and_update)
   {
     TimerOutput::Scope scope(timer, "solution");
     solver.solve(rhs_and_update);
-    discretization.constraints.distribute(rhs_and_update);
+    discretization.distribute(discretization.constraints, rhs_and_update);
   }
 
 
 
-  void SaddlePointSystem::factorize(const Vector<double> &solution,
-                                    const Vector<double> &u_start,
-                                    const double          load_factor)
+  void SaddlePointSystem::factorize(const GhostedVector &solution,
+                                    const GhostedVector &u_start,
+                                    const double         load_factor)
   {
-    Vector<double> rhs(matrix.m());
+    GhostedVector rhs(matrix.m());
     assemble_and_factorize(solution,
                            u_start,
                            load_factor,
@@ -183,10 +183,10 @@ namespace Contact
 
 
 
-  void SaddlePointSystem::solve_transposed(Vector<double> &b) const
+  void SaddlePointSystem::solve_transposed(GhostedVector &b) const
   {
     TimerOutput::Scope scope(timer, "solution");
-    discretization.constraints.condense(b);
+    discretization.constraints.condense(static_cast<Vector<double> &>(b));
     solver.solve_transposed(b);
     discretization.constrain_homogeneously(b);
   }
@@ -212,12 +212,12 @@ namespace Contact
   // The right-hand side is assembled anew with the matrix, because prescribed
   // displacements enter it through the matrix.
   void SaddlePointSystem::assemble_and_factorize(
-    const Vector<double>       &solution,
-    const Vector<double>       &u_start,
+    const GhostedVector        &solution,
+    const GhostedVector        &u_start,
     const double                load_factor,
     const ContactLinearization &linearization,
     const StressStiffness       stress_stiffness,
-    Vector<double>             &rhs)
+    GhostedVector              &rhs)
   {
     {
       TimerOutput::Scope scope(timer, "assembly");
@@ -262,8 +262,8 @@ namespace Contact
 
   // Contact changes, linear bodies do not: their tangent is assembled once on
   // a mesh and added to what the points make of the matrix.
-  void SaddlePointSystem::add_tangent_of_linear_bodies(
-    const Vector<double> &solution)
+  void
+  SaddlePointSystem::add_tangent_of_linear_bodies(const GhostedVector &solution)
   {
     if (bodies_tangent.empty() ||
         bodies_version != elasticity.tangent_version())

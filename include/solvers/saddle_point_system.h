@@ -72,46 +72,46 @@ namespace Contact
      * and stresses stand still for the search: then it always has a solution
      * if something holds each body, see ContactComplementarity.
      */
-    bool solve(const Vector<double> &solution,
-               const Vector<double> &u_start,
-               const double          load_factor,
-               const double          residual,
-               const double          last_residual,
-               const StatusSearch    search,
-               Vector<double>       &rhs_and_update);
+    bool solve(const GhostedVector &solution,
+               const GhostedVector &u_start,
+               const double         load_factor,
+               const double         residual,
+               const double         last_residual,
+               const StatusSearch   search,
+               GhostedVector       &rhs_and_update);
 
     /// Assemble and factorize the tangent in a state, under the present
     /// statuses.
-    void factorize(const Vector<double> &solution,
-                   const Vector<double> &u_start,
-                   const double          load_factor);
+    void factorize(const GhostedVector &solution,
+                   const GhostedVector &u_start,
+                   const double         load_factor);
 
     /// Replace the functional @p b of all unknowns by the solution of the
     /// transposed system, which meets homogeneous constraints.
-    void solve_transposed(Vector<double> &b) const;
+    void solve_transposed(GhostedVector &b) const;
 
   private:
     bool factorization_serves(const double residual,
                               const double last_residual) const;
-    void assemble_and_factorize(const Vector<double>       &solution,
-                                const Vector<double>       &u_start,
+    void assemble_and_factorize(const GhostedVector        &solution,
+                                const GhostedVector        &u_start,
                                 const double                load_factor,
                                 const ContactLinearization &linearization,
                                 const StressStiffness       stress_stiffness,
-                                Vector<double>             &rhs);
-    void solve_factorized(Vector<double> &rhs_and_update);
+                                GhostedVector              &rhs);
+    void solve_factorized(GhostedVector &rhs_and_update);
     bool stands_anyway() const;
-    bool search_standing(const Vector<double> &solution,
-                         const Vector<double> &u_start,
-                         const double          load_factor,
-                         const bool            is_first,
-                         Vector<double>       &rhs_and_update);
+    bool search_standing(const GhostedVector &solution,
+                         const GhostedVector &u_start,
+                         const double         load_factor,
+                         const bool           is_first,
+                         GhostedVector       &rhs_and_update);
     bool search_under(const ContactLinearization &standing,
-                      const Vector<double>       &solution,
-                      const Vector<double>       &u_start,
+                      const GhostedVector        &solution,
+                      const GhostedVector        &u_start,
                       const double                load_factor,
-                      Vector<double>             &rhs_and_update);
-    void add_tangent_of_linear_bodies(const Vector<double> &solution);
+                      GhostedVector              &rhs_and_update);
+    void add_tangent_of_linear_bodies(const GhostedVector &solution);
 
     const Discretization<2>    &discretization;
     const Elasticity<2>        &elasticity;

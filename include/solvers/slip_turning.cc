@@ -57,8 +57,8 @@ namespace Contact
   template<>
   std::vector<SlipTurning<2>::Term>
   SlipTurning<2>::terms(const ContactInterface<2> &,
-                        const Vector<double> &,
-                        const Vector<double> &,
+                        const GhostedVector &,
+                        const GhostedVector &,
                         const bool)
   {
     return {};
@@ -69,8 +69,8 @@ namespace Contact
   template<>
   std::vector<SlipTurning<3>::Term>
   SlipTurning<3>::terms(const ContactInterface<3> &interface,
-                        const Vector<double>      &solution,
-                        const Vector<double>      &u_start,
+                        const GhostedVector       &solution,
+                        const GhostedVector       &u_start,
                         const bool                 moving_bound)
   {
     std::vector<Term> all;
@@ -125,8 +125,8 @@ namespace Contact
   std::vector<typename SlipTurning<dim>::Turned>
   SlipTurning<dim>::turned_shears(const std::vector<Term>     &terms,
                                   const ContactInterface<dim> &interface,
-                                  const Vector<double>        &solution,
-                                  const Vector<double>        &u_start)
+                                  const GhostedVector         &solution,
+                                  const GhostedVector         &u_start)
   {
     std::vector<Turned> turned(interface.points().size());
     for (const Term &term : terms)

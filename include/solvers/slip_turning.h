@@ -53,8 +53,8 @@ namespace Contact
     /// Of the slipping points in a state. With @p moving_bound the bound is
     /// that of the present pressure.
     static std::vector<Term> terms(const ContactInterface<dim> &interface,
-                                   const Vector<double>        &solution,
-                                   const Vector<double>        &u_start,
+                                   const GhostedVector         &solution,
+                                   const GhostedVector         &u_start,
                                    const bool                   moving_bound);
 
     /// Of a point, the turn of the shear with the bound, and what the slip adds
@@ -67,8 +67,8 @@ namespace Contact
     static std::vector<Turned>
     turned_shears(const std::vector<Term>     &terms,
                   const ContactInterface<dim> &interface,
-                  const Vector<double>        &solution,
-                  const Vector<double>        &u_start);
+                  const GhostedVector         &solution,
+                  const GhostedVector         &u_start);
   };
 } // namespace Contact
 

@@ -30,8 +30,8 @@ namespace Contact
   ContactCheck<dim>::ContactCheck(const Discretization<dim>   &discretization,
                                   const ContactInterface<dim> &interface,
                                   const Parameters::Solution  &parameters,
-                                  const Vector<double>        &solution,
-                                  const Vector<double>        &u_start,
+                                  const GhostedVector         &solution,
+                                  const GhostedVector         &u_start,
                                   const double                 moved)
     : discretization(discretization)
     , interface(interface)
@@ -73,9 +73,9 @@ namespace Contact
 
 
   template<int dim>
-  void ContactCheck<dim>::add_forces(Vector<double> &pressures,
-                                     Vector<double> &shears,
-                                     double         &dissipation) const
+  void ContactCheck<dim>::add_forces(GhostedVector &pressures,
+                                     GhostedVector &shears,
+                                     double        &dissipation) const
   {
     for (unsigned int k = 0; k < tractions.size(); ++k)
       {
@@ -122,8 +122,8 @@ namespace Contact
   void ContactCheck<dim>::check_depth(const ContactPair<dim> &contact_pair,
                                       ContactInvariants      &found) const
   {
-    const Vector<double>    none(u_start.size());
-    const ContactDepth<dim> now = largest_depth(contact_pair, solution);
+    const GhostedVector     none = u_start.zero();
+    const ContactDepth<dim> now  = largest_depth(contact_pair, solution);
     if (now.as_drawn == 0)
       return;
     double     way     = 0;

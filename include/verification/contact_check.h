@@ -127,8 +127,8 @@ namespace Contact
     ContactCheck(const Discretization<dim>   &discretization,
                  const ContactInterface<dim> &interface,
                  const Parameters::Solution  &parameters,
-                 const Vector<double>        &solution,
-                 const Vector<double>        &u_start,
+                 const GhostedVector         &solution,
+                 const GhostedVector         &u_start,
                  const double                 moved);
 
     /// Let the slack know of bounds by a fixed point.
@@ -136,9 +136,9 @@ namespace Contact
 
     /// Add the forces of the pressures and of the shears on the nodes [N per
     /// mm], and what the shears dissipate in the increment [N mm per mm].
-    void add_forces(Vector<double> &pressures,
-                    Vector<double> &shears,
-                    double         &dissipation) const;
+    void add_forces(GhostedVector &pressures,
+                    GhostedVector &shears,
+                    double        &dissipation) const;
 
     void check(const Slack &slack, ContactInvariants &found) const;
 
@@ -207,7 +207,7 @@ namespace Contact
     const Discretization<dim>   &discretization;
     const ContactInterface<dim> &interface;
     const Parameters::Solution  &parameters;
-    const Vector<double>        &solution, &u_start;
+    const GhostedVector         &solution, &u_start;
     const double                 moved;
 
     // By point.

@@ -24,7 +24,7 @@ namespace Contact
     unsigned int first_touch(const ContactPair<2>    &contact_pair,
                              const Discretization<2> &discretization)
     {
-      const Vector<double> no_displacement(discretization.dof_handler.n_dofs());
+      const GhostedVector    no_displacement(discretization.distribution);
       const SurfaceSearch<2> search(*contact_pair.master, no_displacement);
       const auto             gap_square = [&](const SurfaceNode<2> &node) {
         return search.distance_square(node.X, search.closest_point(node.X));
@@ -146,8 +146,8 @@ namespace Contact
 
       // The tangent of the master is the normal of the slave turned by -90
       // degrees; body 1 is the slave.
-      const Vector<double> no_displacement(discretization.dof_handler.n_dofs());
-      const double         along_x =
+      const GhostedVector no_displacement(discretization.distribution);
+      const double        along_x =
         contact_pair.slave.normals(no_displacement)[node][1] > 0 ? 1. : -1.;
       add_half_planes(hertz,
                       mu,
@@ -165,10 +165,10 @@ namespace Contact
                                  const ContactPair<2>    &contact_pair)
     {
       // The inner body is the one with the convex surface.
-      const auto           slave  = contact_pair.slave.facets[0].body;
-      const auto           master = contact_pair.master->facets[0].body;
-      const Vector<double> no_displacement(discretization.dof_handler.n_dofs());
-      const bool           slave_is_inner =
+      const auto          slave  = contact_pair.slave.facets[0].body;
+      const auto          master = contact_pair.master->facets[0].body;
+      const GhostedVector no_displacement(discretization.distribution);
+      const bool          slave_is_inner =
         contact_pair.slave.normals(no_displacement)[0] *
           contact_pair.slave.nodes[0].X >
         0;
@@ -261,9 +261,10 @@ namespace Contact
     void add_errors_in_bodies(const ExactSolution           &exact,
                               const Discretization<2>       &discretization,
                               const Elasticity<2>           &elasticity,
-                              const Vector<double>          &u,
+                              const GhostedVector           &solution,
                               std::map<std::string, double> &errors)
     {
+      const DistributedVector u = discretization.distributed(solution);
       const unsigned int degree = discretization.degree;
       hp::FEValues<2>    hp_fe_values(
         discretization.mapping,
@@ -329,7 +330,7 @@ namespace Contact
                   const Elasticity<2>       &elasticity,
                   const ContactInterface<2> &interface,
                   const ContactPair<2>      &contact_pair,
-                  const Vector<double>      &solution)
+                  const GhostedVector       &solution)
   {
     std::map<std::string, double> errors;
     const auto                    add_on_slave =
@@ -351,7 +352,7 @@ namespace Contact
       });
     if (exact.displacement)
       {
-        Vector<double> u(discretization.dof_handler.n_dofs());
+        GhostedVector u(discretization.distribution);
         std::copy_n(solution.begin(), u.size(), u.begin());
         add_errors_in_bodies(exact, discretization, elasticity, u, errors);
       }

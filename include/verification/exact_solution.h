@@ -63,7 +63,7 @@ namespace Contact
                   const Elasticity<2>       &elasticity,
                   const ContactInterface<2> &interface,
                   const ContactPair<2>      &contact_pair,
-                  const Vector<double>      &solution);
+                  const GhostedVector       &solution);
 } // namespace Contact
 
 #endif

@@ -62,12 +62,8 @@ namespace Contact
     , interface(interface)
     , parameters(parameters)
   {
-    for (Vector<double> *vector : {&start.displacement,
-                                   &start.external,
-                                   &start.pressures,
-                                   &start.shears,
-                                   &start.holds})
-      vector->reinit(discretization.dof_handler.n_dofs());
+    for (GhostedVector *vector : start.vectors())
+      *vector = GhostedVector(discretization.distribution);
   }
 
 
@@ -97,20 +93,18 @@ namespace Contact
 
 
   template<int dim>
-  Invariants InvariantCheck<dim>::check(const Vector<double> &solution,
-                                        const double          load_factor,
-                                        const double          newton_tolerance,
-                                        const double          reference_force,
-                                        const Vector<double> *hold_forces,
-                                        const double          moved)
+  Invariants InvariantCheck<dim>::check(const GhostedVector &solution,
+                                        const double         load_factor,
+                                        const double         newton_tolerance,
+                                        const double         reference_force,
+                                        const GhostedVector *hold_forces,
+                                        const double         moved)
   {
     Invariants found;
-    end = start;
-    std::copy(solution.begin(),
-              solution.begin() + end.displacement.size(),
-              end.displacement.begin());
-    end.pressures = 0;
-    end.shears    = 0;
+    end              = start;
+    end.displacement = discretization.displacements(solution);
+    end.pressures    = 0;
+    end.shears       = 0;
 
     const double force = reference_force > 0 ? reference_force : 1;
     Slack        slack{force, newton_tolerance, newton_tolerance * force};
@@ -149,24 +143,21 @@ namespace Contact
   // a normal, nothing elsewhere. The force on an unknown that others move goes
   // to those. Every rank knows the constraints of its own unknowns.
   template<int dim>
-  void InvariantCheck<dim>::balance_bodies(const double          load_factor,
-                                           const Slack          &slack,
-                                           const Vector<double> *hold_forces,
-                                           Invariants           &found)
+  void InvariantCheck<dim>::balance_bodies(const double         load_factor,
+                                           const Slack         &slack,
+                                           const GhostedVector *hold_forces,
+                                           Invariants          &found)
   {
     end.holds = 0;
     if (hold_forces != nullptr)
-      std::copy(hold_forces->begin(),
-                hold_forces->begin() + end.holds.size(),
-                end.holds.begin());
-    Vector<double> left = elasticity.forces(end.displacement, load_factor);
+      end.holds = *hold_forces;
+    GhostedVector left = elasticity.forces(end.displacement, load_factor);
     for (const auto *forces : {&end.pressures, &end.shears, &end.holds})
       left -= *forces;
     hand_over_from_followers(discretization, left);
 
     const auto    &constraints  = discretization.constraints;
-    const MPI_Comm communicator = discretization.communicator;
-    Vector<double> reactions(left.size()), residual(left.size());
+    GhostedVector  reactions(discretization.distribution), residual(reactions);
     for (const auto dof : discretization.dof_handler.locally_owned_dofs())
       if (!constraints.is_constrained(dof))
         residual[dof] += left[dof];
@@ -184,8 +175,8 @@ namespace Contact
           for (const auto &[other, coefficient] : line.entries)
             reactions[other] -= coefficient * left[line.pivot];
         }
-    Utilities::MPI::sum(reactions, communicator, reactions);
-    Utilities::MPI::sum(residual, communicator, residual);
+    reactions.sum_up();
+    residual.sum_up();
 
     end.external = elasticity.dead_loads.at(load_factor);
     end.external += reactions;
@@ -237,8 +228,8 @@ namespace Contact
 
   // Every rank has all reactions: each adds up those of its own unknowns.
   template<int dim>
-  void InvariantCheck<dim>::add_up(const Vector<double> &reactions,
-                                   Invariants           &found) const
+  void InvariantCheck<dim>::add_up(const GhostedVector &reactions,
+                                   Invariants          &found) const
   {
     const auto &owned = discretization.dof_handler.locally_owned_dofs();
     for (unsigned int c = 0; c < dim; ++c)
@@ -258,12 +249,12 @@ namespace Contact
   template<int dim>
   void InvariantCheck<dim>::check_energy(const Slack &slack, Invariants &found)
   {
-    Vector<double> d(end.displacement);
+    GhostedVector d(end.displacement);
     d -= start.displacement;
     end.strain_energy = elasticity.strain_energy(end.displacement);
 
     // By the trapezoidal rule.
-    const auto work = [&](const Vector<double> State::*forces) {
+    const auto work = [&](const GhostedVector State::*forces) {
       return 0.5 * ((start.*forces) * d + (end.*forces) * d);
     };
     const double external      = work(&State::external);
@@ -310,9 +301,9 @@ namespace Contact
 
 
   template<int dim>
-  double InvariantCheck<dim>::work_at_middle(const Vector<double> &d) const
+  double InvariantCheck<dim>::work_at_middle(const GhostedVector &d) const
   {
-    Vector<double> middle(start.displacement);
+    GhostedVector middle(start.displacement);
     middle.add(0.5, d);
     double work = 0;
     elasticity.visit_cells(middle,

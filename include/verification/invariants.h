@@ -111,14 +111,18 @@ namespace Contact
     {
       /// Displacements [mm], and forces on the nodes [N per mm]: loads and
       /// reactions; of the pressures and the shears of contact; of what else
-      /// holds the bodies. Full on all ranks.
-      Vector<double> displacement;
-      Vector<double> external, pressures, shears, holds;
+      /// holds the bodies.
+      GhostedVector displacement;
+      GhostedVector external, pressures, shears, holds;
+
+      std::vector<GhostedVector *> vectors()
+      {
+        return {&displacement, &external, &pressures, &shears, &holds};
+      }
 
       template<class Archive>
       void serialize(Archive &archive, const unsigned int)
       {
-        archive &displacement &external &pressures &shears &holds;
         archive &strain_energy &external_work &contact_work &friction_work
           &stabilization_work &path_work &dissipation;
       }
@@ -138,12 +142,12 @@ namespace Contact
      * anything does; @p moved is the way of the surfaces since they were paired
      * [mm].
      */
-    Invariants check(const Vector<double> &solution,
-                     const double          load_factor,
-                     const double          newton_tolerance,
-                     const double          reference_force,
-                     const Vector<double> *hold_forces = nullptr,
-                     const double          moved       = 0);
+    Invariants check(const GhostedVector &solution,
+                     const double         load_factor,
+                     const double         newton_tolerance,
+                     const double         reference_force,
+                     const GhostedVector *hold_forces = nullptr,
+                     const double         moved       = 0);
 
     /// The increment that was checked last is accepted: the next one starts
     /// from its end. Without, the increment is repeated from the same start.
@@ -153,27 +157,22 @@ namespace Contact
     const State &state() const;
     void         restore(const State &state);
 
-    template<class Archive>
-    void serialize(Archive &archive, const unsigned int)
-    {
-      archive &start;
-    }
 
   private:
-    void balance_bodies(const double          load_factor,
-                        const Slack          &slack,
-                        const Vector<double> *hold_forces,
-                        Invariants           &found);
+    void balance_bodies(const double         load_factor,
+                        const Slack         &slack,
+                        const GhostedVector *hold_forces,
+                        Invariants          &found);
     void judge_balance(const double residual,
                        const Slack &slack,
                        const bool   is_held,
                        Invariants  &found) const;
-    void add_up(const Vector<double> &reactions, Invariants &found) const;
+    void add_up(const GhostedVector &reactions, Invariants &found) const;
     void check_energy(const Slack &slack, Invariants &found);
 
     /// The work of the internal forces in the middle of the increment along its
     /// whole way @p d.
-    double work_at_middle(const Vector<double> &d) const;
+    double work_at_middle(const GhostedVector &d) const;
 
     const Discretization<dim>   &discretization;
     const Elasticity<dim>       &elasticity;

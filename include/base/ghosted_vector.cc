@@ -1,0 +1,163 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "base/ghosted_vector.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+namespace Contact
+{
+  namespace
+  {
+    /// The terms of what is owned from all processes, and of the multipliers.
+    template<class Term>
+    double add_up(const Utilities::MPI::Partitioner &distribution,
+                  const std::size_t                  n_held,
+                  const Term                        &term)
+    {
+      const auto add = [&](std::size_t from, const std::size_t to) {
+        double sum = 0;
+        for (; from < to; ++from)
+          sum += term(from);
+        return sum;
+      };
+      const std::size_t n_owned = distribution.locally_owned_size();
+      return Utilities::MPI::sum(add(0, n_owned),
+                                 distribution.get_mpi_communicator()) +
+             add(n_owned + distribution.n_ghost_indices(), n_held);
+    }
+  } // namespace
+
+
+
+  GhostedVector::GhostedVector(const Distribution &distribution,
+                               const std::size_t   n_multipliers)
+    : distribution(distribution)
+    , values(n_distributed_held() + n_multipliers)
+    , first(distribution->local_range().first)
+    , n_direct(is_distributed() ? distribution->locally_owned_size()
+                                : values.size())
+  {
+  }
+
+
+
+  std::size_t
+  GhostedVector::position_of_other(const types::global_dof_index i) const
+  {
+    AssertThrow(is_distributed() && holds(i), ExcInternalError());
+    return i < distribution->size()
+             ? distribution->global_to_local(i)
+             : n_distributed_held() + (i - distribution->size());
+  }
+
+
+
+  double GhostedVector::operator*(const GhostedVector &other) const
+  {
+    if (!is_distributed())
+      return values * other.values;
+    return add_up(*distribution, n_held(), [&](const std::size_t k) {
+      return values[k] * other.values[k];
+    });
+  }
+
+
+
+  double GhostedVector::l2_norm() const
+  {
+    return is_distributed() ? std::sqrt(*this * *this) : values.l2_norm();
+  }
+
+
+
+  double GhostedVector::l1_norm() const
+  {
+    if (!is_distributed())
+      return values.l1_norm();
+    return add_up(*distribution, n_held(), [&](const std::size_t k) {
+      return std::abs(values[k]);
+    });
+  }
+
+
+
+  double GhostedVector::linfty_norm() const
+  {
+    const double largest = values.linfty_norm();
+    return is_distributed()
+             ? Utilities::MPI::max(largest,
+                                   distribution->get_mpi_communicator())
+             : largest;
+  }
+
+
+
+  double GhostedVector::sum() const
+  {
+    if (!is_distributed())
+      return values.mean_value() * values.size();
+    return add_up(*distribution, n_held(), [&](const std::size_t k) {
+      return values[k];
+    });
+  }
+
+
+
+  bool GhostedVector::all_zero() const
+  {
+    return is_distributed() ? linfty_norm() == 0 : values.all_zero();
+  }
+
+
+
+  void GhostedVector::sum_up()
+  {
+    if (!is_distributed())
+      return;
+    const ArrayView<double>  owned(begin(), distribution->locally_owned_size());
+    const ArrayView<double>  ghosts(owned.end(),
+                                   distribution->n_ghost_indices());
+    std::vector<double>      received(distribution->n_import_indices());
+    std::vector<MPI_Request> requests;
+    distribution->import_from_ghosted_array_start(VectorOperation::add,
+                                                  0,
+                                                  ghosts,
+                                                  make_array_view(received),
+                                                  requests);
+    distribution->import_from_ghosted_array_finish(
+      VectorOperation::add,
+      ArrayView<const double>(received.data(), received.size()),
+      owned,
+      ghosts,
+      requests);
+    update_ghosts();
+  }
+
+
+
+  void GhostedVector::update_ghosts()
+  {
+    if (!is_distributed())
+      return;
+    const std::size_t        n_owned = distribution->locally_owned_size();
+    const ArrayView<double>  ghosts(begin() + n_owned,
+                                   distribution->n_ghost_indices());
+    std::vector<double>      sent(distribution->n_import_indices());
+    std::vector<MPI_Request> requests;
+    distribution->export_to_ghosted_array_start(
+      0,
+      ArrayView<const double>(begin(), n_owned),
+      make_array_view(sent),
+      ghosts,
+      requests);
+    distribution->export_to_ghosted_array_finish(ghosts, requests);
+  }
+} // namespace Contact
