@@ -71,12 +71,12 @@ namespace
     const Bodies bodies(parameters);
 
     Random         random;
-    Vector<double> u(bodies.n_dofs());
+    GhostedVector u(bodies.n_dofs());
     for (double &value : u)
       value = random(-0.05, 0.05);
 
     const auto found =
-      compare_with_differences(bodies, u, [&](const Vector<double> &u) {
+      compare_with_differences(bodies, u, [&](const GhostedVector &u) {
         return bodies.elasticity->strain_energy(u);
       });
     check_small(name + ", forces", found.forces, 1e-7);
@@ -139,7 +139,7 @@ namespace
 
 
 
-  double sum_of(const Vector<double>            &load,
+  double sum_of(const GhostedVector            &load,
                 const std::vector<unsigned int> &components,
                 const unsigned int               c)
   {

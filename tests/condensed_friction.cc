@@ -125,7 +125,7 @@ namespace
   void solvers(const std::string &rule)
   {
     headline("solvers, " + rule + " rule");
-    Vector<double> reference;
+    GhostedVector reference;
     for (const std::string name : {"CHOLMOD", "MUMPS", "AMG"})
       {
         CondensedModel model(sliding_block(rule, 2, "large displacement"),

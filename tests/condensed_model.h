@@ -55,7 +55,7 @@ namespace Tests
 
     /// After the mesh was refined; the displacement comes from before.
     void make_anew(const Parameters::All &parameters,
-                   const Vector<double>  &displacement)
+                   const GhostedVector  &displacement)
     {
       condensed.reset();
       interface.reset();
@@ -142,7 +142,7 @@ namespace Tests
     std::unique_ptr<ContactElimination<dim>> elimination;
     std::unique_ptr<CondensedSystem<dim>>    condensed;
     TimerOutput                              timer;
-    Vector<double>                           solution, start, rhs, update;
+    GhostedVector                           solution, start, rhs, update;
   };
 
   using CondensedModel = CondensedModelIn<2>;
@@ -240,7 +240,7 @@ namespace Tests
     const auto        &base  = model.discretization.constraints;
     const auto        &lines = model.elimination->constraints();
     Random             random;
-    Vector<double>     y(n);
+    GhostedVector     y(n);
     for (unsigned int i = 0; i < n; ++i)
       if (!base.is_constrained(i) && !lines.is_constrained(i))
         y[i] = random(-1, 1);
@@ -249,7 +249,7 @@ namespace Tests
                                                  model.start,
                                                  model.moving_bound);
     const auto forces  = [&](const double step) {
-      Vector<double> du(y), rest(n), u(model.solution), rhs(u.size());
+      GhostedVector du(y), rest(n), u(model.solution), rhs(u.size());
       du *= step;
       model.elimination->distribute(du);
       model.elimination->distribute(rest);
@@ -261,13 +261,13 @@ namespace Tests
         for (unsigned int i = 0; i < term.dofs.size(); ++i)
           for (unsigned int j = 0; j < term.dofs.size(); ++j)
             rhs[term.dofs[i]] -= term.stiffness(i, j) * du[term.dofs[j]];
-      Vector<double> of_bodies(n);
+      GhostedVector of_bodies(n);
       std::copy_n(rhs.begin(), n, of_bodies.begin());
       model.elimination->condense(of_bodies);
       return of_bodies;
     };
     const double   step = 1e-5;
-    Vector<double> by_differences(forces(-step));
+    GhostedVector by_differences(forces(-step));
     by_differences -= forces(step);
     by_differences *= 1 / (2 * step);
 
@@ -292,8 +292,8 @@ namespace Tests
 
   /// The largest difference of a part of two vectors, by the largest value of
   /// that part of @p b.
-  inline double difference(const Vector<double> &a,
-                           const Vector<double> &b,
+  inline double difference(const GhostedVector &a,
+                           const GhostedVector &b,
                            const unsigned int    from,
                            const unsigned int    to)
   {

@@ -56,7 +56,7 @@ namespace
     model.assemble(1, false);
 
     const double   tolerance = 1e-12 * model.rhs.linfty_norm();
-    Vector<double> reference;
+    GhostedVector reference;
     for (const std::string name : {"CHOLMOD", "MUMPS", "AMG"})
       {
         model.make_system(name);
@@ -77,7 +77,7 @@ namespace
                       1e-9);
 
         // The same statuses: only the right-hand side is another one.
-        Vector<double> again(model.update.size());
+        GhostedVector again(model.update.size());
         model.condensed->solve(model.solution,
                                model.start,
                                model.rhs,
@@ -138,7 +138,7 @@ namespace
                                  Parameters::SolverKind::cholmod,
                                  model.timer);
         fresh.update_pattern();
-        Vector<double> update(model.update.size());
+        GhostedVector update(model.update.size());
         fresh.solve(model.solution, model.start, model.rhs, 0, update);
         worst =
           std::max(worst, difference(update, model.update, 0, update.size()));
@@ -190,12 +190,12 @@ namespace
         const auto now =
           model.interface->state(point,
                                  model.solution,
-                                 Vector<double>(model.solution.size()));
+                                 GhostedVector(model.solution.size()));
         relative = std::max({relative, std::abs(now.gap), now.slip.norm()});
       }
     check_small("relative displacement", relative / 0.02, 1e-12);
 
-    const Vector<double> forces = model.elasticity->forces(model.solution, 1);
+    const GhostedVector forces = model.elasticity->forces(model.solution, 1);
     const auto           on     = [&](const std::string &name) {
       Tensor<1, 2> sum;
       for (const auto &node : model.surface(name).nodes)

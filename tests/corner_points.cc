@@ -131,7 +131,7 @@ namespace
                 2e-6);
 
     Tensor<1, 2>         on_slave, on_master;
-    const Vector<double> forces = model.contact_forces();
+    const GhostedVector forces = model.contact_forces();
     const auto add = [&](const Surface<2> &surface, Tensor<1, 2> &sum) {
       for (const auto &node : surface.nodes)
         for (unsigned int i = 0; i < 2; ++i)

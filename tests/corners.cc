@@ -101,7 +101,7 @@ namespace
     }
 
     const Surface<2>     slave, master;
-    const Vector<double> u;
+    const GhostedVector u;
   };
 
 

@@ -24,7 +24,7 @@ namespace Tests
   /// The forces belong to @p energy, a function of the displacement.
   template<class Energy>
   Deviations compare_with_differences(const Bodies         &bodies,
-                                      const Vector<double> &u,
+                                      const GhostedVector &u,
                                       const Energy         &energy)
   {
     FullMatrix<double> K(u.size(), u.size());
@@ -40,17 +40,17 @@ namespace Tests
       });
 
     Deviations           largest;
-    const Vector<double> forces = bodies.elasticity->forces(u, 0);
+    const GhostedVector forces = bodies.elasticity->forces(u, 0);
     const double         h      = 1e-5;
     for (unsigned int j = 0; j < u.size(); ++j)
       {
-        Vector<double> before(u), after(u);
+        GhostedVector before(u), after(u);
         before[j] -= h;
         after[j] += h;
         const double slope = (energy(after) - energy(before)) / (2 * h);
         largest.forces = std::max(largest.forces, std::abs(slope - forces[j]));
 
-        Vector<double> column = bodies.elasticity->forces(after, 0);
+        GhostedVector column = bodies.elasticity->forces(after, 0);
         column -= bodies.elasticity->forces(before, 0);
         column /= 2 * h;
         for (unsigned int i = 0; i < u.size(); ++i)

@@ -125,7 +125,7 @@ namespace
           }
     }
 
-    Vector<double>     residual;
+    GhostedVector     residual;
     FullMatrix<double> matrix;
   };
 
@@ -175,19 +175,19 @@ namespace
     check("the nodes are where they should be", n_found == 16);
 
     Random                      random;
-    Vector<double>              u(bodies.n_dofs());
+    GhostedVector              u(bodies.n_dofs());
     std::array<Tensor<1, 2>, 8> nodal;
     for (unsigned int a = 0; a < 8; ++a)
       for (unsigned int i = 0; i < 2; ++i)
         u[dofs[a][i]] = nodal[a][i] = random(-0.1, 0.1);
-    bodies.discretization.constraints.distribute(u);
+    bodies.discretization.distribute(bodies.discretization.constraints, u);
 
     DynamicSparsityPattern couplings(u.size(), u.size());
     bodies.elasticity->add_couplings(couplings);
     SparsityPattern pattern;
     pattern.copy_from(couplings);
     SparseMatrix<double> matrix(pattern);
-    Vector<double>       rhs(u.size());
+    GhostedVector       rhs(u.size());
     bodies.elasticity->assemble(u, 1, rhs, &matrix);
 
     const Reference reference(X, nodal, kinematics == "large displacement");
@@ -251,10 +251,10 @@ namespace
 
     const auto test_motion =
       [&](const std::string &name, const Tensor<2, 2> &F, const bool is_rigid) {
-        const Vector<double> u = bodies.displacement(
+        const GhostedVector u = bodies.displacement(
           [&](const Point<2> &X) { return Point<2>(0.3, -0.2) + F * X; });
 
-        const Vector<double>   forces = bodies.elasticity->forces(u, 1);
+        const GhostedVector   forces = bodies.elasticity->forces(u, 1);
         const auto             points = bodies.support_points();
         std::set<unsigned int> boundary;
         for (const std::string side : {"bottom", "right", "top", "left"})

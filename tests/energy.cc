@@ -55,10 +55,10 @@ namespace
 
 
 
-  Vector<double> random_displacement(const Bodies &bodies)
+  GhostedVector random_displacement(const Bodies &bodies)
   {
     Random         random;
-    Vector<double> u(bodies.n_dofs());
+    GhostedVector u(bodies.n_dofs());
     for (double &value : u)
       value = random(-0.1, 0.1);
     return u;
@@ -78,7 +78,7 @@ namespace
     const auto   found =
       compare_with_differences(bodies,
                                random_displacement(bodies),
-                               [&](const Vector<double> &u) {
+                               [&](const GhostedVector &u) {
                                  return bodies.elasticity->strain_energy(u);
                                });
     check_small("forces against central differences of the energy",
@@ -178,7 +178,7 @@ namespace
     headline("volume ratio, degree " + std::to_string(degree));
     const Bodies bodies(
       make_case(degree, "free", "large displacement", "full"));
-    Vector<double> u = random_displacement(bodies);
+    GhostedVector u = random_displacement(bodies);
     u *= 5;
 
     hp::FEValues<2>                  hp_fe_values(bodies.discretization.mapping,
@@ -204,7 +204,7 @@ namespace
           }
       }
 
-    Vector<double> rhs(bodies.n_dofs());
+    GhostedVector rhs(bodies.n_dofs());
     const auto     found = bodies.elasticity->assemble(u, 0, rhs, nullptr);
     const auto     with_tangent =
       bodies.elasticity->visit_cells(u, true, [](const auto &...) {});

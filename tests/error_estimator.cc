@@ -53,7 +53,7 @@ namespace
       return large_displacement ? std::sqrt(1 + 2 * strain) : 1 + strain;
     };
     const Tensor<2, 2>   R = rotation(large_displacement ? 0.5 : 0);
-    const Vector<double> u = bodies.displacement([&](const Point<2> &X) {
+    const GhostedVector u = bodies.displacement([&](const Point<2> &X) {
       return Point<2>(R * Tensor<1, 2>({ratio(E11) * X[0], ratio(E22) * X[1]}));
     });
 
@@ -134,7 +134,7 @@ namespace
 
   // The error of the interpolated smooth displacement in the norm of the
   // energy.
-  double true_error(const Bodies &bodies, const Vector<double> &u)
+  double true_error(const Bodies &bodies, const GhostedVector &u)
   {
     const hp::QCollection<2> quadrature(QGauss<2>(5), QGaussSimplex<2>(4));
     hp::FEValues<2>          hp_fe_values(bodies.discretization.mapping,
@@ -184,7 +184,7 @@ namespace
     const Bodies            bodies(parameters);
     const StressRecovery<2> recovery(bodies.discretization);
 
-    const Vector<double> u =
+    const GhostedVector u =
       bodies.displacement([](const Point<2> &X) { return X + smooth(X); });
     const ErrorEstimator estimator(bodies.discretization, *bodies.elasticity);
     return std::sqrt(sum(estimator.indicators(

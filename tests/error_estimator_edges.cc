@@ -80,7 +80,7 @@ namespace
     const ErrorEstimator estimator(bodies.discretization, *bodies.elasticity);
 
     const double         pressure = 3;
-    const Vector<double> u        = bodies.displacement([=](const Point<2> &X) {
+    const GhostedVector u        = bodies.displacement([=](const Point<2> &X) {
       return X + X[1] * Point<2>(0.002, -pressure / youngs_modulus);
     });
     const auto           indicators =
@@ -152,7 +152,7 @@ namespace
     const StressRecovery<2> recovery(model.discretization);
 
     // Without lateral strain the stresses are -E u_y,y and E/2 u_x,y.
-    const Vector<double> u = model.displacement([&](const Point<2> &X) {
+    const GhostedVector u = model.displacement([&](const Point<2> &X) {
       const double E = moduli.at(X[1] > 0 ? "upper" : "lower");
       return X + X[1] * Point<2>(2 * T / E, -P / E);
     });

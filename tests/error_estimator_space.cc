@@ -46,7 +46,7 @@ namespace
 
   /// Of the interpolated displacement, in the norm of the energy: by Lame's
   /// constants, as the stress of the plane is not that of space.
-  double true_error(const BodiesIn<3> &bodies, const Vector<double> &u)
+  double true_error(const BodiesIn<3> &bodies, const GhostedVector &u)
   {
     const hp::QCollection<3>  quadrature(QGauss<3>(4));
     hp::FEValues<3>           hp_fe_values(bodies.discretization.mapping,
@@ -101,7 +101,7 @@ namespace
         parameters.boundary.displacement[c]["Block " + side] = 0;
     const BodiesIn<3>       bodies(parameters.for_space());
     const StressRecovery<3> recovery(bodies.discretization);
-    const Vector<double>    u =
+    const GhostedVector    u =
       bodies.displacement([](const Point<3> &X) { return X + smooth(X); });
     const ErrorEstimator<3> estimator(bodies.discretization,
                                       *bodies.elasticity);

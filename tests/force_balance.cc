@@ -62,7 +62,7 @@ namespace
 
   /// The sum of the nodal forces on those unknowns that @p counts wants.
   Wrench sum(const ContactModel                         &model,
-             const Vector<double>                          &forces,
+             const GhostedVector                          &forces,
              const std::function<bool(const unsigned int)> &counts)
   {
     const auto x = current_positions(model);
@@ -80,9 +80,9 @@ namespace
 
 
   /// The reactions of the supports; the forces elsewhere have to vanish.
-  Vector<double> reactions(const ContactModel &model, const double magnitude)
+  GhostedVector reactions(const ContactModel &model, const double magnitude)
   {
-    Vector<double> reactions = model.elasticity->forces(model.solution, 1);
+    GhostedVector reactions = model.elasticity->forces(model.solution, 1);
     reactions -= model.contact_forces();
     double left = 0;
     for (unsigned int i = 0; i < reactions.size(); ++i)
@@ -173,7 +173,7 @@ namespace
     model.discretization.constrain_update(model.solution, load_factor);
     model.pair();
     model.interface.initialize_status(model.solution);
-    Vector<double> rhs(model.solution.size());
+    GhostedVector rhs(model.solution.size());
     for (unsigned int iteration = 0; iteration < 100; ++iteration)
       {
         model.pair();
@@ -203,7 +203,7 @@ namespace
 
         model.solver.factorize(model.matrix);
         model.solver.solve(rhs);
-        model.discretization.constraints.distribute(rhs);
+        model.discretization.distribute(model.discretization.constraints, rhs);
         model.solution += rhs;
         model.discretization.constrain_update(model.solution, load_factor);
       }
@@ -242,7 +242,7 @@ namespace
     check("converges", solve(model, rule, 0.5) && solve(model, rule, 1));
     print_contact(model);
 
-    const Vector<double> forces = model.elasticity->forces(model.solution, 1);
+    const GhostedVector forces = model.elasticity->forces(model.solution, 1);
     const auto           slave  = unknowns_of(model.interface.pairs[0]->slave);
     const auto master = unknowns_of((*model.interface.pairs[0]->master));
 

@@ -88,7 +88,7 @@ namespace
   // force on the bodies: the upper one presses down and drags to the right.
   void check_reactions(const Checked &model, const Invariants &found)
   {
-    const Vector<double> forces = model.contact_forces();
+    const GhostedVector forces = model.contact_forces();
     Tensor<1, 2>         on_slave;
     for (const SurfaceNode<2> &node : model.interface.pairs[0]->slave.nodes)
       for (unsigned int c = 0; c < 2; ++c)
@@ -147,7 +147,7 @@ namespace
                 std::abs(pressed.external_work / pressed.strain_energy - 1),
                 1e-12);
 
-    const Vector<double> before = model.solution;
+    const GhostedVector before = model.solution;
     check("converges when dragged", model.solve(1));
     const Invariants dragged = model.check();
     double           hand = 0, trapezoid = 0;

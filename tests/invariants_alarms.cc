@@ -176,7 +176,7 @@ namespace
     Checked model(make_case({"nodal", 2, "large displacement", 0.3}));
     check("converges", model.solve(0.25));
     const Invariants found = model.check();
-    Vector<double>   holds =
+    GhostedVector   holds =
       model.elasticity->forces(model.solution, model.load_factor);
     for (unsigned int i = 0; i < holds.size(); ++i)
       if (!model.discretization.is_fixed(i))

@@ -37,7 +37,7 @@ namespace
 
 
 
-  Resultant resultant(const Bodies &bodies, const Vector<double> &load)
+  Resultant resultant(const Bodies &bodies, const GhostedVector &load)
   {
     const auto X = bodies.support_points();
     const auto c = bodies.components();

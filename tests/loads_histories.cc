@@ -81,7 +81,7 @@ namespace
     parameters.boundary.histories = histories;
     const Bodies bodies(parameters);
 
-    std::map<std::string, Vector<double>> loads;
+    std::map<std::string, GhostedVector> loads;
     double                                whole = 0;
     for (const std::string entry : {"Force x",
                                     "Force y",
@@ -98,7 +98,7 @@ namespace
       }
     for (const double t : {0., 0.25, 0.5, 0.75, 1.})
       {
-        Vector<double> with(bodies.n_dofs()), without(bodies.n_dofs());
+        GhostedVector with(bodies.n_dofs()), without(bodies.n_dofs());
         for (const auto &[entry, load] : loads)
           {
             with.add(history(entry, t), load);
@@ -139,7 +139,7 @@ namespace
                                     const double       factor_y,
                                     const std::string &name) {
       auto          &discretization = some_bodies.discretization;
-      Vector<double> u(some_bodies.n_dofs());
+      GhostedVector u(some_bodies.n_dofs());
       for (unsigned int i = 0; i < u.size(); ++i)
         u[i] = 1e-3 * i;
       discretization.constrain_update(u, t);

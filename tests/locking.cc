@@ -100,7 +100,7 @@ namespace
     solver.initialize(pattern);
 
     const auto    &constraints = bodies.discretization.constraints;
-    Vector<double> u(bodies.n_dofs()), rhs(u);
+    GhostedVector u(bodies.n_dofs()), rhs(u);
     bodies.elasticity->assemble(u, 1, rhs, &matrix);
     for (unsigned int i = 0; i < u.size(); ++i)
       if (constraints.is_constrained(i))

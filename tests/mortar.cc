@@ -178,7 +178,7 @@ namespace
       make_strips(degree, uneven_slave, uneven_master, 0.1);
     parameters.contact.friction_coefficient = 0.3;
     ContactModel         model(parameters);
-    const Vector<double> bent = model.displacement(bend);
+    const GhostedVector bent = model.displacement(bend);
     Random               random;
     for (unsigned int i = 0; i < model.n_dofs(); ++i)
       {
@@ -189,7 +189,7 @@ namespace
       model.solution[i] = random(-1, 1);
     model.interface.pair(model.solution);
 
-    Vector<double> other = model.solution;
+    GhostedVector other = model.solution;
     for (double &value : other)
       value += random(-0.1, 0.1);
 

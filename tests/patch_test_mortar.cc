@@ -331,7 +331,7 @@ namespace
                 1e-12);
     check_small("sum of the coefficients", coefficients, 1e-12);
 
-    const Vector<double> forces = model.elasticity->forces(model.solution, 1);
+    const GhostedVector forces = model.elasticity->forces(model.solution, 1);
     const auto           on     = [&](const std::string &name) {
       double sum = 0;
       for (const auto &node : model.surface(name).nodes)

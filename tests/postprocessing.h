@@ -60,7 +60,7 @@ namespace Tests
                 const std::function<Point<2>(const Point<2> &)> &position)
       : ContactModel(parameters)
     {
-      const Vector<double> u = displacement(position);
+      const GhostedVector u = displacement(position);
       std::copy(u.begin(), u.end(), solution.begin());
       interface.pair(solution);
     }

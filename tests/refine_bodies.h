@@ -47,7 +47,7 @@ namespace Tests
   /// Refine the cells whose centres are chosen.
   inline void refine(Bodies                      &bodies,
                      const Choose                &choose,
-                     std::vector<Vector<double>> &solutions)
+                     std::vector<GhostedVector> &solutions)
   {
     for (const auto &cell : bodies.mesh.triangulation.active_cell_iterators())
       if (choose(cell->center()))

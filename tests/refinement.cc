@@ -25,7 +25,7 @@ namespace
 
 
   /// The largest difference of two vectors.
-  double difference(const Vector<double> &a, const Vector<double> &b)
+  double difference(const GhostedVector &a, const GhostedVector &b)
   {
     double difference = a.size() == b.size() ? 0. : 1e9;
     for (unsigned int i = 0; i < a.size() && i < b.size(); ++i)
@@ -36,7 +36,7 @@ namespace
 
 
   /// By how much a displacement misses the constraints between its unknowns.
-  double unconstrained(const Bodies &bodies, const Vector<double> &u)
+  double unconstrained(const Bodies &bodies, const GhostedVector &u)
   {
     const auto &constraints = bodies.discretization.constraints;
     double      worst       = 0;
@@ -78,7 +78,7 @@ namespace
     const Field twice = [&](const Point<2> &X) {
       return X + 2 * (field(X) - X);
     };
-    std::vector<Vector<double>> solutions;
+    std::vector<GhostedVector> solutions;
     for (const Field &one : {field, twice})
       {
         solutions.push_back(bodies.displacement(one));
@@ -104,7 +104,7 @@ namespace
         hanging = hanging && bodies.mesh.triangulation.has_hanging_nodes();
         last    = bodies.n_dofs();
         if (!with_support)
-          for (const Vector<double> &u : solutions)
+          for (const GhostedVector &u : solutions)
             broken = std::max(broken, unconstrained(bodies, u));
       }
     check(name + ", grows, with hanging nodes", grows && hanging);
@@ -161,7 +161,7 @@ namespace
     parameters.mesh.arcs = {{"block bottom", {0, 3, below}},
                             {"block top", {0, 3, above}}};
     Bodies                      bodies(parameters);
-    std::vector<Vector<double>> none;
+    std::vector<GhostedVector> none;
     for (const double reach : {0.3, 0.15, 0.07})
       refine(
         bodies,
@@ -311,7 +311,7 @@ namespace
       return c[1] > -0.5 && c[1] < 0 && c[0] > 5 && c[0] < 6;
     });
     check("slaves beside it", flagged() == Centers({{5, 0.5}, {7, 0.5}}));
-    std::vector<Vector<double>> none;
+    std::vector<GhostedVector> none;
     refine_and_transfer(bodies.mesh, bodies.discretization, none);
 
     // Now there is 1 mm on both sides from 4 to 8, but for the refined edge.

@@ -104,10 +104,10 @@ namespace
              model.mesh.triangulation.active_cell_iterators())
           if (cell->center().distance({0.2, 0.3, 0}) < radius)
             cell->set_refine_flag();
-        std::vector<Vector<double>> none;
+        std::vector<GhostedVector> none;
         refine_and_transfer(model.mesh, model.discretization, none);
       }
-    model.make_anew(parameters, Vector<double>(model.n_dofs()));
+    model.make_anew(parameters, GhostedVector(model.n_dofs()));
     check("converges", model.solve(1));
 
     const ContactPair<3> &contact_pair = *model.interface->pairs[0];

@@ -120,7 +120,7 @@ namespace
     SparsityPattern pattern;
     pattern.copy_from(couplings);
     SparseMatrix<double>       matrix(pattern);
-    Vector<double>             unused(n);
+    GhostedVector              unused(n);
     const ContactKernel<3>     kernel(*model.interface);
     const ContactLinearization linearization{false, moving_bound};
     kernel.assemble(model.solution,
@@ -134,13 +134,13 @@ namespace
     Random       random;
     for (unsigned int k = 0; k < 3; ++k)
       {
-        Vector<double> du(n), by_matrix(n), by_differences(n);
+        GhostedVector du(n), by_matrix(n), by_differences(n);
         for (double &entry : du)
           entry = random(-1, 1);
         matrix.vmult(by_matrix, du);
         for (const int side : {1, -1})
           {
-            Vector<double> moved(model.solution), rhs(n);
+            GhostedVector moved(model.solution), rhs(n);
             moved.add(side * h, du);
             kernel.assemble(moved, model.start, linearization, rhs, nullptr);
             by_differences.add(-side / (2 * h), rhs);
@@ -183,10 +183,10 @@ namespace
 
   /// The shear tractions of the law alone, b s/|s|, as forces; the bound is
   /// that of now.
-  Vector<double> exact_shears(const CondensedModelIn<3> &model,
-                              const Vector<double>      &solution)
+  GhostedVector exact_shears(const CondensedModelIn<3> &model,
+                             const GhostedVector       &solution)
   {
-    Vector<double> forces(model.n_dofs());
+    GhostedVector forces(model.n_dofs());
     for (const ContactPoint<3> &point : model.interface->points())
       if (point.status.kind == Status::slip)
         {
@@ -206,17 +206,17 @@ namespace
   /// A derivative in the direction @p du, against central differences of
   /// @p forces, a function of the solution.
   void check_derivative(
-    const CondensedModelIn<3>                                   &model,
-    const Vector<double>                                        &du,
-    const Vector<double>                                        &derivative,
-    const std::function<Vector<double>(const Vector<double> &)> &forces,
-    const double                                                 tolerance)
+    const CondensedModelIn<3>                                 &model,
+    const GhostedVector                                       &du,
+    const GhostedVector                                       &derivative,
+    const std::function<GhostedVector(const GhostedVector &)> &forces,
+    const double                                               tolerance)
   {
-    const double   h = 1e-6;
-    Vector<double> deviation(derivative);
+    const double  h = 1e-6;
+    GhostedVector deviation(derivative);
     for (const int side : {1, -1})
       {
-        Vector<double> moved(model.solution);
+        GhostedVector moved(model.solution);
         for (unsigned int i = 0; i < du.size(); ++i)
           moved[i] += side * h * du[i];
         deviation.add(-side / (2 * h), forces(moved));
@@ -248,8 +248,8 @@ namespace
       }
     model.interface->set_points(points);
 
-    Random         random;
-    Vector<double> du(model.n_dofs()), by_terms(du);
+    Random        random;
+    GhostedVector du(model.n_dofs()), by_terms(du);
     for (double &value : du)
       value = random(-1, 1);
     for (const auto &term : SlipTurning<3>::terms(*model.interface,
@@ -264,7 +264,7 @@ namespace
       model,
       du,
       by_terms,
-      [&](const Vector<double> &u) { return exact_shears(model, u); },
+      [&](const GhostedVector &u) { return exact_shears(model, u); },
       1e-8);
   }
 
@@ -272,12 +272,12 @@ namespace
 
   /// The forces of the points under tractions that stay, the pairing being that
   /// of @p u.
-  Vector<double> forces_of_pairing(const CondensedModelIn<3> &model,
-                                   const Vector<double>      &u)
+  GhostedVector forces_of_pairing(const CondensedModelIn<3> &model,
+                                  const GhostedVector       &u)
   {
     const auto before = model.interface->points();
     model.interface->pair(u);
-    Vector<double> forces(model.n_dofs());
+    GhostedVector forces(model.n_dofs());
     for (const ContactPoint<3> &point : model.interface->points())
       {
         const ContactState<3> now =
@@ -295,15 +295,15 @@ namespace
 
 
   /// The same displacement of both bodies, linear in the place.
-  Vector<double> linear_field(const CondensedModelIn<3> &model, Random &random)
+  GhostedVector linear_field(const CondensedModelIn<3> &model, Random &random)
   {
     Tensor<2, 3> gradient;
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)
         gradient[i][j] = random(-0.1, 0.1);
-    const auto     places     = model.support_points();
-    const auto     components = model.components();
-    Vector<double> u(model.n_dofs());
+    const auto    places     = model.support_points();
+    const auto    components = model.components();
+    GhostedVector u(model.n_dofs());
     for (unsigned int i = 0; i < u.size(); ++i)
       u[i] = (gradient * places[i])[components[i]];
     return u;
@@ -321,8 +321,8 @@ namespace
                               "CHOLMOD",
                               true);
     randomize(model);
-    Random         random;
-    Vector<double> u = linear_field(model, random);
+    Random        random;
+    GhostedVector u = linear_field(model, random);
     std::copy(u.begin(), u.end(), model.solution.begin());
     model.interface->pair(model.solution);
     auto points = model.interface->points();
@@ -331,7 +331,7 @@ namespace
     model.interface->set_points(points);
     model.interface->pair(model.solution, {/*with_derivatives=*/true, false});
 
-    Vector<double> du = linear_field(model, random), by_terms(du.size());
+    GhostedVector du = linear_field(model, random), by_terms(du.size());
     if (!has_ridge)
       for (double &value : du)
         value = random(-1, 1);
@@ -347,7 +347,7 @@ namespace
       model,
       du,
       by_terms,
-      [&](const Vector<double> &u) { return forces_of_pairing(model, u); },
+      [&](const GhostedVector &u) { return forces_of_pairing(model, u); },
       1e-7);
   }
 

@@ -46,7 +46,7 @@ namespace
 
 
   // The energy the forces belong to.
-  double energy(const Elasticity<2> &elasticity, const Vector<double> &u)
+  double energy(const Elasticity<2> &elasticity, const GhostedVector &u)
   {
     double sum = elasticity.strain_energy(u);
     for (const auto &[body, of_hold] : elasticity.springs.energy(u))
@@ -58,7 +58,7 @@ namespace
 
   // The sum of the forces on each body.
   std::map<types::material_id, Tensor<1, 2>> resultants(const Bodies &bodies,
-                                                        const Vector<double> &u)
+                                                        const GhostedVector &u)
   {
     std::map<types::material_id, Tensor<1, 2>> sums;
     const auto forces     = bodies.elasticity->forces(u, 0);
@@ -81,20 +81,20 @@ namespace
     const auto     upper      = piece_of(bodies.mesh, "upper");
 
     Random         random;
-    Vector<double> u(bodies.n_dofs()), rest(bodies.n_dofs());
+    GhostedVector u(bodies.n_dofs()), rest(bodies.n_dofs());
     for (unsigned int i = 0; i < u.size(); ++i)
       {
         u[i]    = random(-0.05, 0.05);
         rest[i] = random(-0.05, 0.05);
       }
-    const Vector<double> free_forces = elasticity.forces(u, 0);
+    const GhostedVector free_forces = elasticity.forces(u, 0);
 
     // A translation of everything away from the place of rest.
     const double         k = 123;
     const Tensor<1, 2>   d({0.3, -0.2});
-    const Vector<double> translated =
+    const GhostedVector translated =
       bodies.displacement([&](const Point<2> &X) { return X + d; });
-    Vector<double> none(u.size());
+    GhostedVector none(u.size());
     const auto     version = elasticity.tangent_version();
     elasticity.springs.hold({{lower, k}, {upper, 0}}, none);
     check("one body is held",
@@ -118,7 +118,7 @@ namespace
           elasticity.tangent_version() == version + 2);
 
     const auto found =
-      compare_with_differences(bodies, u, [&](const Vector<double> &u) {
+      compare_with_differences(bodies, u, [&](const GhostedVector &u) {
         return energy(elasticity, u);
       });
     check_small("forces against central differences of the energy",
@@ -132,7 +132,7 @@ namespace
     check_small("a translation costs nothing against rotation",
                 elasticity.springs.energy(translated).at(lower),
                 1e-12);
-    const Vector<double> turned = bodies.displacement([&](const Point<2> &X) {
+    const GhostedVector turned = bodies.displacement([&](const Point<2> &X) {
       return Point<2>(X[0] - omega * X[1], X[1] + omega * X[0]);
     });
     check_small("energy of a rotation",
@@ -142,7 +142,7 @@ namespace
     elasticity.springs.hold({{lower, {k, kappa}}, {upper, {0, 2 * kappa}}},
                             rest);
     const auto against_rotation =
-      compare_with_differences(bodies, u, [&](const Vector<double> &u) {
+      compare_with_differences(bodies, u, [&](const GhostedVector &u) {
         return energy(elasticity, u);
       });
     check_small("forces of both against central differences of the energy",
@@ -185,10 +185,10 @@ namespace
 
     const double         k = 7;
     const Tensor<1, 2>   d({0.3, -0.2});
-    const Vector<double> translated =
+    const GhostedVector translated =
       bodies.displacement([&](const Point<2> &X) { return X + d; });
     Elasticity<2> &elasticity = *bodies.elasticity;
-    elasticity.springs.hold({{1, k}}, Vector<double>(translated.size()));
+    elasticity.springs.hold({{1, k}}, GhostedVector(translated.size()));
 
     const auto   forces     = elasticity.forces(translated, 0);
     const auto   components = bodies.components();
@@ -224,11 +224,11 @@ namespace
     DirectSolver         solver(counters);
     solver.initialize(pattern);
 
-    Vector<double> u(bodies.n_dofs());
+    GhostedVector u(bodies.n_dofs());
     for (unsigned int step = 1; step <= 2; ++step)
       {
         elasticity.springs.hold({{piece_of(bodies.mesh, "lower"), k}}, u);
-        Vector<double> rhs(u.size());
+        GhostedVector rhs(u.size());
         matrix = 0;
         elasticity.assemble(u, 1, rhs, &matrix);
         for (unsigned int i = 0; i < u.size(); ++i)

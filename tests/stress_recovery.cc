@@ -65,7 +65,7 @@ namespace
     parameters.element.centre_node = centre_node;
     const Bodies            bodies(parameters);
     const StressRecovery<2> recovery(bodies.discretization);
-    const Vector<double>    u = bodies.displacement(
+    const GhostedVector    u = bodies.displacement(
       [](const Point<2> &X) { return X + quadratic_displacement(X); });
 
     const auto  stresses = recovery.vertex_stresses(*bodies.elasticity, u);
@@ -102,7 +102,7 @@ namespace
     // Only the corner (1, 0) moves, by 0.01 to the right: of the triangles
     // (0,0), (1,0), (1,1) and (0,0), (1,1), (0,1) the first is strained by
     // E11 = 0.01, 2 E12 = -0.01.
-    const Vector<double> u = bodies.displacement([](const Point<2> &X) {
+    const GhostedVector u = bodies.displacement([](const Point<2> &X) {
       return X + Point<2>(X[0] == 1 && X[1] == 0 ? 0.01 : 0, 0);
     });
     const auto  stresses   = recovery.vertex_stresses(*bodies.elasticity, u);
@@ -136,7 +136,7 @@ namespace
                                         "large displacement",
                                         youngs_modulus,
                                         poisson));
-    const Vector<double> u = bodies.displacement([](const Point<2> &X) {
+    const GhostedVector u = bodies.displacement([](const Point<2> &X) {
       return Point<2>(1.1 * X[0] + 0.2 * X[1], 0.9 * X[1]);
     });
 

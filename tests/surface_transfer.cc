@@ -53,7 +53,7 @@ namespace
       {
         if (level > 0)
           {
-            std::vector<Vector<double>> solutions{model.solution};
+            std::vector<GhostedVector> solutions{model.solution};
             refine(
               model,
               [=](const Point<2> &c) {
@@ -133,7 +133,7 @@ namespace
     void refine_all()
     {
       interface.reset();
-      std::vector<Vector<double>> none;
+      std::vector<GhostedVector> none;
       flag_all_cells(mesh);
       refine_and_transfer(mesh, discretization, none);
       elasticity = Elasticity<2>::create(discretization, parameters.solids);
@@ -152,7 +152,7 @@ namespace
 
     const Parameters::All                parameters;
     std::unique_ptr<ContactInterface<2>> interface;
-    Vector<double>                       solution;
+    GhostedVector                       solution;
   };
 
 

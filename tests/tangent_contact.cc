@@ -56,8 +56,8 @@ namespace
     }
 
     void assemble(const ContactInterface<2>  &interface,
-                  const Vector<double>       &solution,
-                  const Vector<double>       &start,
+                  const GhostedVector       &solution,
+                  const GhostedVector       &start,
                   const ContactLinearization &linearization)
     {
       matrix = 0;
@@ -71,7 +71,7 @@ namespace
 
     SparsityPattern      pattern;
     SparseMatrix<double> matrix;
-    Vector<double>       rhs;
+    GhostedVector       rhs;
   };
 
 
@@ -152,10 +152,10 @@ namespace
     const auto   unknowns = unknowns_of(model);
     for (const auto j : unknowns)
       {
-        Vector<double> column(model.solution.size());
+        GhostedVector column(model.solution.size());
         for (const int side : {1, -1})
           {
-            Vector<double> moved(model.solution);
+            GhostedVector moved(model.solution);
             moved[j] += side * h;
             if (moving_geometry && interface.pair(moved, {moving_geometry}))
               result.edges_kept = false;

@@ -26,7 +26,7 @@ namespace
       matrix.reinit(pattern);
     }
 
-    void assemble(const Vector<double> &u)
+    void assemble(const GhostedVector &u)
     {
       matrix   = 0;
       residual = 0;
@@ -37,7 +37,7 @@ namespace
     const Bodies        &bodies;
     SparsityPattern      pattern;
     SparseMatrix<double> matrix;
-    Vector<double>       residual;
+    GhostedVector       residual;
   };
 
 
@@ -66,7 +66,7 @@ namespace
     parameters.boundary.force[0]["block top right"] = 3;
     const Bodies bodies(parameters);
 
-    Vector<double> u(bodies.n_dofs());
+    GhostedVector u(bodies.n_dofs());
     for (double &value : u)
       value = random(-0.1, 0.1);
 
@@ -78,10 +78,10 @@ namespace
     for (unsigned int j = 0; j < u.size(); ++j)
       if (!bodies.discretization.constraints.is_constrained(j))
         {
-          Vector<double> moved(u);
+          GhostedVector moved(u);
           moved[j] = u[j] + h;
           beside.assemble(moved);
-          Vector<double> column(beside.residual);
+          GhostedVector column(beside.residual);
           moved[j] = u[j] - h;
           beside.assemble(moved);
           column -= beside.residual;
@@ -100,7 +100,7 @@ namespace
     check_small("asymmetry", asymmetry / largest, 1e-14);
 
     // With a serendipity constraint this holds at the other nodes.
-    Vector<double> difference = bodies.elasticity->forces(u, 0.7);
+    GhostedVector difference = bodies.elasticity->forces(u, 0.7);
     difference -= here.residual;
     check_small("residual against forces",
                 difference.linfty_norm() / here.residual.linfty_norm(),

@@ -294,12 +294,12 @@ namespace Tests
     }
 
     /// The displacement that takes every node from X to @p position(X).
-    Vector<double> displacement(
+    GhostedVector displacement(
       const std::function<Point<dim>(const Point<dim> &)> &position) const
     {
       const auto     X = support_points();
       const auto     c = components();
-      Vector<double> u(n_dofs());
+      GhostedVector u(n_dofs());
       for (unsigned int i = 0; i < n_dofs(); ++i)
         u[i] = position(X[i])[c[i]] - X[i][c[i]];
       return u;
@@ -367,7 +367,7 @@ namespace Tests
       pair();
       interface.initialize_status(solution);
 
-      Vector<double> rhs(solution.size());
+      GhostedVector rhs(solution.size());
       for (unsigned int iteration = 0; iteration < 100; ++iteration)
         {
           if (pairs_anew)
@@ -396,7 +396,7 @@ namespace Tests
 
           solver.factorize(matrix);
           solver.solve(rhs);
-          discretization.constraints.distribute(rhs);
+          discretization.distribute(discretization.constraints, rhs);
           solution += rhs;
           discretization.constrain_update(solution, load_factor);
         }
@@ -410,9 +410,9 @@ namespace Tests
     }
 
     /// The forces that the points of contact exert, from their definition.
-    Vector<double> contact_forces() const
+    GhostedVector contact_forces() const
     {
-      Vector<double> forces(n_dofs());
+      GhostedVector forces(n_dofs());
       for (const ContactPoint<2> &point : interface.points())
         {
           const ContactState<2> now = interface.state(point, solution, start);
@@ -431,7 +431,7 @@ namespace Tests
     }
 
     ContactInterface<2> interface;
-    Vector<double>      solution, start;
+    GhostedVector      solution, start;
 
     SparsityPattern      pattern;
     SparseMatrix<double> matrix;

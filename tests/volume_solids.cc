@@ -102,9 +102,9 @@ namespace
 
 
   /// The largest force on an unknown inside, by the largest of all.
-  double largest_inside(const BodiesIn<3> &bodies, const Vector<double> &u)
+  double largest_inside(const BodiesIn<3> &bodies, const GhostedVector &u)
   {
-    Vector<double> forces = bodies.elasticity->forces(u, 0);
+    GhostedVector forces = bodies.elasticity->forces(u, 0);
     hand_over_from_followers(bodies.discretization, forces);
     const IndexSet boundary =
       DoFTools::extract_boundary_dofs(bodies.discretization.dof_handler);
@@ -171,17 +171,17 @@ namespace
                                                      dilatation));
             const Elasticity<3> &elasticity = *bodies.elasticity;
             Random               random;
-            Vector<double>       u(bodies.n_dofs()), v(u.size());
+            GhostedVector       u(bodies.n_dofs()), v(u.size());
             for (unsigned int i = 0; i < u.size(); ++i)
               {
                 u[i] = random(-0.05, 0.05);
                 v[i] = random(-1, 1);
               }
-            bodies.discretization.constraints.distribute(u);
-            bodies.discretization.constraints.distribute(v);
+            bodies.discretization.distribute(bodies.discretization.constraints, u);
+            bodies.discretization.distribute(bodies.discretization.constraints, v);
             const double step    = 1e-5;
             const auto   shifted = [&](const double t) {
-              Vector<double> w = u;
+              GhostedVector w = u;
               w.add(t, v);
               return w;
             };
@@ -190,7 +190,7 @@ namespace
             const double slope = (elasticity.strain_energy(shifted(step)) -
                                   elasticity.strain_energy(shifted(-step))) /
                                  (2 * step);
-            Vector<double> product(u.size());
+            GhostedVector product(u.size());
             elasticity.visit_cells(
               u,
               true,
@@ -201,7 +201,7 @@ namespace
                   for (unsigned int j = 0; j < dofs.size(); ++j)
                     product[dofs[i]] += tangent(i, j) * v[dofs[j]];
               });
-            Vector<double> difference = elasticity.forces(shifted(step), 0);
+            GhostedVector difference = elasticity.forces(shifted(step), 0);
             difference -= elasticity.forces(shifted(-step), 0);
             difference /= 2 * step;
             difference -= product;
@@ -218,11 +218,11 @@ namespace
 
   /// The displacements in small strain, from rest, under the whole load.
   template<int dim>
-  Vector<double> solve(BodiesIn<dim> &bodies)
+  GhostedVector solve(BodiesIn<dim> &bodies)
   {
     Discretization<dim> &discretization = bodies.discretization;
     const unsigned int   n              = bodies.n_dofs();
-    discretization.constrain_update(Vector<double>(n), 1);
+    discretization.constrain_update(GhostedVector(n), 1);
     DynamicSparsityPattern couplings(n, n);
     bodies.elasticity->add_couplings(couplings);
     for (unsigned int i = 0; i < n; ++i)
@@ -230,12 +230,12 @@ namespace
     SparsityPattern pattern;
     pattern.copy_from(couplings);
     SparseMatrix<double> matrix(pattern);
-    Vector<double>       u(n);
-    bodies.elasticity->assemble(Vector<double>(n), 1, u, &matrix);
+    GhostedVector       u(n);
+    bodies.elasticity->assemble(GhostedVector(n), 1, u, &matrix);
     for (const auto &line : discretization.constraints.get_lines())
       matrix.diag_element(line.index) = 1;
     SparseDirectUMFPACK().solve(matrix, u);
-    discretization.constraints.distribute(u);
+    discretization.distribute(discretization.constraints, u);
     return u;
   }
 

@@ -154,7 +154,8 @@ namespace Contact
     void extract(const std::vector<types::global_dof_index> &indices,
                  Vector<double>                             &local) const
     {
-      local.grow_or_shrink(indices.size());
+      if (local.size() != indices.size())
+        local.reinit(indices.size(), /*omit_zeroing_entries=*/true);
       for (unsigned int i = 0; i < indices.size(); ++i)
         local[i] = (*this)[indices[i]];
     }

@@ -44,6 +44,7 @@ namespace Contact
       return;
     TimerOutput::Scope scope(report.timer, "output");
     report.write_summary();
+    const auto key          = this->key();
     auto       start        = invariants->state();
     const auto communicator = model.discretization->communicator;
     n_parts                 = Utilities::MPI::n_mpi_processes(communicator);
@@ -53,13 +54,13 @@ namespace Contact
                  [&](std::ostream &out) {
                    const auto values =
                      values_on_cells(*model.discretization, vectors(start));
-                   write_restart(out, key(), [&](auto &archive) {
+                   write_restart(out, key, [&](auto &archive) {
                      archive &values;
                    });
                  });
     });
     report.files().write_first("restart.bin", [&](std::ostream &out) {
-      write_restart(out, key(), [&](auto &archive) {
+      write_restart(out, key, [&](auto &archive) {
         archive &n_parts &number;
         serialize(archive, steps, start);
       });
@@ -80,13 +81,14 @@ namespace Contact
         report.screen << "Nothing to go on from: no " << file << std::endl;
         return;
       }
-    auto start = invariants->state();
-    read_restart(file, key(), [&](auto &archive) {
+    const auto key   = this->key();
+    auto       start = invariants->state();
+    read_restart(file, key, [&](auto &archive) {
       archive &n_parts &number;
       for (unsigned int r = 0; r < n_parts; ++r)
         {
           CellValues values;
-          read_restart(part(r), key(), [&](auto &archive) { archive &values; });
+          read_restart(part(r), key, [&](auto &archive) { archive &values; });
           take_from_cells(*model.discretization, values, vectors(start));
         }
       for (GhostedVector *vector : vectors(start))

@@ -5,6 +5,8 @@
 
 #include "solid/cell_values.h"
 
+#include <map>
+
 namespace Contact
 {
   template<int dim>
@@ -15,19 +17,24 @@ namespace Contact
     std::vector<bool>                    seen(end - first);
     std::vector<types::global_dof_index> dofs;
     CellValues                           values;
+    std::vector<double>                 &numbers = values.numbers;
+    numbers.reserve((end - first) * (vectors.size() + 2));
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
           dofs.resize(cell->get_fe().n_dofs_per_cell());
           cell->get_dof_indices(dofs);
-          auto &here = values[cell->id()];
+          values.cells.push_back(cell->id());
+          const auto n = numbers.size();
+          numbers.push_back(0);
           for (unsigned int i = 0; i < dofs.size(); ++i)
             if (dofs[i] >= first && dofs[i] < end && !seen[dofs[i] - first])
               {
                 seen[dofs[i] - first] = true;
-                here.push_back(i);
+                ++numbers[n];
+                numbers.push_back(i);
                 for (const GhostedVector *vector : vectors)
-                  here.push_back((*vector)[dofs[i]]);
+                  numbers.push_back((*vector)[dofs[i]]);
               }
         }
     return values;
@@ -40,19 +47,26 @@ namespace Contact
                        const CellValues                   &values,
                        const std::vector<GhostedVector *> &vectors)
   {
+    std::map<CellId, const double *> of_cell;
+    const double                    *here = values.numbers.data();
+    for (const CellId &cell : values.cells)
+      {
+        of_cell[cell] = here;
+        here += 1 + static_cast<unsigned int>(*here) * (1 + vectors.size());
+      }
     std::vector<types::global_dof_index> dofs;
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (!cell->is_artificial())
-        if (const auto found = values.find(cell->id()); found != values.end())
+        if (const auto found = of_cell.find(cell->id()); found != of_cell.end())
           {
             dofs.resize(cell->get_fe().n_dofs_per_cell());
             cell->get_dof_indices(dofs);
-            for (auto value = found->second.begin();
-                 value != found->second.end();)
+            const double *number = found->second;
+            for (double n = *number++; n > 0; --n)
               {
-                const auto dof = dofs[static_cast<unsigned int>(*value++)];
+                const auto dof = dofs[static_cast<unsigned int>(*number++)];
                 for (GhostedVector *vector : vectors)
-                  (*vector)[dof] = *value++;
+                  (*vector)[dof] = *number++;
               }
           }
   }

@@ -8,7 +8,6 @@
 
 #include <deal.II/grid/cell_id.h>
 
-#include <map>
 #include <vector>
 
 #include "solid/discretization.h"
@@ -18,11 +17,21 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * Values of vectors by cell, which any number of ranks numbers alike: on each
-   * cell some of its unknowns, by the number on the cell, and the values of all
-   * vectors there.
+   * Values of vectors by cell, which any number of ranks names alike: for each
+   * cell how many of its unknowns follow, and of each the number on the cell
+   * and the values of all vectors.
    */
-  using CellValues = std::map<CellId, std::vector<double>>;
+  struct CellValues
+  {
+    std::vector<CellId> cells;
+    std::vector<double> numbers;
+
+    template<class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &cells &numbers;
+    }
+  };
 
   /// What this rank owns of @p vectors, each unknown once.
   template<int dim>
