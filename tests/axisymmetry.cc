@@ -70,7 +70,7 @@ namespace
     parameters.solids.dilatation   = dilatation;
     const Bodies bodies(parameters);
 
-    Random         random;
+    Random        random;
     GhostedVector u(bodies.n_dofs());
     for (double &value : u)
       value = random(-0.05, 0.05);
@@ -139,7 +139,7 @@ namespace
 
 
 
-  double sum_of(const GhostedVector            &load,
+  double sum_of(const GhostedVector             &load,
                 const std::vector<unsigned int> &components,
                 const unsigned int               c)
   {

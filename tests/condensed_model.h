@@ -55,7 +55,7 @@ namespace Tests
 
     /// After the mesh was refined; the displacement comes from before.
     void make_anew(const Parameters::All &parameters,
-                   const GhostedVector  &displacement)
+                   const GhostedVector   &displacement)
     {
       condensed.reset();
       interface.reset();
@@ -63,10 +63,9 @@ namespace Tests
       interface  = std::make_unique<ContactInterface<dim>>(discretization,
                                                           *elasticity,
                                                           parameters.pairs());
-      solution.reinit(n_dofs() + interface->n_multipliers());
-      start.reinit(solution.size());
-      rhs.reinit(solution.size());
-      update.reinit(n_dofs());
+      solution   = GhostedVector(n_dofs() + interface->n_multipliers());
+      start = rhs = solution;
+      update      = GhostedVector(n_dofs());
       std::copy(displacement.begin(), displacement.end(), solution.begin());
       make_system("CHOLMOD");
     }
@@ -142,7 +141,7 @@ namespace Tests
     std::unique_ptr<ContactElimination<dim>> elimination;
     std::unique_ptr<CondensedSystem<dim>>    condensed;
     TimerOutput                              timer;
-    GhostedVector                           solution, start, rhs, update;
+    GhostedVector                            solution, start, rhs, update;
   };
 
   using CondensedModel = CondensedModelIn<2>;
@@ -240,7 +239,7 @@ namespace Tests
     const auto        &base  = model.discretization.constraints;
     const auto        &lines = model.elimination->constraints();
     Random             random;
-    GhostedVector     y(n);
+    GhostedVector      y(n);
     for (unsigned int i = 0; i < n; ++i)
       if (!base.is_constrained(i) && !lines.is_constrained(i))
         y[i] = random(-1, 1);
@@ -266,7 +265,7 @@ namespace Tests
       model.elimination->condense(of_bodies);
       return of_bodies;
     };
-    const double   step = 1e-5;
+    const double  step = 1e-5;
     GhostedVector by_differences(forces(-step));
     by_differences -= forces(step);
     by_differences *= 1 / (2 * step);
@@ -294,8 +293,8 @@ namespace Tests
   /// that part of @p b.
   inline double difference(const GhostedVector &a,
                            const GhostedVector &b,
-                           const unsigned int    from,
-                           const unsigned int    to)
+                           const unsigned int   from,
+                           const unsigned int   to)
   {
     double difference = 0, largest = 0;
     for (unsigned int i = from; i < to; ++i)

@@ -55,7 +55,7 @@ namespace
     model.discretization.constrain_update(model.solution, 1);
     model.assemble(1, false);
 
-    const double   tolerance = 1e-12 * model.rhs.linfty_norm();
+    const double  tolerance = 1e-12 * model.rhs.linfty_norm();
     GhostedVector reference;
     for (const std::string name : {"CHOLMOD", "MUMPS", "AMG"})
       {
@@ -196,7 +196,7 @@ namespace
     check_small("relative displacement", relative / 0.02, 1e-12);
 
     const GhostedVector forces = model.elasticity->forces(model.solution, 1);
-    const auto           on     = [&](const std::string &name) {
+    const auto          on     = [&](const std::string &name) {
       Tensor<1, 2> sum;
       for (const auto &node : model.surface(name).nodes)
         for (unsigned int i = 0; i < 2; ++i)

@@ -130,7 +130,7 @@ namespace
                 difference(model.solution, exchanged.solution, model.n_dofs()),
                 2e-6);
 
-    Tensor<1, 2>         on_slave, on_master;
+    Tensor<1, 2>        on_slave, on_master;
     const GhostedVector forces = model.contact_forces();
     const auto add = [&](const Surface<2> &surface, Tensor<1, 2> &sum) {
       for (const auto &node : surface.nodes)

@@ -100,7 +100,7 @@ namespace
       return gap;
     }
 
-    const Surface<2>     slave, master;
+    const Surface<2>    slave, master;
     const GhostedVector u;
   };
 

@@ -23,9 +23,9 @@ namespace Tests
   /// Compare with central differences, by all unknowns and without constraints.
   /// The forces belong to @p energy, a function of the displacement.
   template<class Energy>
-  Deviations compare_with_differences(const Bodies         &bodies,
+  Deviations compare_with_differences(const Bodies        &bodies,
                                       const GhostedVector &u,
-                                      const Energy         &energy)
+                                      const Energy        &energy)
   {
     FullMatrix<double> K(u.size(), u.size());
     bodies.elasticity->visit_cells(
@@ -39,9 +39,9 @@ namespace Tests
             K(dofs[i], dofs[j]) += of_cell(i, j);
       });
 
-    Deviations           largest;
+    Deviations          largest;
     const GhostedVector forces = bodies.elasticity->forces(u, 0);
-    const double         h      = 1e-5;
+    const double        h      = 1e-5;
     for (unsigned int j = 0; j < u.size(); ++j)
       {
         GhostedVector before(u), after(u);

@@ -125,7 +125,7 @@ namespace
           }
     }
 
-    GhostedVector     residual;
+    GhostedVector      residual;
     FullMatrix<double> matrix;
   };
 
@@ -175,7 +175,7 @@ namespace
     check("the nodes are where they should be", n_found == 16);
 
     Random                      random;
-    GhostedVector              u(bodies.n_dofs());
+    GhostedVector               u(bodies.n_dofs());
     std::array<Tensor<1, 2>, 8> nodal;
     for (unsigned int a = 0; a < 8; ++a)
       for (unsigned int i = 0; i < 2; ++i)
@@ -187,7 +187,7 @@ namespace
     SparsityPattern pattern;
     pattern.copy_from(couplings);
     SparseMatrix<double> matrix(pattern);
-    GhostedVector       rhs(u.size());
+    GhostedVector        rhs(u.size());
     bodies.elasticity->assemble(u, 1, rhs, &matrix);
 
     const Reference reference(X, nodal, kinematics == "large displacement");
@@ -254,7 +254,7 @@ namespace
         const GhostedVector u = bodies.displacement(
           [&](const Point<2> &X) { return Point<2>(0.3, -0.2) + F * X; });
 
-        const GhostedVector   forces = bodies.elasticity->forces(u, 1);
+        const GhostedVector    forces = bodies.elasticity->forces(u, 1);
         const auto             points = bodies.support_points();
         std::set<unsigned int> boundary;
         for (const std::string side : {"bottom", "right", "top", "left"})

@@ -57,7 +57,7 @@ namespace
 
   GhostedVector random_displacement(const Bodies &bodies)
   {
-    Random         random;
+    Random        random;
     GhostedVector u(bodies.n_dofs());
     for (double &value : u)
       value = random(-0.1, 0.1);
@@ -205,8 +205,8 @@ namespace
       }
 
     GhostedVector rhs(bodies.n_dofs());
-    const auto     found = bodies.elasticity->assemble(u, 0, rhs, nullptr);
-    const auto     with_tangent =
+    const auto    found = bodies.elasticity->assemble(u, 0, rhs, nullptr);
+    const auto    with_tangent =
       bodies.elasticity->visit_cells(u, true, [](const auto &...) {});
     const auto of_all = smallest_of_all_ranks(found, MPI_COMM_WORLD);
     check("inside out", expected.value < 0);

@@ -52,7 +52,7 @@ namespace
     const auto   ratio = [=](const double strain) {
       return large_displacement ? std::sqrt(1 + 2 * strain) : 1 + strain;
     };
-    const Tensor<2, 2>   R = rotation(large_displacement ? 0.5 : 0);
+    const Tensor<2, 2>  R = rotation(large_displacement ? 0.5 : 0);
     const GhostedVector u = bodies.displacement([&](const Point<2> &X) {
       return Point<2>(R * Tensor<1, 2>({ratio(E11) * X[0], ratio(E22) * X[1]}));
     });
@@ -90,7 +90,7 @@ namespace
                                            {"upper left", 0}};
     parameters.boundary.displacement[1] = {{"lower bottom", 0},
                                            {"upper top", -0.1}};
-    Tests::ContactModel  model(parameters);
+    Tests::ContactModel     model(parameters);
     const StressRecovery<2> recovery(model.discretization);
     const std::string       name = "uniform pressure, degree " +
                              std::to_string(degree) + ", " + kinematics + ", " +

@@ -79,11 +79,11 @@ namespace
     const StressRecovery<2> recovery(bodies.discretization);
     const ErrorEstimator estimator(bodies.discretization, *bodies.elasticity);
 
-    const double         pressure = 3;
+    const double        pressure = 3;
     const GhostedVector u        = bodies.displacement([=](const Point<2> &X) {
       return X + X[1] * Point<2>(0.002, -pressure / youngs_modulus);
     });
-    const auto           indicators =
+    const auto          indicators =
       estimator.indicators(recovery.vertex_stresses(*bodies.elasticity, u),
                            nullptr,
                            u);
@@ -148,7 +148,7 @@ namespace
     for (const std::string side : {"upper top", "upper left", "upper right"})
       parameters.boundary.displacement[0][side] =
         parameters.boundary.displacement[1][side] = 0;
-    Tests::ContactModel  model(parameters);
+    Tests::ContactModel     model(parameters);
     const StressRecovery<2> recovery(model.discretization);
 
     // Without lateral strain the stresses are -E u_y,y and E/2 u_x,y.

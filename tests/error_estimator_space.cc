@@ -101,7 +101,7 @@ namespace
         parameters.boundary.displacement[c]["Block " + side] = 0;
     const BodiesIn<3>       bodies(parameters.for_space());
     const StressRecovery<3> recovery(bodies.discretization);
-    const GhostedVector    u =
+    const GhostedVector     u =
       bodies.displacement([](const Point<3> &X) { return X + smooth(X); });
     const ErrorEstimator<3> estimator(bodies.discretization,
                                       *bodies.elasticity);

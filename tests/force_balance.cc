@@ -61,8 +61,8 @@ namespace
 
 
   /// The sum of the nodal forces on those unknowns that @p counts wants.
-  Wrench sum(const ContactModel                         &model,
-             const GhostedVector                          &forces,
+  Wrench sum(const ContactModel                            &model,
+             const GhostedVector                           &forces,
              const std::function<bool(const unsigned int)> &counts)
   {
     const auto x = current_positions(model);
@@ -243,7 +243,7 @@ namespace
     print_contact(model);
 
     const GhostedVector forces = model.elasticity->forces(model.solution, 1);
-    const auto           slave  = unknowns_of(model.interface.pairs[0]->slave);
+    const auto          slave  = unknowns_of(model.interface.pairs[0]->slave);
     const auto master = unknowns_of((*model.interface.pairs[0]->master));
 
     const auto on = [&](const auto &surface) {

@@ -89,7 +89,7 @@ namespace
   void check_reactions(const Checked &model, const Invariants &found)
   {
     const GhostedVector forces = model.contact_forces();
-    Tensor<1, 2>         on_slave;
+    Tensor<1, 2>        on_slave;
     for (const SurfaceNode<2> &node : model.interface.pairs[0]->slave.nodes)
       for (unsigned int c = 0; c < 2; ++c)
         on_slave[c] += forces[node.dofs[c]];

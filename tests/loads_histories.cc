@@ -82,7 +82,7 @@ namespace
     const Bodies bodies(parameters);
 
     std::map<std::string, GhostedVector> loads;
-    double                                whole = 0;
+    double                               whole = 0;
     for (const std::string entry : {"Force x",
                                     "Force y",
                                     "Resultant force x",
@@ -138,7 +138,7 @@ namespace
                                     const double       factor_x,
                                     const double       factor_y,
                                     const std::string &name) {
-      auto          &discretization = some_bodies.discretization;
+      auto         &discretization = some_bodies.discretization;
       GhostedVector u(some_bodies.n_dofs());
       for (unsigned int i = 0; i < u.size(); ++i)
         u[i] = 1e-3 * i;

@@ -99,7 +99,7 @@ namespace
     DirectSolver         solver(counters);
     solver.initialize(pattern);
 
-    const auto    &constraints = bodies.discretization.constraints;
+    const auto   &constraints = bodies.discretization.constraints;
     GhostedVector u(bodies.n_dofs()), rhs(u);
     bodies.elasticity->assemble(u, 1, rhs, &matrix);
     for (unsigned int i = 0; i < u.size(); ++i)

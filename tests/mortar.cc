@@ -177,9 +177,9 @@ namespace
     Parameters::All parameters =
       make_strips(degree, uneven_slave, uneven_master, 0.1);
     parameters.contact.friction_coefficient = 0.3;
-    ContactModel         model(parameters);
+    ContactModel        model(parameters);
     const GhostedVector bent = model.displacement(bend);
-    Random               random;
+    Random              random;
     for (unsigned int i = 0; i < model.n_dofs(); ++i)
       {
         model.solution[i] = bent[i];

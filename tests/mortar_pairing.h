@@ -110,7 +110,7 @@ namespace Tests
     }
 
     const Surface<2>             slave, master;
-    const GhostedVector         u;
+    const GhostedVector          u;
     MultiplierSpace              multipliers;
     std::vector<ContactPoint<2>> points;
   };

@@ -332,7 +332,7 @@ namespace
     check_small("sum of the coefficients", coefficients, 1e-12);
 
     const GhostedVector forces = model.elasticity->forces(model.solution, 1);
-    const auto           on     = [&](const std::string &name) {
+    const auto          on     = [&](const std::string &name) {
       double sum = 0;
       for (const auto &node : model.surface(name).nodes)
         sum += forces[node.dofs[1]];

@@ -70,7 +70,7 @@ namespace Tests
 
   /// The profiles of slave and master.
   inline std::array<Rows, 2>
-  profiles(const ContactModel              &model,
+  profiles(const ContactModel                 &model,
            const Stresses                     &stresses,
            const std::optional<ExactSolution> &exact = {})
   {

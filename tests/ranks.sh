@@ -1,7 +1,8 @@
 #!/bin/sh
 # Several processes compute what one does: probes and reactions agree to 1e-8,
 # all points of contact do the same, and every process writes its piece of the
-# bodies.
+# bodies. Of the displacements each holds its own, their neighbors and the
+# surfaces of contact.
 #   ranks.sh CONTACT PARAMETERS
 # SPDX-License-Identifier: LGPL-2.1-or-later
 set -eu
@@ -44,6 +45,14 @@ pieces() {
   fi && [ -s "$1/contact_0002.vtu" ]
 }
 
+# held SUMMARY: the largest share of the displacements on a process
+held() {
+  awk -F'[:,]' '
+    $1 ~ "\"displacement\"" { all = $2 }
+    $1 ~ "\"displacements_on_a_process\"" { held = $2 }
+    END { printf "%.3f", held / all }' "$1"
+}
+
 failures=0
 fail() {
   echo "  FAILED: $1"
@@ -74,6 +83,11 @@ compare() {
     values "$directory/summary.json" >probes.$n
     decisions "$directory" >decisions.$n
     pieces "$directory" $n || fail "a file is missing with $n processes"
+    share=$(held "$directory/summary.json")
+    echo "  $n processes: one holds $share of the displacements"
+    awk -v share="$share" -v n=$n -v beside=$beside \
+      'BEGIN { exit share > 1 / n + (n > 1) * beside }' ||
+      fail "a process holds $share of the displacements with $n processes"
     cmp -s decisions.1 decisions.$n ||
       fail "other decisions with $n processes: $(diff decisions.1 decisions.$n |
         head -n 6 | tr '\n' ' ')"

@@ -45,8 +45,8 @@ namespace Tests
 
 
   /// Refine the cells whose centres are chosen.
-  inline void refine(Bodies                      &bodies,
-                     const Choose                &choose,
+  inline void refine(Bodies                     &bodies,
+                     const Choose               &choose,
                      std::vector<GhostedVector> &solutions)
   {
     for (const auto &cell : bodies.mesh.triangulation.active_cell_iterators())

@@ -81,8 +81,10 @@ namespace
     std::vector<GhostedVector> solutions;
     for (const Field &one : {field, twice})
       {
-        solutions.push_back(bodies.displacement(one));
-        solutions.back().grow_or_shrink(bodies.n_dofs() + 7);
+        const auto    u = bodies.displacement(one);
+        GhostedVector longer(bodies.n_dofs() + 7);
+        std::copy(u.begin(), u.end(), longer.begin());
+        solutions.push_back(longer);
       }
 
     unsigned int last  = bodies.n_dofs();
@@ -160,7 +162,7 @@ namespace
                   free);
     parameters.mesh.arcs = {{"block bottom", {0, 3, below}},
                             {"block top", {0, 3, above}}};
-    Bodies                      bodies(parameters);
+    Bodies                     bodies(parameters);
     std::vector<GhostedVector> none;
     for (const double reach : {0.3, 0.15, 0.07})
       refine(

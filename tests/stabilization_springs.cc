@@ -80,7 +80,7 @@ namespace
     const auto     lower      = piece_of(bodies.mesh, "lower");
     const auto     upper      = piece_of(bodies.mesh, "upper");
 
-    Random         random;
+    Random        random;
     GhostedVector u(bodies.n_dofs()), rest(bodies.n_dofs());
     for (unsigned int i = 0; i < u.size(); ++i)
       {
@@ -90,12 +90,12 @@ namespace
     const GhostedVector free_forces = elasticity.forces(u, 0);
 
     // A translation of everything away from the place of rest.
-    const double         k = 123;
-    const Tensor<1, 2>   d({0.3, -0.2});
+    const double        k = 123;
+    const Tensor<1, 2>  d({0.3, -0.2});
     const GhostedVector translated =
       bodies.displacement([&](const Point<2> &X) { return X + d; });
     GhostedVector none(u.size());
-    const auto     version = elasticity.tangent_version();
+    const auto    version = elasticity.tangent_version();
     elasticity.springs.hold({{lower, k}, {upper, 0}}, none);
     check("one body is held",
           elasticity.springs.held() ==
@@ -154,10 +154,11 @@ namespace
     const auto last_version = elasticity.tangent_version();
 
     elasticity.springs.release();
+    GhostedVector left = elasticity.forces(u, 0);
+    left -= free_forces;
     check("released",
           elasticity.springs.held().empty() &&
-            elasticity.springs.energy(u).empty() &&
-            elasticity.forces(u, 0) == free_forces);
+            elasticity.springs.energy(u).empty() && left.all_zero());
     check("the tangent is new again",
           elasticity.tangent_version() == last_version + 1);
     elasticity.springs.release();
@@ -183,8 +184,8 @@ namespace
             "the piece of the body 'body' from (3, 0) to (5, 1) mm");
     check("no joints", pieces.joints().empty());
 
-    const double         k = 7;
-    const Tensor<1, 2>   d({0.3, -0.2});
+    const double        k = 7;
+    const Tensor<1, 2>  d({0.3, -0.2});
     const GhostedVector translated =
       bodies.displacement([&](const Point<2> &X) { return X + d; });
     Elasticity<2> &elasticity = *bodies.elasticity;

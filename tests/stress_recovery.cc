@@ -65,7 +65,7 @@ namespace
     parameters.element.centre_node = centre_node;
     const Bodies            bodies(parameters);
     const StressRecovery<2> recovery(bodies.discretization);
-    const GhostedVector    u = bodies.displacement(
+    const GhostedVector     u = bodies.displacement(
       [](const Point<2> &X) { return X + quadratic_displacement(X); });
 
     const auto  stresses = recovery.vertex_stresses(*bodies.elasticity, u);
@@ -105,9 +105,9 @@ namespace
     const GhostedVector u = bodies.displacement([](const Point<2> &X) {
       return X + Point<2>(X[0] == 1 && X[1] == 0 ? 0.01 : 0, 0);
     });
-    const auto  stresses   = recovery.vertex_stresses(*bodies.elasticity, u);
-    const auto &vertices   = bodies.mesh.triangulation.get_vertices();
-    double      error      = 0;
+    const auto  stresses  = recovery.vertex_stresses(*bodies.elasticity, u);
+    const auto &vertices  = bodies.mesh.triangulation.get_vertices();
+    double      error     = 0;
     for (unsigned int v = 0; v < vertices.size(); ++v)
       {
         const Point<2>       &X     = vertices[v];
@@ -130,7 +130,7 @@ namespace
   {
     MeshText mesh;
     mesh.block("block", 2, 1, rectangle({0, 0}, {2, 1}));
-    const Bodies         bodies(make_parameters(mesh,
+    const Bodies        bodies(make_parameters(mesh,
                                         {"block"},
                                         1,
                                         "large displacement",

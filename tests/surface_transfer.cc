@@ -126,7 +126,7 @@ namespace
       interface = std::make_unique<ContactInterface<2>>(discretization,
                                                         *elasticity,
                                                         parameters.pairs());
-      solution.reinit(n_dofs() + interface->n_multipliers());
+      solution  = GhostedVector(n_dofs() + interface->n_multipliers());
       interface->pair(solution);
     }
 
@@ -152,7 +152,7 @@ namespace
 
     const Parameters::All                parameters;
     std::unique_ptr<ContactInterface<2>> interface;
-    GhostedVector                       solution;
+    GhostedVector                        solution;
   };
 
 

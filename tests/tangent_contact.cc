@@ -56,8 +56,8 @@ namespace
     }
 
     void assemble(const ContactInterface<2>  &interface,
-                  const GhostedVector       &solution,
-                  const GhostedVector       &start,
+                  const GhostedVector        &solution,
+                  const GhostedVector        &start,
                   const ContactLinearization &linearization)
     {
       matrix = 0;
@@ -71,7 +71,7 @@ namespace
 
     SparsityPattern      pattern;
     SparseMatrix<double> matrix;
-    GhostedVector       rhs;
+    GhostedVector        rhs;
   };
 
 
@@ -136,8 +136,7 @@ namespace
 
 
 
-  Result compare(ContactModel            &model,
-                 const ContactLinearization &linearization)
+  Result compare(ContactModel &model, const ContactLinearization &linearization)
   {
     ContactInterface<2> &interface       = model.interface;
     const bool           moving_geometry = linearization.moving_geometry;
@@ -180,7 +179,7 @@ namespace
 
   /// The tangent with all points that face the master doing the same, whatever
   /// the state says.
-  void check_decision(ContactModel      &model,
+  void check_decision(ContactModel         &model,
                       const std::string    &name,
                       const PointStatus<2> &status)
   {

@@ -37,7 +37,7 @@ namespace
     const Bodies        &bodies;
     SparsityPattern      pattern;
     SparseMatrix<double> matrix;
-    GhostedVector       residual;
+    GhostedVector        residual;
   };
 
 

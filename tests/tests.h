@@ -26,6 +26,21 @@
 #include "solid/elasticity.h"
 #include "solvers/linear_solver.h"
 
+namespace Contact
+{
+  inline void operator*=(GhostedVector &vector, const double factor)
+  {
+    static_cast<Vector<double> &>(vector) *= factor;
+  }
+
+  inline void operator/=(GhostedVector &vector, const double divisor)
+  {
+    static_cast<Vector<double> &>(vector) /= divisor;
+  }
+} // namespace Contact
+
+
+
 /**
  * The tools of the unit tests: small meshes, models made by code, a plain
  * Newton loop, and checks that print the same on every machine. What a check
@@ -297,8 +312,8 @@ namespace Tests
     GhostedVector displacement(
       const std::function<Point<dim>(const Point<dim> &)> &position) const
     {
-      const auto     X = support_points();
-      const auto     c = components();
+      const auto    X = support_points();
+      const auto    c = components();
       GhostedVector u(n_dofs());
       for (unsigned int i = 0; i < n_dofs(); ++i)
         u[i] = position(X[i])[c[i]] - X[i][c[i]];
@@ -431,7 +446,7 @@ namespace Tests
     }
 
     ContactInterface<2> interface;
-    GhostedVector      solution, start;
+    GhostedVector       solution, start;
 
     SparsityPattern      pattern;
     SparseMatrix<double> matrix;

@@ -171,14 +171,16 @@ namespace
                                                      dilatation));
             const Elasticity<3> &elasticity = *bodies.elasticity;
             Random               random;
-            GhostedVector       u(bodies.n_dofs()), v(u.size());
+            GhostedVector        u(bodies.n_dofs()), v(u.size());
             for (unsigned int i = 0; i < u.size(); ++i)
               {
                 u[i] = random(-0.05, 0.05);
                 v[i] = random(-1, 1);
               }
-            bodies.discretization.distribute(bodies.discretization.constraints, u);
-            bodies.discretization.distribute(bodies.discretization.constraints, v);
+            bodies.discretization.distribute(bodies.discretization.constraints,
+                                             u);
+            bodies.discretization.distribute(bodies.discretization.constraints,
+                                             v);
             const double step    = 1e-5;
             const auto   shifted = [&](const double t) {
               GhostedVector w = u;
@@ -230,7 +232,7 @@ namespace
     SparsityPattern pattern;
     pattern.copy_from(couplings);
     SparseMatrix<double> matrix(pattern);
-    GhostedVector       u(n);
+    GhostedVector        u(n);
     bodies.elasticity->assemble(GhostedVector(n), 1, u, &matrix);
     for (const auto &line : discretization.constraints.get_lines())
       matrix.diag_element(line.index) = 1;
