@@ -56,10 +56,10 @@
 // which is cheap because a level starts where the one before ended; in space
 // within a step, too.
 //
-// With several processes each has a part of the mesh and of the matrix. The
-// vectors of the solution and the surfaces are small beside these, and every
-// process has them in full: the statuses of the points of contact are computed
-// by all alike.
+// With several processes each has a part of the mesh, of the matrix and of the
+// vectors of the solution. The surfaces are small beside these, and every
+// process has them in full, with the solution on them: the statuses of the
+// points of contact are computed by all alike. See GhostedVector.
 //
 // The classes behind this file, from the bottom up: Parameters, Mesh,
 // Discretization, Elasticity (the bodies), Surface and ContactPoint (where they

@@ -69,7 +69,7 @@ namespace Contact
   /**
    * Refine the flagged cells, number the unknowns anew, and interpolate the
    * displacements at the beginning of all @p solutions, which lose what was
-   * behind. Every rank holds them in full, before and after.
+   * behind. Collective.
    */
   template<int dim>
   void refine_and_transfer(Mesh<dim>                  &mesh,

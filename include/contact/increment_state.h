@@ -15,8 +15,7 @@ namespace Contact
   /**
    * The unknowns, the displacements and then the multipliers, and where they
    * were at the start of the load increment: slip counts from there, and an
-   * increment that does not converge ends there again. Every rank has all of
-   * them.
+   * increment that does not converge ends there again.
    */
   template<int dim>
   struct IncrementState

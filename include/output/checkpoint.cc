@@ -47,17 +47,16 @@ namespace Contact
     const auto key          = this->key();
     auto       start        = invariants->state();
     const auto communicator = model.discretization->communicator;
+    const auto rank         = Utilities::MPI::this_mpi_process(communicator);
+    const auto part_before  = part(rank);
     n_parts                 = Utilities::MPI::n_mpi_processes(communicator);
     number                  = report.summary.increments.size();
     on_all_ranks(communicator, [&]() {
-      write_file(part(Utilities::MPI::this_mpi_process(communicator)),
-                 [&](std::ostream &out) {
-                   const auto values =
-                     values_on_cells(*model.discretization, vectors(start));
-                   write_restart(out, key, [&](auto &archive) {
-                     archive &values;
-                   });
-                 });
+      write_file(part(rank), [&](std::ostream &out) {
+        const auto values =
+          values_on_cells(*model.discretization, vectors(start));
+        write_restart(out, key, [&](auto &archive) { archive &values; });
+      });
     });
     report.files().write_first("restart.bin", [&](std::ostream &out) {
       write_restart(out, key, [&](auto &archive) {
@@ -65,8 +64,7 @@ namespace Contact
         serialize(archive, steps, start);
       });
     });
-    report.files().remove("restart_(?!" + std::to_string(number) +
-                          "\\.)[0-9.]+bin");
+    std::filesystem::remove(part_before);
   }
 
 

@@ -156,8 +156,8 @@ namespace Contact
       left -= *forces;
     hand_over_from_followers(discretization, left);
 
-    const auto    &constraints  = discretization.constraints;
-    GhostedVector  reactions(discretization.distribution), residual(reactions);
+    const auto   &constraints = discretization.constraints;
+    GhostedVector reactions(discretization.distribution), residual(reactions);
     for (const auto dof : discretization.dof_handler.locally_owned_dofs())
       if (!constraints.is_constrained(dof))
         residual[dof] += left[dof];
@@ -226,7 +226,7 @@ namespace Contact
 
 
 
-  // Every rank has all reactions: each adds up those of its own unknowns.
+  // Each rank adds up the reactions of its own unknowns.
   template<int dim>
   void InvariantCheck<dim>::add_up(const GhostedVector &reactions,
                                    Invariants          &found) const
