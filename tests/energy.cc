@@ -194,7 +194,7 @@ namespace
         hp_fe_values.reinit(cell);
         const auto &fe_values = hp_fe_values.get_present_fe_values();
         H.resize(fe_values.n_quadrature_points);
-        fe_values[displacement].get_function_gradients(u, H);
+        fe_values[displacement].get_function_gradients<Vector<double>>(u, H);
         for (unsigned int q = 0; q < H.size(); ++q)
           {
             const double det_F = determinant(

@@ -153,7 +153,7 @@ namespace
         const auto &fe_values = hp_fe_values.get_present_fe_values();
         gradients.resize(fe_values.n_quadrature_points);
         fe_values[FEValuesExtractors::Vector(0)]
-          .get_function_gradients(u, gradients);
+          .get_function_gradients<Vector<double>>(u, gradients);
         for (const unsigned int q : fe_values.quadrature_point_indices())
           {
             const auto strain = symmetrize(

@@ -165,13 +165,13 @@ namespace
     headline("fixed points");
     for (const double slope : {0.5, -0.5, -2.5, -20.})
       {
-        Relaxation     relaxation;
-        Vector<double> x(1);
-        unsigned int   n = 0;
-        double         defect;
+        Relaxation    relaxation;
+        GhostedVector x(1);
+        unsigned int  n = 0;
+        double        defect;
         do
           {
-            Vector<double> image(1);
+            GhostedVector image(1);
             image[0]          = slope * x[0] + 1;
             defect            = std::abs(image[0] - x[0]);
             const double part = relaxation.length(image);

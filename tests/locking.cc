@@ -110,7 +110,7 @@ namespace
         }
     solver.factorize(matrix);
     solver.solve(rhs);
-    constraints.distribute(rhs);
+    constraints.distribute<Vector<double>>(rhs);
     u = rhs;
 
     const double A = p * a * a / (b * b - a * a), B = A * b * b;
@@ -136,7 +136,7 @@ namespace
         of_fields.reinit(cell);
         const auto &fields = of_fields.get_present_fe_values();
         values.resize(fields.n_quadrature_points);
-        fields[displacement].get_function_values(u, values);
+        fields[displacement].get_function_values<Vector<double>>(u, values);
         for (unsigned int q = 0; q < values.size(); ++q)
           {
             const Point<2>    &X = fields.quadrature_point(q);

@@ -137,7 +137,7 @@ namespace
         GhostedVector du(n), by_matrix(n), by_differences(n);
         for (double &entry : du)
           entry = random(-1, 1);
-        matrix.vmult(by_matrix, du);
+        matrix.vmult<Vector<double>, Vector<double>>(by_matrix, du);
         for (const int side : {1, -1})
           {
             GhostedVector moved(model.solution), rhs(n);
