@@ -100,13 +100,17 @@ compare() {
   done
 }
 
-# More than there are cores is slow, and the same for all cases with levels.
+# More than there are cores is slow, and the same for all cases with levels. What a
+# process holds beside its share is measured: 0.31 and 0.19 of all unknowns at most,
+# less on finer meshes. With triangles each holds all.
 solver=AMG
 values=value
+beside=0.35
 processes='1 2 4'
 compare "levels in space, friction" nested_space_friction.prm \
   --set Refinement/Levels=1
 values='value|y'
+beside=0.2
 processes='1 2 3'
 compare "uniform levels, friction" nested_friction.prm \
   --set Refinement/Levels=2 --set Element/Degree=1 \
@@ -120,6 +124,7 @@ compare "adaptive levels, degree 1, large displacement" nested.prm \
 compare "8 nodes, body forces, three zones" verification/stack.prm \
   --set Element/Degree=2 --set Mesh/Refinements=2 \
   --set "Boundary conditions/Body force y=One: -0.1; Two: -0.2; Three: -0.3"
+beside=1
 processes='1 2 3 4'
 compare "triangles and quadrangles, nodal rule, friction" ssnp154_c.prm \
   --set Solution/System=condensed

@@ -7,31 +7,26 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numeric>
 
 namespace Contact
 {
   namespace
   {
-    /// The terms of what is owned from all processes, and of the multipliers.
+    /// The terms of what is owned, from all processes, and of the multipliers.
     template<class Term>
     double add_up(const Utilities::MPI::Partitioner &distribution,
                   const std::size_t                  n_held,
                   const Term                        &term)
     {
-      const auto add = [&](std::size_t from, const std::size_t to) {
-        double sum = 0;
-        for (; from < to; ++from)
-          sum += term(from);
-        return sum;
-      };
+      double            sum = 0, of_multipliers = 0;
       const std::size_t n_owned = distribution.locally_owned_size();
-      return Utilities::MPI::sum(add(0, n_owned),
-                                 distribution.get_mpi_communicator()) +
-             add(n_owned + distribution.n_ghost_indices(), n_held);
+      for (std::size_t k = 0; k < n_owned; ++k)
+        sum += term(k);
+      for (auto k = n_owned + distribution.n_ghost_indices(); k < n_held; ++k)
+        of_multipliers += term(k);
+      return of_multipliers +
+             Utilities::MPI::sum(sum, distribution.get_mpi_communicator());
     }
   } // namespace
 
