@@ -11,6 +11,7 @@
 #include <deal.II/lac/sparse_matrix.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "contact/contact_pair.h"
@@ -228,8 +229,8 @@ namespace Contact
     void set_statuses(const std::vector<PointStatus<dim>> &all);
     std::vector<signed char> signature() const;
 
-    /// The statuses, the bounds and the multipliers in @p solution, in an order
-    /// that does not depend on the number of ranks.
+    /// The statuses, the bounds and the multipliers in @p solution, by place:
+    /// numbers depend on the number of ranks.
     template<class Archive>
     void serialize(Archive &archive, GhostedVector &solution);
 
@@ -339,23 +340,33 @@ namespace Contact
   void ContactInterface<dim>::serialize(Archive       &archive,
                                         GhostedVector &solution)
   {
-    std::vector<signed char>  codes     = signature();
-    Vector<double>            of_points = bounds();
-    std::vector<unsigned int> order(all_points.size());
-    std::iota(order.begin(), order.end(), 0);
-    const auto place = [&](const unsigned int q) {
-      const Point<dim> X = contact_pair(all_points[q]).place(all_points[q]);
-      std::array<double, 3> place{};
-      std::copy_n(X.begin_raw(), dim, place.begin());
-      return std::make_pair(all_points[q].contact_pair, place);
+    std::vector<signed char> codes     = signature();
+    Vector<double>           of_points = bounds();
+    std::vector<Point<dim>>  places;
+    for (const ContactPoint<dim> &point : all_points)
+      places.push_back(contact_pair(point).place(point));
+    // Which of all points comes next: the closest to its place, up to
+    // round-off.
+    const auto next = [&](unsigned int q) {
+      unsigned int              pair      = all_points[q].contact_pair;
+      bool                      is_corner = all_points[q].is_master_corner;
+      Point<dim>                X         = places[q];
+      archive &pair &is_corner &X;
+      double                    closest = std::numeric_limits<double>::max();
+      for (unsigned int k = 0; Archive::is_loading::value && k < places.size();
+           ++k)
+        if (const double distance = X.distance_square(places[k]);
+            distance < closest && all_points[k].contact_pair == pair &&
+            all_points[k].is_master_corner == is_corner)
+          {
+            closest = distance;
+            q       = k;
+          }
+      return q;
     };
-    std::stable_sort(order.begin(),
-                     order.end(),
-                     [&](const auto a, const auto b) {
-                       return place(a) < place(b);
-                     });
-    for (const unsigned int q : order)
+    for (unsigned int n = 0; n < all_points.size(); ++n)
       {
+        const unsigned int       q     = next(n);
         const ContactPoint<dim> &point = all_points[q];
         archive                 &codes[q] & of_points[q];
         for (unsigned int m = 0; m < point.n_multipliers; ++m)

@@ -42,8 +42,9 @@ namespace Contact
    * for.
    *
    * With several ranks each has the unknowns of its cells and their neighbors;
-   * supports are known to all. Vectors of the displacement hold these unknowns
-   * and, on every rank, those of all contact faces, of ties and named points.
+   * supports and the unknowns of named points are known to all. Vectors of the
+   * displacement hold the former and, on every rank, the unknowns of all contact
+   * faces and of named points.
    */
   template<int dim>
   class Discretization
