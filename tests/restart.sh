@@ -219,8 +219,7 @@ PRM
 case=space.prm
 name=space
 rm -rf whole
-launcher=
 run whole
-from_two_to 1
+from_two_to 3
 
 [ "$failures" -eq 0 ]

@@ -67,8 +67,8 @@ namespace Contact
                          "run without --restart");
       }
     if (!is_of_this_run)
-      throw InputError("the restart file belongs to other parameters or to "
-                       "another mesh",
+      throw InputError("the restart file belongs to other parameters, to "
+                       "another mesh, or to one process and not several",
                        file.string(),
                        "set what was set before, or run without --restart");
   }

@@ -19,7 +19,8 @@ namespace Contact
   /**
    * The files that a run which was interrupted goes on from: all that an
    * increment leaves to the next one, restart.bin, and of the vectors a part by
-   * each rank, restart_INCREMENTS.RANK.bin. Any number of ranks can go on.
+   * each rank, restart_INCREMENTS.RANK.bin. Any number of several ranks
+   * can go on where several ended.
    * Levels below the last one are computed
    * again, which costs less than to keep their meshes.
    */
