@@ -330,7 +330,7 @@ namespace Contact
     ++model.discretization->counters.active_set_changes;
     rhs = 0;
     add_contact();
-    rhs *= -1;
+    rhs.sadd(-1, 0, rhs);
     update_statuses(/*keep=*/true);
     add_contact();
     return true;
