@@ -34,6 +34,7 @@ namespace Contact
               const Surface<2>    &other,
               const bool           is_master,
               const GhostedVector &u,
+              const bool           as_drawn,
               ContactDepth<2>     &deepest)
     {
       const SurfaceSearch<2> search(other, u);
@@ -62,16 +63,16 @@ namespace Contact
             if (outward * normals[e][a] >= 0 ||
                 behind >= other.reference_length(projection.facet))
               continue;
-            const double depth = behind - sagitta(surface, e, a) -
-                                 std::max(sagitta(other, projection.facet, 0),
-                                          sagitta(other, projection.facet, 1));
-            deepest.as_drawn = std::max(deepest.as_drawn, behind);
+            const double allowance =
+              sagitta(surface, e, a) +
+              std::max(sagitta(other, projection.facet, 0),
+                       sagitta(other, projection.facet, 1));
+            const double depth = as_drawn ? behind : behind - allowance;
             if (depth > deepest.depth)
               deepest = {depth,
                          is_master,
                          surface.nodes[i].X,
-                         is_master ? projection.facet : e,
-                         deepest.as_drawn};
+                         is_master ? projection.facet : e};
           }
     }
 
@@ -103,6 +104,7 @@ namespace Contact
   void look_at_obstacle(const Surface<dim>  &slave,
                         const Obstacle<dim> &obstacle,
                         const GhostedVector &u,
+                        const bool           as_drawn,
                         ContactDepth<dim>   &deepest)
   {
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
@@ -122,35 +124,51 @@ namespace Contact
           const double chord =
             h <= closest.radius ? h * h / (8 * closest.radius) : 0.;
           const double behind = (closest.x - x) * closest.normal;
-          const double depth  = behind - chord;
-          deepest.as_drawn    = std::max(deepest.as_drawn, behind);
+          const double depth  = as_drawn ? behind : behind - chord;
           if (depth > deepest.depth)
-            deepest = {depth, false, X, e, deepest.as_drawn};
+            deepest = {depth, false, X, e};
         }
   }
 
   template void look_at_obstacle(const Surface<2> &,
                                  const Obstacle<2> &,
                                  const GhostedVector &,
+                                 const bool,
                                  ContactDepth<2> &);
   template void look_at_obstacle(const Surface<3> &,
                                  const Obstacle<3> &,
                                  const GhostedVector &,
+                                 const bool,
                                  ContactDepth<3> &);
 
 
 
   ContactDepth<2> largest_depth(const ContactPair<2> &contact_pair,
-                                const GhostedVector  &u)
+                                const GhostedVector  &u,
+                                const bool            as_drawn)
   {
     ContactDepth<2> deepest;
     if (contact_pair.master)
       {
-        look(contact_pair.slave, *contact_pair.master, false, u, deepest);
-        look(*contact_pair.master, contact_pair.slave, true, u, deepest);
+        look(contact_pair.slave,
+             *contact_pair.master,
+             false,
+             u,
+             as_drawn,
+             deepest);
+        look(*contact_pair.master,
+             contact_pair.slave,
+             true,
+             u,
+             as_drawn,
+             deepest);
       }
     else
-      look_at_obstacle(contact_pair.slave, *contact_pair.obstacle, u, deepest);
+      look_at_obstacle(contact_pair.slave,
+                       *contact_pair.obstacle,
+                       u,
+                       as_drawn,
+                       deepest);
     return deepest;
   }
 } // namespace Contact

@@ -13,8 +13,7 @@ namespace Contact
   using namespace dealii;
 
   /// The depth of a node of one surface inside of the other one, or of a place
-  /// of the slave inside of an obstacle, less the overlap that polygons of
-  /// round surfaces may have.
+  /// of the slave inside of an obstacle.
   template<int dim>
   struct ContactDepth
   {
@@ -22,7 +21,6 @@ namespace Contact
     bool         of_master = false;
     Point<dim>   X;               // the undeformed place [mm]
     unsigned int slave_facet = 0; // that it is in, or belongs to
-    double       as_drawn    = 0; // the largest with that overlap [mm]
   };
 
   /**
@@ -32,7 +30,8 @@ namespace Contact
    * of both surfaces, by the angles between them, may be beside a curve. On an
    * obstacle the deepest of some places between the nodes of the slave; an edge
    * of the length h, if that is no more than the radius R of a circle, may be
-   * inside of the circle by h^2/(8 R), of which its two nodes know nothing.
+   * inside of the circle by h^2/(8 R), of which its two nodes know nothing. All
+   * this is allowed to polygons unless the depth is that @p as_drawn.
    *
    * All contact discretizations let surfaces pass through each other between
    * the places where they look, which vanishes with the mesh size. On a mesh
@@ -40,15 +39,18 @@ namespace Contact
    * edge as deep as it was pushed.
    */
   ContactDepth<2> largest_depth(const ContactPair<2> &contact_pair,
-                                const GhostedVector  &u);
+                                const GhostedVector  &u,
+                                const bool            as_drawn);
   ContactDepth<3> largest_depth(const ContactPair<3> &contact_pair,
-                                const GhostedVector  &u);
+                                const GhostedVector  &u,
+                                const bool            as_drawn);
 
   /// The deepest place of the slave inside of an obstacle.
   template<int dim>
   void look_at_obstacle(const Surface<dim>  &slave,
                         const Obstacle<dim> &obstacle,
                         const GhostedVector &u,
+                        const bool           as_drawn,
                         ContactDepth<dim>   &deepest);
 } // namespace Contact
 

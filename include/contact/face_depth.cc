@@ -54,6 +54,7 @@ namespace Contact
               const bool           is_master,
               const PointShares   &share,
               const GhostedVector &u,
+              const bool           as_drawn,
               ContactDepth<3>     &deepest)
     {
       const SurfaceSearch<3> own(surface, u), search(other, u);
@@ -87,15 +88,14 @@ namespace Contact
               of_master =
                 std::max(of_master,
                          sagitta(other, of_other, other_normals, f, b));
-            const double depth =
-              distance - of_master - sagitta(surface, of_facets, normals, e, a);
-            deepest.as_drawn = std::max(deepest.as_drawn, distance);
+            const double allowance =
+              of_master + sagitta(surface, of_facets, normals, e, a);
+            const double depth = as_drawn ? distance : distance - allowance;
             if (depth > deepest.depth)
               deepest = {depth,
                          is_master,
                          surface.nodes[i].X,
-                         is_master ? f : e,
-                         deepest.as_drawn};
+                         is_master ? f : e};
           }
     }
 
@@ -104,30 +104,26 @@ namespace Contact
     /// Of those of all ranks the deepest one.
     void compare(const MPI_Comm communicator, ContactDepth<3> &deepest)
     {
-      const std::array<double, 7> own{{deepest.depth,
-                                       deepest.as_drawn,
+      const std::array<double, 6> own{{deepest.depth,
                                        static_cast<double>(deepest.of_master),
                                        static_cast<double>(deepest.slave_facet),
                                        deepest.X[0],
                                        deepest.X[1],
                                        deepest.X[2]}};
       for (const auto &of : Utilities::MPI::all_gather(communicator, own))
-        {
-          if (of[0] > deepest.depth)
-            deepest = {of[0],
-                       of[2] > 0,
-                       Point<3>(of[4], of[5], of[6]),
-                       static_cast<unsigned int>(of[3]),
-                       deepest.as_drawn};
-          deepest.as_drawn = std::max(deepest.as_drawn, of[1]);
-        }
+        if (of[0] > deepest.depth)
+          deepest = {of[0],
+                     of[1] > 0,
+                     Point<3>(of[3], of[4], of[5]),
+                     static_cast<unsigned int>(of[2])};
     }
   } // namespace
 
 
 
   ContactDepth<3> largest_depth(const ContactPair<3> &contact_pair,
-                                const GhostedVector  &u)
+                                const GhostedVector  &u,
+                                const bool            as_drawn)
   {
     const MPI_Comm  communicator = contact_pair.discretization.communicator;
     ContactDepth<3> deepest;
@@ -140,17 +136,23 @@ namespace Contact
              false,
              PointShares(slave.facets.size(), communicator),
              u,
+             as_drawn,
              deepest);
         look(master,
              slave,
              true,
              PointShares(master.facets.size(), communicator),
              u,
+             as_drawn,
              deepest);
         compare(communicator, deepest);
       }
     else
-      look_at_obstacle(contact_pair.slave, *contact_pair.obstacle, u, deepest);
+      look_at_obstacle(contact_pair.slave,
+                       *contact_pair.obstacle,
+                       u,
+                       as_drawn,
+                       deepest);
     return deepest;
   }
 } // namespace Contact

@@ -114,8 +114,10 @@ namespace Contact
    * On a mesh that is too coarse the discrete conditions may hold while a node
    * is deep inside of the other body, or an obstacle between two nodes. There
    * is a note if it is deeper, by more than half of the largest displacement of
-   * the two surfaces, than it was undeformed. A node that goes through the
-   * other body in an increment is a violation, see find_crossing().
+   * the two surfaces, than it was undeformed, and a violation where no force
+   * acts: in the whole contact pair, of overlaps that polygons or the mesh have
+   * to begin with as well. A node that goes through the other body in an
+   * increment is a violation, see find_crossing().
    */
   template<int dim>
   class ContactCheck
