@@ -452,6 +452,7 @@ namespace Contact
           }
         check_rotations(*model.discretization,
                         *model.elasticity,
+                        model.interface.get(),
                         state.solution);
         check_invariants(stabilization.release(state));
         steps.accept(report.increment().newton_iterations);

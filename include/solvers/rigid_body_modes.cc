@@ -203,15 +203,18 @@ namespace Contact
                            const Tangents               tangents,
                            ResistedMotions<dim>        &motions)
     {
-      const auto sticks = [&](const ContactPoint<dim> &point) {
-        return tangents == Tangents::by_status
-                 ? point.status.kind == Status::stick
-                 : tangents == Tangents::stuck &&
-                     !interface.contact_pair(point).law.is_frictionless();
+      const bool only_glue = tangents == Tangents::glued;
+      const auto sticks    = [&](const ContactPoint<dim> &point) {
+        return only_glue ||
+               (tangents == Tangents::by_status
+                     ? point.status.kind == Status::stick
+                     : tangents == Tangents::stuck &&
+                      !interface.contact_pair(point).law.is_frictionless());
       };
       for (const ContactPoint<dim> &point : interface.points())
         {
-          if (point.status.kind == Status::open)
+          if (point.status.kind == Status::open ||
+              (only_glue && !interface.contact_pair(point).tied))
             continue;
           std::vector<Share<dim>> shares;
           for (unsigned int a = 0; a < point.n_nodes; ++a)

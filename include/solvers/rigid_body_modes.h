@@ -50,12 +50,14 @@ namespace Contact
 
 
   /// The points in contact that resist motions along their tangents: none;
-  /// those that stick; or all of them.
+  /// those that stick; all of them; or those of glue, which then are the only
+  /// ones that resist any motion.
   enum class Tangents
   {
     free,
     by_status,
-    stuck
+    stuck,
+    glued
   };
 
 

@@ -403,16 +403,17 @@ namespace Contact
 
 
   template<int dim>
-  void check_rotations(const Discretization<dim> &discretization,
-                       const Elasticity<dim>     &elasticity,
-                       const GhostedVector       &u)
+  void check_rotations(const Discretization<dim>   &discretization,
+                       const Elasticity<dim>       &elasticity,
+                       const ContactInterface<dim> *interface,
+                       const GhostedVector         &u)
   {
     if (!elasticity.is_linear())
       return;
     const double yield  = 1e-3;
     const auto   angles = rigid_rotations(discretization, u);
     for (const RigidBodyMode &motion :
-         rigid_body_modes<dim>(discretization, nullptr))
+         rigid_body_modes<dim>(discretization, interface, Tangents::glued))
       {
         const double angle     = std::abs(angles[motion.piece]);
         const double elongates = std::sqrt(1 + angle * angle) - 1;
@@ -433,10 +434,12 @@ namespace Contact
   rigid_modes(const Discretization<2> &discretization);
   template std::vector<std::vector<double>>
                 rigid_modes(const Discretization<3> &discretization);
-  template void check_rotations(const Discretization<2> &discretization,
-                                const Elasticity<2>     &elasticity,
-                                const GhostedVector     &u);
-  template void check_rotations(const Discretization<3> &discretization,
-                                const Elasticity<3>     &elasticity,
-                                const GhostedVector     &u);
+  template void check_rotations(const Discretization<2>   &discretization,
+                                const Elasticity<2>       &elasticity,
+                                const ContactInterface<2> *interface,
+                                const GhostedVector       &u);
+  template void check_rotations(const Discretization<3>   &discretization,
+                                const Elasticity<3>       &elasticity,
+                                const ContactInterface<3> *interface,
+                                const GhostedVector       &u);
 } // namespace Contact

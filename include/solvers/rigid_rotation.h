@@ -71,8 +71,8 @@ namespace Contact
                         GhostedVector                   &u);
 
   /**
-   * Check that no piece that supports leave free turns further than small
-   * strain can mean. There a rotation by omega lengthens a body by
+   * Check that no piece that supports and glue leave free turns further than
+   * small strain can mean. There a rotation by omega lengthens a body by
    * sqrt(1 + omega^2) - 1, about omega^2/2, which is no strain in this theory
    * but moves its surface all the same. Beyond the larger one of
    *   - a tenth of the largest strain of the piece, sqrt(s : D^-1 : s / E):
@@ -84,9 +84,10 @@ namespace Contact
    * and the angle. Does nothing with large displacements. Collective.
    */
   template<int dim>
-  void check_rotations(const Discretization<dim> &discretization,
-                       const Elasticity<dim>     &elasticity,
-                       const GhostedVector       &u);
+  void check_rotations(const Discretization<dim>   &discretization,
+                       const Elasticity<dim>       &elasticity,
+                       const ContactInterface<dim> *interface,
+                       const GhostedVector         &u);
 } // namespace Contact
 
 #endif
