@@ -13,7 +13,8 @@ Proves that
 - in two halves, one glued to the other, it does so, too;
 - masters with teeth do not end in an error of the program, nor in much memory;
 - a slave with lines of its master's own body is refused;
-- loads that round-off swallows are named;
+- loads that round-off swallows are named, and forces that add up to round-off are
+  no error of the program;
 - a contact zone that ends where supports hold both bodies converges, and one
   where slave and master end at the same place;
 - slave nodes that supports hold or move along the surface carry shear, mu times
@@ -218,6 +219,22 @@ def round_off():
         "Boundary conditions/Resultant force y": "Head: -0.1"})
     check("loads that round-off swallows are no result with status 0",
           status in (1, 3), f"{status} {said[:200]}")
+
+
+def beyond_round_off():
+    """No invariant is smaller than round-off, whatever Newton's tolerance."""
+    mesh = Mesh()
+    mesh.block("A", 6, 2, box(-6, -5, 6, 0), {"bottom": "Base", "top": "Ground"})
+    mesh.block("B", 5, 2, box(-3, 0, 3, 4), {"bottom": "Sole", "top": "Head"})
+    mesh.write("beyond_round_off")
+    status, said, _ = run("beyond_round_off", {
+        "Mesh/File": "beyond_round_off.msh", **solids(), **CONTACT,
+        "Boundary conditions/Displacement x": "Base: 0, Head: 0.05",
+        "Boundary conditions/Displacement y": "Base: 0, Head: -0.1",
+        "Contact/Friction coefficient": "0.3",
+        "Solution/Newton tolerance": "1e-18"})
+    check("a tolerance below round-off violates nothing",
+          status == 0 and "violated" not in said, f"{status} {said[:300]}")
 
 
 def held_ends():
@@ -749,7 +766,7 @@ def idle():
 
 
 for scene in (carried, overlap, cantilever, halves, teeth, own_master, round_off,
-              held_ends, dragged, driven, cornered, in_a_corner,
+              beyond_round_off, held_ends, dragged, driven, cornered, in_a_corner,
               roles, tied, flank, groove, slide, pinned, clamped, between_nodes, foil,
               turning, coarse_fit, idle):
     print(scene.__name__)

@@ -6,6 +6,7 @@
 #include "verification/contact_check.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "contact/contact_crossing.h"
 #include "contact/contact_depth.h"
@@ -62,6 +63,9 @@ namespace Contact
   template<int dim>
   void ContactCheck<dim>::widen(Slack &slack) const
   {
+    slack.relative =
+      std::max(slack.relative,
+               tractions.size() * std::numeric_limits<double>::epsilon());
     if (parameters.friction == Parameters::FrictionLoop::fixed_point &&
         interface.has_coulomb_friction())
       slack.shear = parameters.friction_tolerance * largest_bound;

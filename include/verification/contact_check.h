@@ -133,7 +133,8 @@ namespace Contact
                  const GhostedVector         &u_start,
                  const double                 moved);
 
-    /// Let the slack know of bounds by a fixed point.
+    /// Let the slack know of bounds by a fixed point, and of the round-off of a
+    /// sum over all points.
     void widen(Slack &slack) const;
 
     /// Add the forces of the pressures and of the shears on the nodes [N per
