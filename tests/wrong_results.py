@@ -34,6 +34,7 @@ Proves that
 - a history that turns back inside an increment is noted;
 - a press fit of polygons that leave more open than it overlaps is a violation, and
   one of elements of degree 2 that are off their circle by as much is noted;
+- the flat ends of round shafts are not said to be off their circles;
 - a scene that nothing loads, and one where nothing touches, are noted.
 
 Usage: wrong_results.py CONTACT PARAMETERS MESHES
@@ -43,6 +44,7 @@ import math
 import sys
 
 from block_scenes import Mesh, box, check, failures, rows, run
+from volume_scenes import Volumes
 
 
 def solids(young="A: 1000, B: 1000", poisson="A: 0.3, B: 0.3",
@@ -740,6 +742,33 @@ def coarse_fit():
               status == status_wanted and (words in said) == noted, said[:400])
 
 
+def flat_ends():
+    """The flat ends of two round shafts, one on the other, whose meshes do not
+    match: the ends are on no circle."""
+    def shaft(z0, z1):
+        def chart(r, s, t):
+            a, b = 2 * r - 1, 2 * s - 1
+            return (5 * a * math.sqrt(1 - b * b / 2),
+                    5 * b * math.sqrt(1 - a * a / 2), z0 + (z1 - z0) * t)
+        return chart
+    sides = {**{side: "side" for side in ("x0", "x1", "y0", "y1")},
+             "z0": "z0", "z1": "z1"}
+    mesh = Volumes()
+    mesh.block("A", (6, 6, 1), shaft(-4, 0), sides, {})
+    mesh.block("B", (4, 4, 1), shaft(0, 4), sides, {})
+    mesh.write("flat_ends")
+    status, said, _ = run("flat_ends", {
+        "Mesh/File": "flat_ends.msh", **solids(),
+        "Mesh/Cylinders": "A_side: 0, 0, 0, 0, 0, 1, 5; "
+                          "B_side: 0, 0, 0, 0, 0, 1, 5",
+        "Contact/Slave": "B_z0", "Contact/Master": "A_z1",
+        **{f"Boundary conditions/Displacement {x}": "A_z0: 0, B_z1: 0"
+           for x in "xy"},
+        "Boundary conditions/Displacement z": "A_z0: 0, B_z1: -0.01"})
+    check("flat ends are on no circle", status == 0 and
+          "off their circles" not in said, said[:300])
+
+
 def idle():
     mesh = Mesh()
     mesh.block("A", 4, 2, box(-4, -5, 4, 0), {"bottom": "Base", "top": "Ground"})
@@ -768,7 +797,7 @@ def idle():
 for scene in (carried, overlap, cantilever, halves, teeth, own_master, round_off,
               beyond_round_off, held_ends, dragged, driven, cornered, in_a_corner,
               roles, tied, flank, groove, slide, pinned, clamped, between_nodes, foil,
-              turning, coarse_fit, idle):
+              turning, coarse_fit, flat_ends, idle):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)

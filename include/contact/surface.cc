@@ -159,9 +159,11 @@ namespace Contact
       cell->get_dof_indices(of_cell);
 
       LooseFacet<dim> facet;
-      facet.body   = cell->material_id();
-      facet.middle = face->center(/*respect_manifold=*/true);
-      facet.name   = facet_name(discretization, face);
+      facet.body = cell->material_id();
+      // Round sides do not make a flat face round.
+      facet.middle = face->center(
+        /*respect_manifold=*/face->manifold_id() != numbers::flat_manifold_id);
+      facet.name = facet_name(discretization, face);
       for (unsigned int k = 0; k < dofs.size(); ++k)
         {
           const auto [c, a]      = fe.face_system_to_component_index(k, f);
