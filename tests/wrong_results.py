@@ -35,6 +35,7 @@ Proves that
 - a press fit of polygons that leave more open than it overlaps is a violation, and
   one of elements of degree 2 that are off their circle by as much is noted;
 - the flat ends of round shafts are not said to be off their circles;
+- glue across a gap is noted, and a violation where the moment that is lost matters;
 - a scene that nothing loads, and one where nothing touches, are noted.
 
 Usage: wrong_results.py CONTACT PARAMETERS MESHES
@@ -769,6 +770,28 @@ def flat_ends():
           "off their circles" not in said, said[:300])
 
 
+def glued_apart():
+    """A block under a shear, glued to its base across a gap: the moment of the
+    shear over the gap is lost, which is noted, and a violation where it is more
+    than a hundredth."""
+    for gap, status_wanted in ((0, 0), (0.001, 0), (0.3, 1)):
+        mesh = Mesh()
+        mesh.block("A", 6, 2, box(-6, -5, 6, 0), {"bottom": "Base", "top": "Ground"})
+        mesh.block("B", 5, 2, box(-3, gap, 3, 4), {"bottom": "Sole", "top": "Head"})
+        mesh.write("glued_apart")
+        status, said, summary = run("glued_apart", {
+            "Mesh/File": "glued_apart.msh", **solids(), **CONTACT,
+            "Contact/Tied": "true",
+            "Boundary conditions/Displacement x": "Base: 0",
+            "Boundary conditions/Displacement y": "Base: 0",
+            "Boundary conditions/Resultant force x": "Head: 10"})
+        check(f"glued across {gap} mm: exit status {status_wanted}",
+              status == status_wanted, said[:400])
+        check("  the gap is noted, and the moment named",
+              (f"up to {gap} mm apart" in said) == (gap > 0) and
+              ("balance of moments" in said) == (status_wanted == 1), said[:400])
+
+
 def idle():
     mesh = Mesh()
     mesh.block("A", 4, 2, box(-4, -5, 4, 0), {"bottom": "Base", "top": "Ground"})
@@ -797,7 +820,7 @@ def idle():
 for scene in (carried, overlap, cantilever, halves, teeth, own_master, round_off,
               beyond_round_off, held_ends, dragged, driven, cornered, in_a_corner,
               roles, tied, flank, groove, slide, pinned, clamped, between_nodes, foil,
-              turning, coarse_fit, flat_ends, idle):
+              turning, coarse_fit, flat_ends, glued_apart, idle):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)

@@ -152,6 +152,47 @@ namespace Contact
 
 
 
+    // Glue holds the displacements of both surfaces together, wherever they
+    // are.
+    template<int dim>
+    void add_notes_on_glue(const Parameters::All       &parameters,
+                           const ContactInterface<dim> &interface,
+                           std::vector<std::string>    &notes)
+    {
+      const double digits  = 1e-9; // of a mesh file, by the length of an edge
+      const auto   entries = parameters.pairs();
+      for (unsigned int z = 0; z < entries.size(); ++z)
+        {
+          const ContactPair<dim> &contact_pair = *interface.pairs[z];
+          if (!contact_pair.tied)
+            continue;
+          double     largest = 0;
+          Point<dim> place;
+          for (const ContactPoint<dim> &point :
+               interface.points_of(contact_pair))
+            {
+              double gap = 0;
+              for (unsigned int a = 0; a < point.n_nodes; ++a)
+                gap += point.C[a] * (point.X[a] * point.normal);
+              if (point.facing && std::abs(gap) > largest &&
+                  std::abs(gap) > digits * contact_pair.edge_length(point))
+                {
+                  largest = std::abs(gap);
+                  place   = contact_pair.place(point);
+                }
+            }
+          if (largest > 0)
+            notes.push_back("the glued surfaces '" + entries[z].slave +
+                            "' and '" + entries[z].master + "' are up to " +
+                            brief(largest) + " mm apart, there at X = (" +
+                            brief(place) +
+                            ") mm: the moment of the shear over the gap is "
+                            "lost. Let them meet in the mesh");
+        }
+    }
+
+
+
     // A mesh has only a polygon of a circle.
     template<int dim>
     void add_notes_on_arcs(const Parameters::All     &parameters,
@@ -288,6 +329,7 @@ namespace Contact
     for (const auto &contact_pair : parameters.pairs())
       add_notes_on_arcs(parameters, model, contact_pair, notes);
     add_notes_on_facing(parameters, *model.interface, notes);
+    add_notes_on_glue(parameters, *model.interface, notes);
     add_notes_on_roles(parameters, model, notes);
     return notes;
   }

@@ -17,7 +17,8 @@ namespace Contact
   using namespace dealii;
 
   /// Likely mistakes in a scene: histories that turn back inside an
-  /// increment, surfaces that face nothing, stiff slaves, polygons of circles.
+  /// increment, surfaces that face nothing, stiff slaves, polygons of circles,
+  /// glue across a gap.
   template<int dim>
   std::vector<std::string> notes_on_scene(const ContactModel<dim> &model,
                                           const Parameters::All   &parameters);

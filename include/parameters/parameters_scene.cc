@@ -315,7 +315,8 @@ namespace Contact
                         tied,
                         "Glue the slave to the master wherever it faces it, "
                         "instead of contact [-]: what the same bodies cost "
-                        "without contact; nodal discretization or mortar.");
+                        "without contact; nodal discretization or mortar. The "
+                        "moment of the shear over a gap between them is lost.");
       prm.add_parameter("Friction coefficient",
                         friction_coefficient,
                         "Coulomb's coefficient of friction [-]; 0: none.",

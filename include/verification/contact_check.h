@@ -93,8 +93,9 @@ namespace Contact
    * the Gauss-point discretization the gap is zero in the mean only; over a
    * corner of the master the projection stays behind; where the surfaces have
    * moved by d since they were paired, the projection is that of the pairing:
-   * |o| <= sqrt(2) sum |C_a| d. So much is the method's own. With undeformed
-   * geometry the moments are those of the undeformed bodies.
+   * |o| <= sqrt(2) sum |C_a| d. So much is the method's own. Glue has the gap
+   * and the offset of the mesh, and may lose a hundredth of the moment by them.
+   * With undeformed geometry the moments are those of the undeformed bodies.
    *
    * @par Complementarity and friction
    * The weak conditions of the discretization are what Newton's method has
