@@ -261,6 +261,8 @@ expect "same lines as slave and master: how" "$good" \
 expect "same lines as slave and master, swapped" "$good" \
   --set "Contact second/Slave=Top_B" --set "Contact second/Master=Bottom_C" \
   --set "Boundary conditions/Tied y="
+expect "same surfaces as slave and master: how" "$parameters/nested_space.prm" \
+  --set "Contact second/Slave=Bottom" --set "Contact second/Master=Top"
 expect "is tied to the master" "$good" --set "Contact/Excluded points="
 
 # A group of an outer line and of one between two cells

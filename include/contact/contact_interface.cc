@@ -60,6 +60,7 @@ namespace Contact
     for (unsigned int j = 0; j < pairs.size(); ++j)
       for (unsigned int i = 0; i < j; ++i)
         {
+          const std::string parts      = dim == 2 ? "lines" : "surfaces";
           const bool both_have_masters = pairs[i]->master && pairs[j]->master;
           const bool is_same =
             overlap(pairs[i]->slave, pairs[j]->slave) && same_master(i, j);
@@ -67,14 +68,14 @@ namespace Contact
                                   overlap(pairs[i]->slave, *pairs[j]->master) &&
                                   overlap(*pairs[i]->master, pairs[j]->slave);
           if (is_same || is_swapped)
-            throw InputError("two contact pairs have the same lines as slave "
-                             "and master" +
-                               std::string(is_swapped ? ", swapped" : "") +
+            throw InputError("two contact pairs have the same " + parts +
+                               " as slave and master" +
+                               (is_swapped ? ", swapped" : "") +
                                ": how they share the force is not determined",
                              "'" + parameters[i].section() + "' and '" +
                                parameters[j].section() + "'",
-                             "remove one of them, or take the common lines out "
-                             "of one");
+                             "remove one of them, or take the common " + parts +
+                               " out of one");
         }
   }
 

@@ -20,7 +20,8 @@ namespace Contact
   struct ContactResults
   {
     /// On the slave: sum over the points of w p and of w q, along the normals
-    /// and the tangents of the master [N per mm of thickness].
+    /// and the tangents of the master [N per mm of thickness]; in space the
+    /// magnitude of the sum of the vectors w q [N].
     double normal_force     = 0;
     double tangential_force = 0;
 
