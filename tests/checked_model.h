@@ -82,10 +82,10 @@ namespace Tests
     {
       load_factor = load;
       return ContactModel::solve(load,
-                                    parameters.contact.discretization !=
-                                      Parameters::ContactDiscretization::mortar,
-                                    /*pairs_anew=*/true,
-                                    force) > 0;
+                                 parameters.contact.discretization !=
+                                   Parameters::ContactDiscretization::mortar,
+                                 /*pairs_anew=*/true,
+                                 force) > 0;
     }
 
     Invariants check()

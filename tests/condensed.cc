@@ -32,7 +32,7 @@ namespace
   void compare(const std::string &name, const Case &c)
   {
     const Parameters::All parameters = make_case(c);
-    ContactModel       saddle(parameters);
+    ContactModel          saddle(parameters);
     CondensedModel        condensed(parameters);
     bool                  converged = true;
     for (const double load_factor : {0.6, 1.})

@@ -55,7 +55,7 @@ namespace
   // The solution that has the exact values at all nodes, times a factor.
   void interpolate(const ExactSolution &exact,
                    const double         factor,
-                   ContactModel     &model)
+                   ContactModel        &model)
   {
     const auto X = model.support_points();
     const auto c = model.components();
@@ -78,8 +78,8 @@ namespace
 
 
 
-  std::map<std::string, double> errors(const ExactSolution   &exact,
-                                       const ContactModel &model)
+  std::map<std::string, double> errors(const ExactSolution &exact,
+                                       const ContactModel  &model)
   {
     return solution_errors(exact,
                            model.discretization,
@@ -99,9 +99,9 @@ namespace
     std::array<std::map<std::string, double>, 2> found;
     for (const unsigned int i : {0, 1})
       {
-        const auto      parameters = rings(degree, 4 * (i + 1), false);
+        const auto   parameters = rings(degree, 4 * (i + 1), false);
         ContactModel model(parameters);
-        const auto      exact = exact_solution(parameters, model);
+        const auto   exact = exact_solution(parameters, model);
         interpolate(exact, 1, model);
         found[i] = errors(exact, model);
       }
@@ -186,8 +186,8 @@ namespace
   // the displacement x^2/2 along x, against 1, and the strain 1.
   void check_integrals()
   {
-    ContactModel model(blocks(2));
-    ExactSolution   field, exact;
+    ContactModel  model(blocks(2));
+    ExactSolution field, exact;
     field.pressure     = [](const Point<2> &) { return 0.; };
     field.displacement = [](const Point<2> &X, const types::material_id) {
       return Tensor<1, 2>({X[0] * X[0] / 2, 0});
@@ -219,9 +219,9 @@ namespace
   // slave or not: pressure, displacement and stress are those of its material.
   void check_inner_body(const bool swapped)
   {
-    const auto            parameters = rings(1, 2, swapped);
+    const auto         parameters = rings(1, 2, swapped);
     const ContactModel model(parameters);
-    const auto            exact = exact_solution(parameters, model);
+    const auto         exact = exact_solution(parameters, model);
 
     const ConcentricCylinders
                cylinders(20, 50, 100, {1000, 0.3}, {2000, 0.25}, 100, 20);

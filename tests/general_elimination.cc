@@ -82,9 +82,9 @@ namespace
   /// With multipliers and without, in two increments.
   void compare(const std::string &name, const Parameters::All &parameters)
   {
-    ContactModel saddle(parameters);
-    CondensedModel  condensed(parameters);
-    bool            converged = true;
+    ContactModel   saddle(parameters);
+    CondensedModel condensed(parameters);
+    bool           converged = true;
     for (const double load_factor : {0.6, 1.})
       {
         converged = converged && saddle.solve(load_factor, false) > 0;

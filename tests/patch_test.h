@@ -76,8 +76,8 @@ namespace Tests
 
   /// The largest deviation from a uniform stress along @p axis.
   inline double deviation_of_stress(const ContactModel &model,
-                                    const double           poisson,
-                                    const unsigned int     axis = 1)
+                                    const double        poisson,
+                                    const unsigned int  axis = 1)
   {
     const double          pressure = exact_pressure(poisson);
     SymmetricTensor<2, 3> exact;
@@ -97,7 +97,7 @@ namespace Tests
                       const unsigned int     axis = 1)
   {
     ContactModel model(parameters);
-    Result          result{};
+    Result       result{};
     result.converged      = model.solve(1, false) > 0;
     result.deviation      = deviation_of_stress(model, poisson, axis);
     result.all_in_contact = true;

@@ -43,8 +43,8 @@ namespace Contact
    *
    * With several ranks each has the unknowns of its cells and their neighbors;
    * supports and the unknowns of named points are known to all. Vectors of the
-   * displacement hold the former and, on every rank, the unknowns of all contact
-   * faces and of named points.
+   * displacement hold the former and, on every rank, the unknowns of all
+   * contact faces and of named points.
    */
   template<int dim>
   class Discretization

@@ -264,9 +264,9 @@ namespace Contact
                               const GhostedVector           &solution,
                               std::map<std::string, double> &errors)
     {
-      const DistributedVector u = discretization.distributed(solution);
-      const unsigned int degree = discretization.degree;
-      hp::FEValues<2>    hp_fe_values(
+      const DistributedVector u      = discretization.distributed(solution);
+      const unsigned int      degree = discretization.degree;
+      hp::FEValues<2>         hp_fe_values(
         discretization.mapping,
         discretization.fe,
         hp::QCollection<2>(QGauss<2>(degree + 2), QGaussSimplex<2>(degree + 2)),
