@@ -242,7 +242,7 @@ namespace Contact
                                       const double         load_factor) const
   {
     const auto    factors = support_factors(load_factor);
-    GhostedVector motion(dof_handler.n_dofs());
+    GhostedVector motion(distribution);
     for (const auto &[dof, displacement] : prescribed)
       if (u.holds(dof))
         motion[dof] = displacement.at(factors) - u[dof];

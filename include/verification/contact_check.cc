@@ -129,7 +129,7 @@ namespace Contact
     // Where no force has undone an overlap, the bodies passed through each
     // other, or are a press fit of polygons that leave more open than that.
     const bool              pushes = carries_force(contact_pair);
-    const GhostedVector     none(u_start.size());
+    const GhostedVector     none   = u_start.zero();
     const ContactDepth<dim> now =
       largest_depth(contact_pair, solution, /*as_drawn=*/!pushes);
     if (now.depth == 0)
