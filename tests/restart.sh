@@ -1,8 +1,7 @@
 #!/bin/sh
 # A run that ends from outside leaves its finished increments readable, and goes
 # on from there with --restart to the same result: after SIGTERM, after SIGKILL,
-# and where the disk was full, on one process and on two, with and without levels,
-# and on another number of processes than before.
+# and where the disk was full, on one process and on two, with and without levels.
 #   restart.sh CONTACT PARAMETERS MESHES
 # SPDX-License-Identifier: LGPL-2.1-or-later
 set -eu
@@ -194,32 +193,5 @@ agreement=1e-10
 everything
 launcher="mpirun -np 2"
 everything
-
-# from_two_to NUMBER: the last case, which two processes have begun
-from_two_to() {
-  launcher="mpirun -np 2"
-  send KILL "from_two_to_$1"
-  launcher="mpirun -np $1"
-  echo "$name, from two processes to $1:"
-  run "from_two_to_$1" --restart || fail "$1 processes: --restart ends with $?"
-  compare "from_two_to_$1"
-}
-
-agreement=1e-8
-from_two_to 3
-cat >space.prm <<PRM
-include $parameters/nested_space_friction.prm
-subsection Refinement
-  set Levels = 1
-end
-subsection Output
-  set VTU = true
-end
-PRM
-case=space.prm
-name=space
-rm -rf whole
-run whole
-from_two_to 3
 
 [ "$failures" -eq 0 ]

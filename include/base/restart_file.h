@@ -68,7 +68,7 @@ namespace Contact
       }
     if (!is_of_this_run)
       throw InputError("the restart file belongs to other parameters, to "
-                       "another mesh, or to one process and not several",
+                       "another mesh, or to another number of processes",
                        file.string(),
                        "set what was set before, or run without --restart");
   }

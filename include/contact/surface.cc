@@ -301,8 +301,9 @@ namespace Contact
                                     const GhostedVector &u) const
   {
     Point<dim> x = nodes[node].X;
-    for (unsigned int c = 0; c < dim; ++c)
-      x[c] += u[nodes[node].dofs[c]];
+    if (u.size() > 0)
+      for (unsigned int c = 0; c < dim; ++c)
+        x[c] += u[nodes[node].dofs[c]];
     return x;
   }
 

@@ -316,7 +316,7 @@ namespace Contact
       return Utilities::fixed_power<dim - 1>(degree + 1);
     }
 
-    /// Current position of a node.
+    /// Current position of a node; of an empty vector the undeformed one.
     Point<dim> position(const unsigned int node, const GhostedVector &u) const;
 
     /// The outward unit normals at the nodes of the deformed surface: the mean

@@ -104,7 +104,7 @@ namespace Contact
   template<>
   void Surface<3>::find_corners()
   {
-    const GhostedVector undeformed(discretization.distribution);
+    const GhostedVector undeformed;
     const auto normal_at = [&](const SurfaceFacet<3> &facet, const Side &ends) {
       Tensor<1, 3> sum;
       for (unsigned int a = 0; a < 4; ++a)
@@ -185,7 +185,7 @@ namespace Contact
   template<>
   double Surface<3>::largest_bend() const
   {
-    const GhostedVector undeformed(discretization.distribution);
+    const GhostedVector undeformed;
     double              smallest_cosine = 1;
     for (const SurfaceFacet<3> &facet : facets)
       {

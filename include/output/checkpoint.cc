@@ -120,15 +120,13 @@ namespace Contact
 
 
   // All that has to be the same for a run to be the continuation of another.
-  // One process has another kind of triangulation, with other numbers on the
-  // cells.
+  // The order of unknowns and points is that of the ranks.
   template<int dim>
   std::string Checkpoint<dim>::key() const
   {
     std::ostringstream key;
-    const bool         is_one =
-      Utilities::MPI::n_mpi_processes(model.discretization->communicator) == 1;
-    key << "contact restart 3, " << (is_one ? "one rank" : "several ranks")
+    key << "contact restart 3, ranks "
+        << Utilities::MPI::n_mpi_processes(model.discretization->communicator)
         << ", unknowns " << state.solution.size() << ", mesh "
         << checksum(parameters.mesh.file) << '\n';
     prm.print_parameters(key, ParameterHandler::ShortPRM);

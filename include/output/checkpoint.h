@@ -19,10 +19,9 @@ namespace Contact
   /**
    * The files that a run which was interrupted goes on from: all that an
    * increment leaves to the next one, restart.bin, and of the vectors a part by
-   * each rank, restart_INCREMENTS.RANK.bin. Any number of several ranks
-   * can go on where several ended.
-   * Levels below the last one are computed
-   * again, which costs less than to keep their meshes.
+   * each rank, restart_INCREMENTS.RANK.bin. As many ranks go on. Levels below
+   * the last one are computed again, which costs less than to keep their
+   * meshes.
    */
   template<int dim>
   class Checkpoint
