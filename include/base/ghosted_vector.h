@@ -17,7 +17,7 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// Who owns which unknowns, and which of the others this process holds.
+  /// The owners of the unknowns, and the others that this process holds.
   using Distribution = std::shared_ptr<const Utilities::MPI::Partitioner>;
 
   /// deal.II's own, for its transfer between meshes and its output.
@@ -102,7 +102,7 @@ namespace Contact
       return values[position(i)];
     }
 
-    /// What is held: what is owned, the ghosts, the multipliers.
+    /// The values held: those owned, the ghosts, the multipliers.
     const double *begin() const
     {
       return values.begin();

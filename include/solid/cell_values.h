@@ -33,7 +33,7 @@ namespace Contact
     }
   };
 
-  /// What this rank owns of @p vectors, each unknown once.
+  /// The values of @p vectors that this rank owns, each unknown once.
   template<int dim>
   CellValues values_on_cells(const Discretization<dim>          &discretization,
                              const std::vector<GhostedVector *> &vectors);

@@ -163,7 +163,7 @@ namespace Contact
 
   namespace
   {
-    /// What is left to @p value. A hanging unknown follows others, with their
+    /// The rest up to @p value. A hanging unknown follows others, with their
     /// round-off.
     double beyond_round_off(const double value, const double present)
     {
