@@ -272,21 +272,14 @@ namespace Contact
     last = state.solution;
     if (model.discretization->update_is_prescribed())
       guard.forget();
-    typename LinearSystem<dim>::Step step{n_steps,
-                                          convergence.residual(),
-                                          last_residual,
-                                          convergence.tolerance(),
-                                          convergence.force_scale(),
-                                          /*continues=*/false};
-    unsigned int                     n = system->make_step(step, rhs, state);
-    step.continues                     = true;
-    // Statuses that do not settle change from step to step from then on.
-    const unsigned int max_turns = 10;
-    for (unsigned int turn = 0; searches && adapt_statuses(); ++turn)
-      {
-        n += system->make_step(step, rhs, state);
-        searches = turn + 1 < max_turns;
-      }
+    const typename LinearSystem<dim>::Step step{n_steps,
+                                                convergence.residual(),
+                                                last_residual,
+                                                convergence.tolerance(),
+                                                convergence.force_scale(),
+                                                /*continues=*/false};
+    unsigned int n = system->make_step(step, rhs, state);
+    n += search_statuses(step);
     last_residual = step.residual;
     part          = part_until_touch();
     if (part < 1)
@@ -297,6 +290,41 @@ namespace Contact
       }
     remember_status();
     ++n_steps;
+    return n;
+  }
+
+
+
+  // Under some statuses nothing holds a body that contact alone holds: the
+  // matrix is singular, and its solution beyond all digits of the step's. Where
+  // that is so, and where statuses do not settle, they change from step to step
+  // from then on.
+  template<int dim>
+  unsigned int
+  NewtonState<dim>::search_statuses(typename LinearSystem<dim>::Step step)
+  {
+    if (!searches)
+      return 0;
+    unsigned int        n         = 0;
+    const unsigned int  max_turns = 10;
+    const GhostedVector first     = state.solution;
+    const auto          statuses  = model.interface->statuses();
+    const double        largest =
+      first.linfty_norm() / std::numeric_limits<double>::epsilon();
+    step.continues = true;
+    for (unsigned int turn = 0; searches; ++turn)
+      {
+        if (!adapt_statuses())
+          break;
+        n += system->make_step(step, rhs, state);
+        const bool is_solution = state.solution.linfty_norm() <= largest;
+        searches               = turn + 1 < max_turns && is_solution;
+        if (!is_solution)
+          {
+            state.solution = first;
+            model.interface->set_statuses(statuses);
+          }
+      }
     return n;
   }
 

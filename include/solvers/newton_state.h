@@ -93,9 +93,13 @@ namespace Contact
     double       part_until_touch() const;
 
     /// Whether steps search for the statuses of their linear problem, as
-    /// ActiveSetSearch does with multipliers: solve it again under those that
-    /// its solution has.
+    /// ActiveSetSearch does with multipliers.
     bool searches_in_step() const;
+
+    /// Solve the linear problem of @p step again under the statuses that its
+    /// solution has, until they settle. Returns the number of linear
+    /// iterations. Collective.
+    unsigned int search_statuses(typename LinearSystem<dim>::Step step);
 
     /// Give the points the statuses that they have in the solution of the
     /// linear problem. Returns whether one is another.
