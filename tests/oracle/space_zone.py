@@ -169,11 +169,13 @@ class SpaceZoneCheck:
         allowed = LEVER * self.slack * total + 3 * noise + 1e-6 * (
             max(total, 1e-2 * self.state.scale) * np.ptp(arm))
         if self.rule == "mortar":
-            # What facets of round surfaces overlap by is a lever of the shear.
+            # What facets of round surfaces overlap by is a lever of the shear,
+            # and its part along the surface one of the pressure.
             n = np.array([self.mean_normal(where) for where in self.around])
-            push = np.einsum("ki,ki->k", self.force, n)[:, None] * n
-            allowed += self.facets() * np.linalg.norm(self.force - push,
-                                                      axis=1).sum()
+            push = np.einsum("ki,ki->k", self.force, n)
+            shear = self.force - push[:, None] * n
+            allowed += (self.facets() * np.linalg.norm(shear, axis=1).sum() +
+                        self.offsets() * np.abs(push).sum())
         if moment <= allowed:
             return []
         return [Problem("moment", "%.3g N mm of %.3g N on arms up to %.3g mm" %
@@ -255,10 +257,10 @@ class SpaceZoneCheck:
         return [self.own] + ([self.master.group] if hasattr(
             self.master, "group") else [])
 
-    def facets(self):
-        """By how much the corners of facets overlap where round surfaces touch:
-        edge^2 / 8 R of either side, R from the turns between neighbors."""
-        deepest = 0.0
+    def turns(self):
+        """Of neighboring facets of round surfaces the angle between them, and
+        the longer of their edges."""
+        yield 0.0, 0.0
         for group in self.surfaces():
             at = {}
             corners = [0, 1, 3, 2] if group.faces.shape[1] == 4 else [0, 2, 8,
@@ -270,9 +272,16 @@ class SpaceZoneCheck:
                 turn = np.linalg.norm(np.cross(*group.face_normal[
                     [pair[0], pair[-1]]]))
                 if turn < ROUND:
-                    deepest = max(deepest, turn / 4 * group.face_size[
-                        pair].max())
-        return deepest
+                    yield turn, group.face_size[pair].max()
+
+    def facets(self):
+        """By how much the corners of facets overlap where round surfaces touch:
+        edge^2 / 8 R of either side, R from the turns between neighbors."""
+        return max(turn * edge / 4 for turn, edge in self.turns())
+
+    def offsets(self):
+        """The part along the surface of such an overlap."""
+        return max(turn**2 * edge / 4 for turn, edge in self.turns())
 
     def sagitta(self):
         """Of the triangles that a face which is not flat is cut into."""
