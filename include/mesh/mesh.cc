@@ -121,6 +121,54 @@ namespace Contact
 
 
 
+    /// The places that the user names are vertices, in the coordinates of the
+    /// file, where two bodies that touch may have one each. What is typed has
+    /// fewer digits than the file.
+    template<int dim>
+    void name_points(const Parameters::Mesh              &parameters,
+                     const std::vector<Point<dim>>       &vertices,
+                     std::map<std::string, unsigned int> &points)
+    {
+      const std::string entry = "entry 'Mesh/Points'";
+      double            size  = 0;
+      for (const Point<dim> &vertex : vertices)
+        size = std::max(size, vertex.distance(vertices.front()));
+      for (const auto &[name, numbers] : parameters.points)
+        {
+          if (numbers.size() != dim || points.count(name) > 0)
+            throw InputError(points.count(name) > 0
+                               ? "the mesh file has a point '" + name +
+                                   "' of its own"
+                               : "the point '" + name + "' is no place",
+                             entry,
+                             points.count(name) > 0
+                               ? "choose another name"
+                               : std::string("write ") +
+                                   (dim == 2 ? "'x, y'" : "'x, y, z'") +
+                                   ", in mm");
+          Point<dim> X;
+          std::copy(numbers.begin(), numbers.end(), &X[0]);
+          const auto closest =
+            std::min_element(vertices.begin(),
+                             vertices.end(),
+                             [&](const auto &a, const auto &b) {
+                               return X.distance_square(a) <
+                                      X.distance_square(b);
+                             });
+          if (X.distance(*closest) > 1e-4 * size)
+            throw InputError("there is no corner of a cell at the point '" +
+                               name + "'",
+                             entry,
+                             "the closest one is at " + to_string(*closest) +
+                               " mm, in the coordinates of the file");
+          if (std::count(vertices.begin(), vertices.end(), *closest) > 1)
+            throw InputError("two bodies have a node at the point '" + name +
+                               "'",
+                             entry,
+                             "name the point in the mesh file");
+          points[name] = closest - vertices.begin();
+        }
+    }
   } // namespace
 
 
@@ -157,6 +205,7 @@ namespace Contact
     boundaries             = coarse.boundaries;
     points                 = coarse.points;
     with_inner_faces       = coarse.with_inner_faces;
+    name_points(parameters, coarse.vertices, points);
     place_vertices(coarse.cells, placement, msh, coarse.vertices);
     order_cells(coarse.cells);
     triangulation.create_triangulation(coarse.vertices,

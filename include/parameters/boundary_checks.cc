@@ -37,11 +37,17 @@ namespace Contact
     template<int n_variables>
     void check_formula(const std::string &formula,
                        const std::string &variables,
-                       const std::string &entry)
+                       const std::string &entry,
+                       const bool         in_time = false)
     {
       try
         {
-          parse_formula<n_variables>(formula, variables, entry);
+          if (in_time)
+            parse_formula_in_time<std::max(n_variables, 2)>(formula,
+                                                            variables,
+                                                            entry);
+          else
+            parse_formula<n_variables>(formula, variables, entry);
         }
       catch (const std::runtime_error &error)
         {
@@ -98,6 +104,15 @@ namespace Contact
                        "Resultant force" + in,
                        displacement[c]);
           moves_freely(traction[c], "Traction" + in, displacement[c]);
+          check_disjoint(displacement[c],
+                         section + "Displacement" + in,
+                         displacement_formula[c],
+                         section + "Displacement formula" + in);
+          for (const auto &[group, formula] : displacement_formula[c])
+            check_formula<3>(formula,
+                             "x,y,z,t",
+                             section + "Displacement formula" + in,
+                             /*in_time=*/true);
         }
       moves_freely(tied_y, "Tied y", displacement[1]);
       const auto check_formulas = [&](const auto        &formulas,
@@ -156,6 +171,8 @@ namespace Contact
 
     std::string Boundary::entry_in_z() const
     {
+      if (!displacement_formula[2].empty())
+        return "Displacement formula z";
       for (const auto &[entry, is_set] : entries_with_history())
         if (entry.back() == 'z' && (is_set || histories.count(entry) > 0))
           return entry;

@@ -50,6 +50,62 @@ namespace Contact
                ? text
                : text.substr(position + said.size());
     }
+
+    template<int dim>
+    std::shared_ptr<FunctionParser<dim>> parser_of(const std::string &formula,
+                                                   const std::string &variables,
+                                                   const bool         in_time)
+    {
+      const auto fail = [&](const std::string &reason) {
+        throw std::runtime_error("'" + formula + "' is no formula in " +
+                                 variables + ": " + reason);
+      };
+      if (Utilities::trim(formula).empty())
+        fail("it is empty");
+      if (is_list(formula))
+        fail("there is a comma outside of parentheses");
+      const auto parser = std::make_shared<FunctionParser<dim>>(1);
+      try
+        {
+          // deal.II prints what it also throws.
+          std::ostringstream               printed;
+          const boost::io::ios_rdbuf_saver saver(std::cerr, printed.rdbuf());
+          parser->initialize(variables,
+                             formula,
+                             {{"pi", numbers::PI}},
+                             in_time);
+          parser->value(Point<dim>()); // here it is read
+        }
+      catch (const dealii::ExceptionBase &exception)
+        {
+          fail(reason(exception));
+        }
+      return parser;
+    }
+
+
+
+    /// The value of a formula, which has to be a finite number.
+    template<typename... Place>
+    double checked(const double       value,
+                   const std::string &formula,
+                   const std::string &variables,
+                   const std::string &entry,
+                   const Place &...place)
+    {
+      if (!std::isfinite(value))
+        {
+          std::ostringstream at;
+          ((at << place << ' '), ...);
+          throw InputError("'" + formula + "' is " +
+                             (std::isnan(value) ? "not a number" : "infinite") +
+                             " at " + variables + " = " +
+                             Utilities::trim(at.str()),
+                           "entry '" + entry + "'",
+                           "write a formula that has a finite value there");
+        }
+      return value;
+    }
   } // namespace
 
 
@@ -60,41 +116,27 @@ namespace Contact
                 const std::string &variables,
                 const std::string &entry)
   {
-    const auto fail = [&](const std::string &reason) {
-      throw std::runtime_error("'" + formula + "' is no formula in " +
-                               variables + ": " + reason);
-    };
-    if (Utilities::trim(formula).empty())
-      fail("it is empty");
-    if (is_list(formula))
-      fail("there is a comma outside of parentheses");
-    const auto parser = std::make_shared<FunctionParser<n_variables>>(1);
-    try
-      {
-        // deal.II prints what it also throws.
-        std::ostringstream               printed;
-        const boost::io::ios_rdbuf_saver saver(std::cerr, printed.rdbuf());
-        parser->initialize(variables, formula, {{"pi", numbers::PI}});
-        parser->value(Point<n_variables>()); // here it is read
-      }
-    catch (const dealii::ExceptionBase &exception)
-      {
-        fail(reason(exception));
-      }
+    const auto parser =
+      parser_of<n_variables>(formula, variables, /*in_time=*/false);
     return [parser, formula, variables, entry](const Point<n_variables> &p) {
-      const double value = parser->value(p);
-      if (!std::isfinite(value))
-        {
-          std::ostringstream place;
-          place << p;
-          throw InputError("'" + formula + "' is " +
-                             (std::isnan(value) ? "not a number" : "infinite") +
-                             " at " + variables + " = " + place.str(),
-                           "entry '" + entry + "'",
-                           "write a formula that has a finite value there");
-        }
-      return value;
+      return checked(parser->value(p), formula, variables, entry, p);
     };
+  }
+
+
+
+  template<int dim>
+  std::function<double(const Point<dim> &, const double)>
+  parse_formula_in_time(const std::string &formula,
+                        const std::string &variables,
+                        const std::string &entry)
+  {
+    const auto parser = parser_of<dim>(formula, variables, /*in_time=*/true);
+    return
+      [parser, formula, variables, entry](const Point<dim> &p, const double t) {
+        parser->set_time(t);
+        return checked(parser->value(p), formula, variables, entry, p, t);
+      };
   }
 
 
@@ -167,4 +209,12 @@ namespace Contact
   parse_formula<2>(const std::string &,
                    const std::string &,
                    const std::string &);
+  template std::function<double(const Point<2> &, const double)>
+  parse_formula_in_time<2>(const std::string &,
+                           const std::string &,
+                           const std::string &);
+  template std::function<double(const Point<3> &, const double)>
+  parse_formula_in_time<3>(const std::string &,
+                           const std::string &,
+                           const std::string &);
 } // namespace Contact

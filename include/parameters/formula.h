@@ -28,6 +28,13 @@ namespace Contact
                 const std::string &variables,
                 const std::string &entry);
 
+  /// The same of the place, and of the load factor as the last variable.
+  template<int dim>
+  std::function<double(const Point<dim> &, const double)>
+  parse_formula_in_time(const std::string &formula,
+                        const std::string &variables,
+                        const std::string &entry);
+
   /**
    * A function of the load factor t: a formula in t, or a table <code>table(t0
    * f0, t1 f1, ...)</code> with growing t, linear in between and constant

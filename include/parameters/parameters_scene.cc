@@ -49,6 +49,11 @@ namespace Contact
                         "The same of tori: 'group: x, y, z of the centre, x, "
                         "y, z of the axis, radius of the ring, radius of the "
                         "tube' [mm].");
+      prm.add_parameter("Points",
+                        points,
+                        "Names for nodes by their place: 'name: x, y', of "
+                        "volumes 'x, y, z' [mm], separated by ';'; the corner "
+                        "of a cell there, in the coordinates of the file.");
       prm.add_parameter("Move",
                         move,
                         "'body: dx, dy' [mm], separated by ';', of volumes "
@@ -224,6 +229,15 @@ namespace Contact
                         "coordinates after Mesh/Move, Scale, Rotation and "
                         "Shift.",
                         formulas);
+      add_by_direction(prm,
+                       "Displacement formula",
+                       displacement_formula,
+                       "'group: formula' [mm], separated by ';'; a boundary or "
+                       "point group and its displacement, a formula in x, y, "
+                       "of volumes z [mm], and the load factor t from 0 to 1, "
+                       "such as '-0.01*t*y'. It has no history beside.",
+                       "[mm]",
+                       formulas);
       add_by_direction(prm,
                        "Traction",
                        traction,

@@ -75,6 +75,10 @@ namespace Contact
                0;
       }
 
+      /// A name for the node at {x, y} or {x, y, z} [mm], in the coordinates
+      /// of the file.
+      std::map<std::string, std::vector<double>> points;
+
       /// Body -> {dx, dy} or {dx, dy, dz} [mm], in the coordinates of the file.
       std::map<std::string, std::vector<double>> move;
 
@@ -138,6 +142,10 @@ namespace Contact
 
       /// Boundary or point group -> prescribed displacement [mm].
       ByDirection<double> displacement;
+
+      /// Boundary or point group -> prescribed displacement [mm], a formula in
+      /// x, y, of volumes z, and the load factor t.
+      ByDirection<std::string> displacement_formula;
 
       /// Flat boundary group -> prescribed displacement along its outward
       /// normal [mm].

@@ -226,8 +226,7 @@ namespace Contact
     }
 
   private:
-    /// Of the displacements prescribed by each entry, by their histories.
-    PerSupportEntry<dim> support_factors(const double load_factor) const;
+    SupportMotion<dim> motion_of_supports(const double load_factor) const;
 
     void check_radii();
     void hold_axis();
@@ -235,6 +234,11 @@ namespace Contact
     void distribute_vectors();
     void gather_named_points();
     void collect_supports();
+    void hold(const unsigned int component,
+              const std::string &entry,
+              const std::string &name,
+              const std::function<Prescribed<dim>(const Point<dim> &)> &at);
+    void collect_formulas(const unsigned int component);
     void hold_leaders_of_hanging_nodes();
     void collect_ties();
     void
@@ -243,6 +247,7 @@ namespace Contact
     using History = std::function<double(const Point<1> &)>;
 
     std::map<std::string, History>                             histories;
+    std::vector<typename SupportMotion<dim>::Formula>          formulas;
     std::map<types::global_dof_index, Prescribed<dim>>         prescribed;
     std::map<types::global_dof_index, types::global_dof_index> ties;
     double axis_tolerance       = 0; // round-off of the radii [mm]

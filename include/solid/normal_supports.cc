@@ -69,10 +69,10 @@ namespace Contact
 
   template<int dim>
   double
-  NormalSupports<dim>::Line::motion(const GhostedVector        &u,
-                                    const PerSupportEntry<dim> &factors) const
+  NormalSupports<dim>::Line::motion(const GhostedVector      &u,
+                                    const SupportMotion<dim> &motion) const
   {
-    const double value = prescribed.at(factors);
+    const double value = prescribed.at(motion);
     double       sum = value - u[pivot], size = std::abs(value);
     size += std::abs(u[pivot]);
     for (const auto &[dof, coefficient] : entries)
@@ -219,6 +219,12 @@ namespace Contact
           if (const auto held = prescribed.find(node.dofs[c]);
               held != prescribed.end())
             {
+              if (held->second.has_formula() && equation.normal[c] != 0)
+                throw InputError("'" + planes[p].name +
+                                   "' shares a node with a group that is "
+                                   "moved by a formula",
+                                 entry,
+                                 "let the groups end before they meet");
               for (unsigned int k = 0; k <= dim; ++k)
                 equation.prescribed.parts[k] -=
                   equation.normal[c] * held->second.parts[k];
@@ -430,11 +436,11 @@ namespace Contact
 
 
   template<int dim>
-  double NormalSupports<dim>::largest(const PerSupportEntry<dim> &factors) const
+  double NormalSupports<dim>::largest(const SupportMotion<dim> &motion) const
   {
     double largest = 0;
     for (const Plane &plane : planes)
-      largest = std::max(largest, std::abs(plane.value * factors[dim]));
+      largest = std::max(largest, std::abs(plane.value * motion.factors[dim]));
     return largest;
   }
 

@@ -12,6 +12,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <array>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -31,30 +32,53 @@ namespace Contact
   template<int dim>
   using PerSupportEntry = std::array<double, dim + 1>;
 
+  /// What the supports prescribe under a load factor: the factors of their
+  /// entries, and formulas of the place and the load factor [mm].
+  template<int dim>
+  struct SupportMotion
+  {
+    using Formula = std::function<double(const Point<dim> &X, const double t)>;
+
+    PerSupportEntry<dim>        factors;
+    double                      load_factor;
+    const std::vector<Formula> &formulas;
+  };
+
+
+
   /// A displacement that supports prescribe: its parts by entry times their
-  /// factors [mm].
+  /// factors [mm], or a formula by its number, at a place.
   template<int dim>
   struct Prescribed
   {
     PerSupportEntry<dim> parts{};
+    unsigned int         formula = numbers::invalid_unsigned_int;
+    Point<dim>           X{};
 
-    double at(const PerSupportEntry<dim> &factors) const
+    double at(const SupportMotion<dim> &motion) const
     {
+      if (has_formula())
+        return motion.formulas[formula](X, motion.load_factor);
       double sum = 0;
       for (unsigned int k = 0; k <= dim; ++k)
         if (parts[k] != 0)
-          sum += parts[k] * factors[k];
+          sum += parts[k] * motion.factors[k];
       return sum;
+    }
+
+    bool has_formula() const
+    {
+      return formula != numbers::invalid_unsigned_int;
     }
 
     bool is_moved() const
     {
-      return !(parts == PerSupportEntry<dim>());
+      return has_formula() || !(parts == PerSupportEntry<dim>());
     }
 
     bool operator!=(const Prescribed &other) const
     {
-      return parts != other.parts;
+      return parts != other.parts || formula != other.formula || X != other.X;
     }
 
     template<class Archive>
@@ -62,6 +86,7 @@ namespace Contact
     {
       for (double &part : parts)
         archive &part;
+      archive &formula &X;
     }
   };
 
@@ -94,8 +119,8 @@ namespace Contact
 
       /// The way of the pivot from @p u to where the supports want it, exactly
       /// zero within round-off [mm].
-      double motion(const GhostedVector        &u,
-                    const PerSupportEntry<dim> &factors) const;
+      double motion(const GhostedVector      &u,
+                    const SupportMotion<dim> &motion) const;
     };
 
     /// @p values are by name of a boundary [mm].
@@ -139,8 +164,8 @@ namespace Contact
     std::map<std::string, std::set<Dof>>
     unknowns(const unsigned int component) const;
 
-    /// The largest prescribed displacement under these factors [mm].
-    double largest(const PerSupportEntry<dim> &factors) const;
+    /// The largest prescribed displacement [mm].
+    double largest(const SupportMotion<dim> &motion) const;
 
   private:
     struct Plane

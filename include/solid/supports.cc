@@ -5,64 +5,99 @@
 
 // The part of Discretization on what supports and ties hold.
 
-#include <deal.II/base/function.h>
 #include <deal.II/base/mpi.h>
-#include <deal.II/numerics/vector_tools.h>
 
 #include <boost/serialization/map.hpp>
 #include <limits>
 
 #include "base/all_ranks.h"
 #include "base/errors.h"
+#include "parameters/formula.h"
 #include "solid/discretization.h"
 
 namespace Contact
 {
+  // The nodes of a point or of a boundary, and what is prescribed there.
+  template<int dim>
+  void Discretization<dim>::hold(
+    const unsigned int                                        component,
+    const std::string                                        &entry,
+    const std::string                                        &name,
+    const std::function<Prescribed<dim>(const Point<dim> &)> &at)
+  {
+    auto &unknowns = supports[component][name];
+    unknowns.clear();
+    // The owner of a cell knows which of its nodes hang.
+    const auto hold_dof = [&](const types::global_dof_index dof,
+                              const Point<dim>             &X,
+                              const bool                    is_owned) {
+      unknowns.insert(dof);
+      if (!is_owned)
+        return;
+      // Cells differ in the last digits of a place.
+      const Prescribed<dim> here  = at(X);
+      const Prescribed<dim> first = prescribed.emplace(dof, here).first->second;
+      if (first != here &&
+          !(here.has_formula() && here.formula == first.formula))
+        throw InputError("'" + name +
+                           "' shares a node with another group that is moved "
+                           "differently",
+                         entry,
+                         "give both the same displacement, or let the groups "
+                         "end before they meet");
+    };
+    if (mesh.points.count(name) > 0)
+      {
+        const unsigned int vertex = mesh.point(name, entry);
+        return hold_dof(vertex_dofs[vertex][component],
+                        mesh.triangulation.get_vertices()[vertex],
+                        /*is_owned=*/true);
+      }
+    const auto                          &ids = mesh.boundary(name, entry);
+    std::vector<types::global_dof_index> dofs, on_face;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (!cell->is_artificial() && cell->at_boundary(f) &&
+            ids.count(cell->face(f)->boundary_id()) > 0)
+          {
+            const auto &fe = cell->get_fe();
+            dofs.resize(fe.n_dofs_per_cell());
+            cell->get_dof_indices(dofs);
+            on_face.resize(fe.n_dofs_per_face(f));
+            cell->face(f)->get_dof_indices(on_face, cell->active_fe_index());
+            for (unsigned int i = 0; i < dofs.size(); ++i)
+              if (fe.system_to_component_index(i).first == component &&
+                  std::count(on_face.begin(), on_face.end(), dofs[i]) > 0)
+                hold_dof(
+                  dofs[i],
+                  mapping[cell->active_fe_index()].transform_unit_to_real_cell(
+                    cell,
+                    fe.unit_support_point(i)),
+                  cell->is_locally_owned());
+          }
+  }
+
+
+
   template<int dim>
   void Discretization<dim>::collect_supports()
   {
-    const auto collect = [this](const auto &groups, const unsigned int c) {
-      const std::string entry =
-        std::string("Boundary conditions/Displacement ") + "xyz"[c];
-      ComponentMask component(dim, false);
-      component.set(c, true);
-
-      for (const auto &[name, value] : groups)
-        {
-          std::map<types::global_dof_index, double> values;
-          if (mesh.points.count(name) > 0)
-            values[vertex_dofs[mesh.point(name, entry)][c]] = value;
-          else
-            for (const types::boundary_id id : mesh.boundary(name, entry))
-              VectorTools::interpolate_boundary_values(
-                mapping,
-                dof_handler,
-                id,
-                Functions::ConstantFunction<dim>(value, dim),
-                values,
-                component);
-
-          auto &unknowns = supports[c][name];
-          unknowns.clear();
-          for (const auto &[dof, dof_value] : values)
-            {
-              unknowns.insert(dof);
-              Prescribed<dim> here;
-              here.parts[c] = dof_value;
-              if (prescribed.emplace(dof, here).first->second != here)
-                throw InputError("'" + name +
-                                   "' shares a node with another "
-                                   "group that is moved differently",
-                                 entry,
-                                 "give both the same displacement, or let the "
-                                 "groups end before they meet");
-            }
-        }
-    };
-
     on_all_ranks(communicator, [&]() {
+      formulas.clear();
       for (unsigned int c = 0; c < dim; ++c)
-        collect(boundary.displacement[c], c);
+        {
+          const std::string entry =
+            std::string("Boundary conditions/Displacement ") + "xyz"[c];
+          for (const auto &[name, value] : boundary.displacement[c])
+            {
+              Prescribed<dim> everywhere;
+              everywhere.parts[c] = value;
+              hold(c, entry, name, [&](const Point<dim> &) {
+                return everywhere;
+              });
+            }
+          collect_formulas(c);
+        }
       if (axisymmetric)
         hold_axis();
     });
@@ -78,8 +113,41 @@ namespace Contact
 
 
 
+  // Parameters are checked before the mesh is known, with all variables.
+  template<int dim>
+  void Discretization<dim>::collect_formulas(const unsigned int c)
+  {
+    const std::string entry =
+      std::string("Boundary conditions/Displacement formula ") + "xyz"[c];
+    for (const auto &[name, formula] : boundary.displacement_formula[c])
+      {
+        try
+          {
+            formulas.push_back(
+              parse_formula_in_time<dim>(formula,
+                                         dim == 2 ? "x,y,t" : "x,y,z,t",
+                                         entry));
+          }
+        catch (const std::runtime_error &error)
+          {
+            throw InputError(error.what(),
+                             entry,
+                             "the mesh is plane: write a formula without z");
+          }
+        hold(c, entry, name, [&](const Point<dim> &X) {
+          Prescribed<dim> here;
+          here.formula = formulas.size() - 1;
+          here.X       = X;
+          return here;
+        });
+      }
+  }
+
+
+
   // A node of degree 2 in the middle of an edge of a larger cell has the place
-  // of that cell's own node, which it follows.
+  // of that cell's own node, which it follows. One that follows several is
+  // where these are, which need not be where a formula wants it.
   template<int dim>
   void Discretization<dim>::hold_leaders_of_hanging_nodes()
   {
@@ -89,10 +157,14 @@ namespace Contact
     DoFTools::make_hanging_node_constraints(dof_handler, hanging);
     hanging.close();
     for (const auto &line : hanging.get_lines())
-      if (line.entries.size() == 1)
-        if (const auto held = prescribed.find(line.index);
-            held != prescribed.end())
-          prescribed.emplace(line.entries.front().first, held->second);
+      if (const auto held = prescribed.find(line.index);
+          held != prescribed.end())
+        {
+          if (line.entries.size() == 1)
+            prescribed.emplace(line.entries.front().first, held->second);
+          else if (held->second.has_formula())
+            prescribed.erase(held);
+        }
   }
 
 
@@ -149,14 +221,15 @@ namespace Contact
 
 
   template<int dim>
-  PerSupportEntry<dim>
-  Discretization<dim>::support_factors(const double load_factor) const
+  SupportMotion<dim>
+  Discretization<dim>::motion_of_supports(const double load_factor) const
   {
-    PerSupportEntry<dim> factors;
+    SupportMotion<dim> motion{{}, load_factor, formulas};
     for (unsigned int c = 0; c < dim; ++c)
-      factors[c] = factor(std::string("Displacement ") + "xyz"[c], load_factor);
-    factors[dim] = factor("Displacement normal", load_factor);
-    return factors;
+      motion.factors[c] =
+        factor(std::string("Displacement ") + "xyz"[c], load_factor);
+    motion.factors[dim] = factor("Displacement normal", load_factor);
+    return motion;
   }
 
 
@@ -181,11 +254,11 @@ namespace Contact
   {
     std::map<types::global_dof_index, double> updates;
     bool                                      vanish = true;
-    const auto factors   = support_factors(load_factor);
-    largest_displacement = normal_supports.largest(factors);
+    const auto motion    = motion_of_supports(load_factor);
+    largest_displacement = normal_supports.largest(motion);
     for (const auto &[dof, displacement] : prescribed)
       {
-        const double value   = displacement.at(factors);
+        const double value   = displacement.at(motion);
         largest_displacement = std::max(largest_displacement, std::abs(value));
         if (!u.holds(dof))
           continue;
@@ -195,7 +268,7 @@ namespace Contact
     for (const auto &line : normal_supports.lines())
       if (u.holds(line.pivot))
         {
-          updates[line.pivot] = line.motion(u, factors);
+          updates[line.pivot] = line.motion(u, motion);
           vanish              = vanish && updates[line.pivot] == 0;
         }
     vanish =
@@ -224,13 +297,13 @@ namespace Contact
                    std::plus<>());
 
     // To the last digit.
-    const auto factors = support_factors(load_factor);
+    const auto motion = motion_of_supports(load_factor);
     for (const auto &[dof, displacement] : prescribed)
       if (u.holds(dof))
-        u[dof] = displacement.at(factors);
+        u[dof] = displacement.at(motion);
     for (const auto &line : normal_supports.lines())
       if (u.holds(line.pivot))
-        u[line.pivot] += line.motion(u, factors);
+        u[line.pivot] += line.motion(u, motion);
     constrain_update(u, load_factor);
   }
 
@@ -241,14 +314,14 @@ namespace Contact
   Discretization<dim>::support_motion(const GhostedVector &u,
                                       const double         load_factor) const
   {
-    const auto    factors = support_factors(load_factor);
+    const auto    prescription = motion_of_supports(load_factor);
     GhostedVector motion(distribution);
     for (const auto &[dof, displacement] : prescribed)
       if (u.holds(dof))
-        motion[dof] = displacement.at(factors) - u[dof];
+        motion[dof] = displacement.at(prescription) - u[dof];
     for (const auto &line : normal_supports.lines())
       if (u.holds(line.pivot))
-        motion[line.pivot] = line.motion(u, factors);
+        motion[line.pivot] = line.motion(u, prescription);
     return motion;
   }
 
@@ -259,16 +332,16 @@ namespace Contact
   Discretization<dim>::distance_from_supports(const GhostedVector &u,
                                               const double load_factor) const
   {
-    const auto factors = support_factors(load_factor);
+    const auto motion  = motion_of_supports(load_factor);
     double     largest = 0;
     for (const auto &[dof, displacement] : prescribed)
       if (u.holds(dof))
-        largest = std::max(largest,
-                           std::abs(beyond_round_off(displacement.at(factors),
-                                                     u[dof])));
+        largest =
+          std::max(largest,
+                   std::abs(beyond_round_off(displacement.at(motion), u[dof])));
     for (const auto &line : normal_supports.lines())
       if (u.holds(line.pivot))
-        largest = std::max(largest, std::abs(line.motion(u, factors)));
+        largest = std::max(largest, std::abs(line.motion(u, motion)));
     return Utilities::MPI::max(largest, communicator);
   }
 

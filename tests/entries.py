@@ -1,0 +1,143 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Entries that a scene may call for, run by the program.
+
+Proves that
+
+- displacements may be formulas of the place and of the load factor: two ends of
+  a block that are turned by any angle turn it as a rigid body, in the plane, in
+  space and on two processes; a linear field gives the uniform stress of Hooke's
+  law; nodes that hang follow others;
+- points may be named by their place: supports, forces and probes there are those
+  of the points of the mesh file; a place without a node is refused, and the
+  closest node named.
+
+Usage: entries.py CONTACT PARAMETERS MESHES
+"""
+
+import math
+import sys
+
+from block_scenes import Mesh, box, check, failures, rows, run
+from volume_scenes import Volumes
+
+E, NU = 1000., 0.3
+LAME = E * NU / ((1 + NU) * (1 - 2 * NU))
+SOLID = {"Solids/Young's modulus": f"A: {E}",
+         "Solids/Poisson's ratio": f"A: {NU}"}
+
+
+def values(summary):
+    return {p["name"]: p["value"] for p in summary["probes"]}
+
+
+def turned():
+    mesh = Mesh()
+    mesh.block("A", 4, 3, box(0, 0, 4, 2), {"left": "L", "right": "R",
+                                            "corner": "C"})
+    mesh.write("turned")
+    block = Volumes()
+    block.block("A", (3, 2, 2), lambda r, s, t: (4 * r, 2 * s, 2 * t),
+                {"x0": "L", "x1": "R"})
+    block.write("turned_space")
+    angle = 1.3
+    dx = f"x*(cos({angle}*t) - 1) - y*sin({angle}*t)"
+    dy = f"x*sin({angle}*t) + y*(cos({angle}*t) - 1)"
+    entries = {
+        **SOLID, "Mesh/File": "turned.msh",
+        "Boundary conditions/Displacement formula x": f"L: {dx}; R: {dx}",
+        "Boundary conditions/Displacement formula y": f"L: {dy}; R: {dy}",
+        "Solution/Increments": 4, "Output/Nodes": "true"}
+    in_space = {"Mesh/File": "turned_space.msh",
+                "Boundary conditions/Displacement z": "A_L: 0, A_R: 0"}
+    for entry, value in (("x", dx), ("y", dy)):
+        in_space["Boundary conditions/Displacement formula " +
+                 entry] = f"A_L: {value}; A_R: {value}"
+    c, s = math.cos(angle), math.sin(angle)
+    for what, more, ranks in (
+            ("in the plane", {}, 1), ("of degree 2", {"Element/Degree": 2}, 1),
+            ("on two processes", {}, 2), ("in space", in_space, 1)):
+        status, said, _ = run("turned", {**entries, **more}, ranks)
+        worst = max(max(abs(n["displacement_x_mm"] - (c - 1) * n["X_mm"] +
+                            s * n["Y_mm"]),
+                        abs(n["displacement_y_mm"] - s * n["X_mm"] -
+                            (c - 1) * n["Y_mm"]))
+                    for n in rows("turned", "nodes.csv")) if status == 0 else 9
+        check(f"a block turns as its ends do, {what}", worst < 1e-10,
+              f"{worst} {said[:300]}")
+
+
+def stretched():
+    """u = (0.001 x t, 0): sigma_xx = (lambda + 2 mu) 0.001, sigma_yy = lambda
+    0.001; only of t = 1."""
+    mesh = Mesh()
+    mesh.block("A", 4, 3, box(0, 0, 4, 2), {
+        "left": "S", "right": "S", "top": "S", "bottom": "S", "corner": "C"})
+    mesh.write("stretched")
+    status, said, summary = run("stretched", {
+        **SOLID, "Mesh/File": "stretched.msh",
+        "Solids/Kinematics": "small strain",
+        "Boundary conditions/Displacement formula x": "S: 0.001*x*t^2",
+        "Boundary conditions/Displacement y": "S: 0", "Solution/Increments": 3,
+        "Probes/Probes": "xx: stress xx, C; yy: stress yy, C"})
+    found = values(summary) if status == 0 else {"xx": 0, "yy": 0}
+    check("a linear displacement has Hooke's stress",
+          abs(found["xx"] - 0.001 * (LAME + E / (1 + NU))) < 1e-12 * E and
+          abs(found["yy"] - 0.001 * LAME) < 1e-12 * E, f"{found} {said[:300]}")
+
+    for formula, reason in (("S: 0.001*z", "without z"), ("S: 1/x", "finite"),
+                            ("S: 0.001*r", "no formula in x,y,z,t")):
+        status, said, _ = run("refused", {
+            **SOLID, "Mesh/File": "stretched.msh",
+            "Boundary conditions/Displacement formula x": formula,
+            "Boundary conditions/Displacement y": "S: 0"})
+        check(f"'{formula}' is refused", status == 2 and reason in said,
+              said[:300])
+
+
+def hanging():
+    """Refined where a corner is: nodes that hang follow others, not the
+    formula."""
+    mesh = Mesh()
+    mesh.block("A", 4, 3, box(0, 0, 4, 2), {"left": "L", "right": "R",
+                                            "corner": "C"})
+    mesh.write("hanging")
+    for degree, ranks in ((1, 1), (2, 1), (1, 2)):
+        status, said, summary = run("hanging", {
+            **SOLID, "Mesh/File": "hanging.msh", "Element/Degree": degree,
+            "Boundary conditions/Displacement formula x":
+                "L: -0.01*t*y^3; R: 0.01*t*sin(y)",
+            "Boundary conditions/Displacement y": "L: 0, R: 0",
+            "Refinement/Levels": 3, "Refinement/Strategy": "adaptive",
+            "Probes/Probes": "yy: stress yy, C"}, ranks)
+        check(f"hanging nodes, degree {degree}, {ranks} processes", status == 0,
+              said[:300])
+
+
+def named_points():
+    mesh = Mesh()
+    mesh.block("A", 4, 3, box(0, 0, 4, 2), {"left": "L", "corner": "C"})
+    mesh.write("points")
+    scene = {**SOLID, "Mesh/File": "points.msh", "Mesh/Rotation": 30,
+             "Boundary conditions/Displacement x": "L: 0",
+             "Boundary conditions/Displacement y": "L: 0",
+             "Mesh/Points": "tip: 4, 1.3333; foot: 0, 0",
+             "Boundary conditions/Force y": "tip: -0.1",
+             "Probes/Probes": "tip: displacement y, tip; foot: stress xx, foot;"
+                              " C: stress xx, C"}
+    status, said, summary = run("points", scene)
+    found = values(summary) if status == 0 else {"tip": 0, "foot": 0, "C": 1}
+    check("points by their place", found["tip"] < 0 and
+          found["foot"] == found["C"], f"{found} {said[:300]}")
+    for points, reason in (("tip: 4, 1.2", "at (4, 1.33333)"),
+                           ("tip: 4", "no place"), ("C: 4, 2", "of its own")):
+        status, said, _ = run("points", {**scene, "Mesh/Points": points})
+        check(f"'{points}' is refused", status == 2 and reason in said,
+              said[:300])
+
+
+turned()
+stretched()
+hanging()
+named_points()
+sys.exit(len(failures) > 0)
