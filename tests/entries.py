@@ -10,7 +10,10 @@ Proves that
   law; nodes that hang follow others;
 - points may be named by their place: supports, forces and probes there are those
   of the points of the mesh file; a place without a node is refused, and the
-  closest node named.
+  closest node named;
+- a boundary may be tied to a point: a platen that a force pushes goes as far as
+  the displacement that needs this force, with all nodes where they are then, in
+  the plane, in space, with nodes that hang, on two processes, and in contact.
 
 Usage: entries.py CONTACT PARAMETERS MESHES
 """
@@ -136,8 +139,75 @@ def named_points():
               said[:300])
 
 
+def platen():
+    """A block on ground that it presses aslant, by the force on its head, which
+    is guided: all nodes have one displacement, and the reaction is the force."""
+    mesh = Mesh()
+    mesh.block("A", 6, 2, box(-6, -5, 6, 0), {"bottom": "Base", "top": "Ground"})
+    mesh.block("B", 5, 2, box(-3, 0, 3, 4), {"bottom": "Sole", "top": "Head"})
+    mesh.write("platen")
+    block = Volumes()
+    block.block("A", (3, 3, 2), lambda r, s, t: (
+        12 * r - 6, 12 * s - 6, 5 * t - 5), {"z0": "Base", "z1": "Ground"}, {})
+    block.block("B", (3, 2, 2), lambda r, s, t: (
+        6 * r - 3, 6 * s - 3, 4 * t), {"z0": "Sole", "z1": "Head"}, {})
+    block.write("platen_space")
+    plane = {"Mesh/File": "platen.msh", "Mesh/Points": "P: -3, 4"}
+    adaptive = {"Refinement/Levels": 4, "Refinement/Strategy": "adaptive"}
+    space = {"Mesh/File": "platen_space.msh", "Mesh/Points": "P: -3, -3, 4"}
+    for what, more, ranks in (
+            ("in the plane", plane, 1), ("on two processes", plane, 2),
+            ("of degree 2", {**plane, "Element/Degree": 2}, 1),
+            ("with hanging nodes", {**plane, **adaptive}, 1),
+            ("in space", space, 1), ("in space, two processes", space, 2)):
+        down = "z" if "space" in what else "y"
+        body = "{}" if "space" not in what else None
+        head, base, sole, ground = (
+            ("Head", "Base", "Sole", "Ground") if body else
+            ("B_Head", "A_Base", "B_Sole", "A_Ground"))
+        axes = "xyz" if down == "z" else "xy"
+        scene = {"Solids/Young's modulus": "A: 1000, B: 3000",
+                 "Solids/Poisson's ratio": "A: 0.3, B: 0.2", **more,
+                 "Contact/Slave": sole, "Contact/Master": ground,
+                 "Contact/Friction coefficient": 0.3, "Output/Nodes": "true"}
+        force = {down: -30., "x": 4.}
+        pushed, moved = dict(scene), dict(scene)
+        for c in axes:
+            pushed[f"Boundary conditions/Displacement {c}"] = f"{base}: 0"
+            pushed[f"Boundary conditions/Tied {c}"] = f"{head}: P"
+            if c in force:
+                pushed[f"Boundary conditions/Resultant force {c}"] = (
+                    f"{head}: {force[c]}")
+        pushed["Probes/Probes"] = "; ".join(
+            f"{c}: displacement {c}, P" for c in axes)
+        status, said, summary = run("platen", pushed, ranks)
+        if status != 0:
+            check(f"a platen, {what}", False, said[:400])
+            continue
+        found, nodes = values(summary), rows("platen", "nodes.csv")
+        for c in axes:
+            moved[f"Boundary conditions/Displacement {c}"] = (
+                f"{base}: 0, {head}: {found[c]!r}")
+        if "adaptive" in str(more):  # its own meshes would be others
+            top = [n for n in nodes if n["Y_mm"] == 4]
+            worst = max(abs(n[f"displacement_{c}_mm"] - found[c])
+                        for n in top for c in axes)
+            check(f"a platen, {what}", 6 < len(top) < 81 and worst < 1e-13,
+                  f"{worst} {len(top)}")
+            continue
+        status, said, summary = run("platen", moved, ranks)
+        others = rows("platen", "nodes.csv") if status == 0 else []
+        worst = max(abs(a[f"displacement_{c}_mm"] - b[f"displacement_{c}_mm"])
+                    for a, b in zip(nodes, others) for c in axes) if others else 9
+        wrong = max(abs(summary["increments"][-1]["reactions"][head][c] - f)
+                    for c, f in force.items()) if others else 9
+        check(f"a platen, {what}", worst < 1e-9 and wrong < 1e-6,
+              f"{worst} {wrong} {said[:300]}")
+
+
 turned()
 stretched()
 hanging()
 named_points()
+platen()
 sys.exit(len(failures) > 0)

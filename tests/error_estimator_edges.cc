@@ -262,7 +262,7 @@ namespace
                                       "small strain",
                                       youngs_modulus);
     parameters.contact.excluded_points = {"upper bottom left"};
-    parameters.boundary.tied_y = {{"upper bottom left", "lower top left"}};
+    parameters.boundary.tied[1] = {{"upper bottom left", "lower top left"}};
     check_unstressed("tie", parameters, {0, 1, 1}, {0, 0.5, 1, 1});
   }
 } // namespace

@@ -31,7 +31,7 @@ void print_case(const std::string &name)
             << p.contact.discretization.name() << ", friction "
             << p.contact.friction_coefficient << ", "
             << p.contact.excluded_points.size() << " excluded, "
-            << p.boundary.tied_y.size() << " tied, mesh "
+            << p.boundary.tied[1].size() << " tied, mesh "
             << std::filesystem::path(p.mesh.file).filename().string() << '\n';
   for (const auto &[probe, reference] : p.probes.references)
     std::cout << "  " << probe << " = " << p.probes.probes.at(probe).at(0)

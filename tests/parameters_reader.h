@@ -114,7 +114,7 @@ namespace Tests
               << p.solids.poisson.at("Block") << ' '
               << p.solids.kinematics.name()
               << "\nboundary: " << p.boundary.displacement[0].at("Encast")
-              << ' ' << p.boundary.tied_y.at("C") << ' '
+              << ' ' << p.boundary.tied[1].at("C") << ' '
               << p.boundary.force[1].size() << "\ncontact: " << p.contact.slave
               << ' ' << p.contact.master << ' '
               << p.contact.discretization.name() << ' '

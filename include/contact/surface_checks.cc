@@ -127,30 +127,34 @@ namespace Contact
                   const Discretization<dim>    &discretization,
                   const Parameters::Contact    &parameters)
   {
-    const auto is_on_master = [&](const types::global_dof_index dof) {
-      return std::any_of(master.nodes.begin(),
-                         master.nodes.end(),
-                         [&](const SurfaceNode<dim> &node) {
-                           return node.dofs[1] == dof;
-                         });
-    };
+    if (discretization.tied().empty())
+      return;
+    std::map<types::global_dof_index, unsigned int> node_of_slave;
+    std::set<types::global_dof_index>               on_master;
     for (unsigned int i = 0; i < slave.nodes.size(); ++i)
-      for (const auto &[dof, leader] : discretization.tied())
-        {
-          const auto own = slave.nodes[i].dofs[1];
-          if (excluded.count(i) == 0 && ((dof == own && is_on_master(leader)) ||
-                                         (leader == own && is_on_master(dof))))
+      for (const auto dof : slave.nodes[i].dofs)
+        node_of_slave[dof] = i;
+    for (const SurfaceNode<dim> &node : master.nodes)
+      on_master.insert(node.dofs.begin(), node.dofs.end());
+    for (const auto &[dof, leader] : discretization.tied())
+      for (const auto &[own, other] :
+           {std::make_pair(dof, leader), std::make_pair(leader, dof)})
+        if (const auto found = node_of_slave.find(own);
+            found != node_of_slave.end() && on_master.count(other) > 0 &&
+            excluded.count(found->second) == 0)
+          {
+            const unsigned int i = found->second;
             throw InputError("the node of the slave '" + parameters.slave +
                                "' at (" + brief(slave.nodes[i].X[0]) + ", " +
                                brief(slave.nodes[i].X[1]) +
                                ") mm is tied to the master: it would be held "
                                "twice, and how tie and contact share the force "
                                "is not determined",
-                             "Boundary conditions/Tied y, " +
+                             "Boundary conditions/Tied x, Tied y, Tied z, " +
                                parameters.section() + "/Slave",
                              "name the point in '" + parameters.section() +
                                "/Excluded points', or remove the tie");
-        }
+          }
   }
 
 

@@ -291,6 +291,24 @@ namespace Contact
 
 
   template<int dim>
+  std::set<unsigned int>
+  Mesh<dim>::coarse_vertices(const std::string &name) const
+  {
+    if (const auto point = points.find(name); point != points.end())
+      return {point->second};
+    std::set<unsigned int> vertices;
+    const auto            &ids = boundaries.at(name);
+    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary() && ids.count(face->boundary_id()) > 0)
+          for (const unsigned int v : face->vertex_indices())
+            vertices.insert(face->vertex_index(v));
+    return vertices;
+  }
+
+
+
+  template<int dim>
   bool Mesh<dim>::has_only_hypercubes() const
   {
     return triangulation.all_reference_cells_are_hyper_cube();

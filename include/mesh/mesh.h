@@ -97,6 +97,9 @@ namespace Contact
     boundary(const std::string &name, const std::string &entry) const;
     unsigned int point(const std::string &name, const std::string &entry) const;
 
+    /// The vertices of the coarse mesh on a boundary or point group.
+    std::set<unsigned int> coarse_vertices(const std::string &name) const;
+
     /// Whether there are no triangles, so that cells can be refined one by one.
     bool has_only_hypercubes() const;
 

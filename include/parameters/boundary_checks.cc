@@ -104,6 +104,7 @@ namespace Contact
                        "Resultant force" + in,
                        displacement[c]);
           moves_freely(traction[c], "Traction" + in, displacement[c]);
+          moves_freely(tied[c], "Tied" + in, displacement[c]);
           check_disjoint(displacement[c],
                          section + "Displacement" + in,
                          displacement_formula[c],
@@ -114,7 +115,6 @@ namespace Contact
                              section + "Displacement formula" + in,
                              /*in_time=*/true);
         }
-      moves_freely(tied_y, "Tied y", displacement[1]);
       const auto check_formulas = [&](const auto        &formulas,
                                       const std::string &entry) {
         for (const auto &[group, formula] : formulas)
@@ -139,12 +139,13 @@ namespace Contact
                                Patterns::Tools::to_string(with_history));
           check_history(formula, section + "Histories");
         }
-      for (const auto &[follower, leader] : tied_y)
-        if (tied_y.count(leader) > 0)
-          throw EntryError(in_quotes(follower) + " is tied to " +
-                             in_quotes(leader) + ", which is tied itself.",
-                           {section + "Tied y"},
-                           "tie points to one that is not tied");
+      for (unsigned int c = 0; c < 3; ++c)
+        for (const auto &[follower, leader] : tied[c])
+          if (tied[c].count(leader) > 0)
+            throw EntryError(in_quotes(follower) + " is tied to " +
+                               in_quotes(leader) + ", which is tied itself.",
+                             {section + "Tied " + "xyz"[c]},
+                             "tie to a point that is not tied");
     }
 
 
@@ -173,6 +174,8 @@ namespace Contact
     {
       if (!displacement_formula[2].empty())
         return "Displacement formula z";
+      if (!tied[2].empty())
+        return "Tied z";
       for (const auto &[entry, is_set] : entries_with_history())
         if (entry.back() == 'z' && (is_set || histories.count(entry) > 0))
           return entry;

@@ -183,10 +183,13 @@ namespace Contact
                         "boundary group and its displacement along its outward "
                         "normal at full load. Zero: a plane of symmetry, in "
                         "any direction.");
-      prm.add_parameter("Tied y",
-                        tied_y,
-                        "'point: point' [-], separated by ','; the first "
-                        "point group moves in y as the second one does.");
+      add_by_direction(prm,
+                       "Tied",
+                       tied,
+                       "'group: point' [-], separated by ','; all nodes of a "
+                       "boundary or point group move in x as the point does, "
+                       "as those of a rigid platen with a guide.",
+                       "[-]");
       add_by_direction(prm,
                        "Force",
                        force,

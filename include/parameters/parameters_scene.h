@@ -151,8 +151,8 @@ namespace Contact
       /// normal [mm].
       std::map<std::string, double> displacement_normal;
 
-      /// Point group -> point group: equal displacement in y.
-      std::map<std::string, std::string> tied_y;
+      /// Boundary or point group -> point group: equal displacement.
+      ByDirection<std::string> tied;
 
       /// Point group -> dead force at full load [N per mm of thickness].
       ByDirection<double> force;

@@ -112,6 +112,7 @@ namespace Contact
 
     prescribed.clear();
     ties.clear();
+    leaders.clear();
     updates_vanish = true;
     collect_vertex_dofs();
     gather_named_points();

@@ -234,6 +234,13 @@ namespace Contact
     void distribute_vectors();
     void gather_named_points();
     void collect_supports();
+    using NodeVisitor = std::function<void(const types::global_dof_index dof,
+                                           const Point<dim>             &X,
+                                           const bool is_owned)>;
+    void visit_group(const unsigned int component,
+                     const std::string &entry,
+                     const std::string &name,
+                     const NodeVisitor &visitor) const;
     void hold(const unsigned int component,
               const std::string &entry,
               const std::string &name,
@@ -250,6 +257,7 @@ namespace Contact
     std::vector<typename SupportMotion<dim>::Formula>          formulas;
     std::map<types::global_dof_index, Prescribed<dim>>         prescribed;
     std::map<types::global_dof_index, types::global_dof_index> ties;
+    std::set<types::global_dof_index>                          leaders;
     double axis_tolerance       = 0; // round-off of the radii [mm]
     bool   updates_vanish       = true;
     double largest_displacement = 0;

@@ -17,41 +17,19 @@
 
 namespace Contact
 {
-  // The nodes of a point or of a boundary, and what is prescribed there.
+  // The nodes of a point or of a boundary.
   template<int dim>
-  void Discretization<dim>::hold(
-    const unsigned int                                        component,
-    const std::string                                        &entry,
-    const std::string                                        &name,
-    const std::function<Prescribed<dim>(const Point<dim> &)> &at)
+  void Discretization<dim>::visit_group(const unsigned int component,
+                                        const std::string &entry,
+                                        const std::string &name,
+                                        const NodeVisitor &visitor) const
   {
-    auto &unknowns = supports[component][name];
-    unknowns.clear();
-    // The owner of a cell knows which of its nodes hang.
-    const auto hold_dof = [&](const types::global_dof_index dof,
-                              const Point<dim>             &X,
-                              const bool                    is_owned) {
-      unknowns.insert(dof);
-      if (!is_owned)
-        return;
-      // Cells differ in the last digits of a place.
-      const Prescribed<dim> here  = at(X);
-      const Prescribed<dim> first = prescribed.emplace(dof, here).first->second;
-      if (first != here &&
-          !(here.has_formula() && here.formula == first.formula))
-        throw InputError("'" + name +
-                           "' shares a node with another group that is moved "
-                           "differently",
-                         entry,
-                         "give both the same displacement, or let the groups "
-                         "end before they meet");
-    };
     if (mesh.points.count(name) > 0)
       {
         const unsigned int vertex = mesh.point(name, entry);
-        return hold_dof(vertex_dofs[vertex][component],
-                        mesh.triangulation.get_vertices()[vertex],
-                        /*is_owned=*/true);
+        return visitor(vertex_dofs[vertex][component],
+                       mesh.triangulation.get_vertices()[vertex],
+                       /*is_owned=*/true);
       }
     const auto                          &ids = mesh.boundary(name, entry);
     std::vector<types::global_dof_index> dofs, on_face;
@@ -68,13 +46,50 @@ namespace Contact
             for (unsigned int i = 0; i < dofs.size(); ++i)
               if (fe.system_to_component_index(i).first == component &&
                   std::count(on_face.begin(), on_face.end(), dofs[i]) > 0)
-                hold_dof(
+                visitor(
                   dofs[i],
                   mapping[cell->active_fe_index()].transform_unit_to_real_cell(
                     cell,
                     fe.unit_support_point(i)),
                   cell->is_locally_owned());
           }
+  }
+
+
+
+  // What is prescribed at the nodes of a group. The owner of a cell knows which
+  // of its nodes hang. Cells differ in the last digits of a place.
+  template<int dim>
+  void Discretization<dim>::hold(
+    const unsigned int                                        component,
+    const std::string                                        &entry,
+    const std::string                                        &name,
+    const std::function<Prescribed<dim>(const Point<dim> &)> &at)
+  {
+    auto &unknowns = supports[component][name];
+    unknowns.clear();
+    visit_group(component,
+                entry,
+                name,
+                [&](const types::global_dof_index dof,
+                    const Point<dim>             &X,
+                    const bool                    is_owned) {
+                  unknowns.insert(dof);
+                  if (!is_owned)
+                    return;
+                  const Prescribed<dim> here = at(X);
+                  const Prescribed<dim> first =
+                    prescribed.emplace(dof, here).first->second;
+                  if (first != here &&
+                      !(here.has_formula() && here.formula == first.formula))
+                    throw InputError(
+                      "'" + name +
+                        "' shares a node with another group that is moved "
+                        "differently",
+                      entry,
+                      "give both the same displacement, or let the groups "
+                      "end before they meet");
+                });
   }
 
 
@@ -203,18 +218,41 @@ namespace Contact
 
 
 
+  // Nodes that hang follow others of the same boundary.
   template<int dim>
   void Discretization<dim>::collect_ties()
   {
-    const std::string entry = "Boundary conditions/Tied y";
-    for (const auto &[name, partner] : boundary.tied_y)
+    AffineConstraints<double> hanging;
+    if (mesh.triangulation.has_hanging_nodes())
+      DoFTools::make_hanging_node_constraints(dof_handler, hanging);
+    for (unsigned int c = 0; c < dim; ++c)
       {
-        const auto dof = vertex_dofs[mesh.point(name, entry)][1];
-        if (prescribed.count(dof) > 0 || normal_supports.line(dof) != nullptr)
-          throw InputError("point '" + name + "' is tied and supported in y",
-                           entry,
-                           "remove the tie or the support");
-        ties[dof] = vertex_dofs[mesh.point(partner, entry)][1];
+        const std::string entry =
+          std::string("Boundary conditions/Tied ") + "xyz"[c];
+        for (const auto &[name, partner] : boundary.tied[c])
+          {
+            const auto leader = vertex_dofs[mesh.point(partner, entry)][c];
+            const auto tie    = [&](const types::global_dof_index dof,
+                                 const Point<dim> &,
+                                 const bool) {
+              if (dof == leader || hanging.is_constrained(dof))
+                return;
+              if (prescribed.count(dof) > 0 ||
+                  normal_supports.line(dof) != nullptr)
+                throw InputError("'" + name + "' is tied and supported in " +
+                                   "xyz"[c],
+                                 entry,
+                                 "remove the tie or the support");
+              if (ties.emplace(dof, leader).first->second != leader)
+                throw InputError("'" + name +
+                                   "' shares a node with another group that "
+                                      "is tied to another point",
+                                 entry,
+                                 "tie both to the same point");
+              leaders.insert(leader);
+            };
+            visit_group(c, entry, name, tie);
+          }
       }
   }
 
@@ -403,10 +441,7 @@ namespace Contact
   template<int dim>
   bool Discretization<dim>::is_tied(const types::global_dof_index dof) const
   {
-    for (const auto &[tied, partner] : ties)
-      if (dof == tied || dof == partner)
-        return true;
-    return false;
+    return ties.count(dof) > 0 || leaders.count(dof) > 0;
   }
 
   template class Discretization<2>;

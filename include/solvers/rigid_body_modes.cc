@@ -180,16 +180,17 @@ namespace Contact
           motions.resist({{piece, X, 1}, {other, X, -1}},
                          Point<dim>::unit_vector(c));
 
-      const auto share = [&](const std::string &point, const double factor) {
-        const unsigned int vertex =
-          mesh.point(point, "Boundary conditions/Tied y");
+      const auto share = [&](const unsigned int vertex, const double factor) {
         return Share<dim>{mesh.pieces.of_coarse_vertex(vertex),
                           mesh.triangulation.get_vertices()[vertex],
                           factor};
       };
-      for (const auto &[name, partner] : discretization.boundary.tied_y)
-        motions.resist({share(name, 1), share(partner, -1)},
-                       Point<dim>::unit_vector(1));
+      for (unsigned int c = 0; c < dim; ++c)
+        for (const auto &[name, partner] : discretization.boundary.tied[c])
+          for (const unsigned int vertex : mesh.coarse_vertices(name))
+            motions.resist({share(vertex, 1),
+                            share(mesh.points.at(partner), -1)},
+                           Point<dim>::unit_vector(c));
     }
 
 

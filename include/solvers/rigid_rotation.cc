@@ -176,7 +176,7 @@ namespace Contact
                    const unsigned int         piece)
     {
       const auto &joints = discretization.mesh.pieces.joints();
-      return !discretization.boundary.tied_y.empty() ||
+      return !discretization.tied().empty() ||
              std::any_of(joints.begin(), joints.end(), [&](const auto &joint) {
                return joint.piece == piece || joint.other == piece;
              });
