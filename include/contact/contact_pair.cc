@@ -154,8 +154,11 @@ namespace Contact
                            "name a vertex of the slave, or leave it out");
         excluded.insert(node - slave.nodes.begin());
       }
-    if (master)
-      check_ties(slave, *master, excluded, discretization, parameters);
+    check_ties(slave,
+               master ? &*master : nullptr,
+               excluded,
+               discretization,
+               parameters);
     const bool is_mortar =
       master &&
       parameters.discretization == Parameters::ContactDiscretization::mortar;

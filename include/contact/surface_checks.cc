@@ -122,39 +122,49 @@ namespace Contact
 
   template<int dim>
   void check_ties(const Surface<dim>           &slave,
-                  const Surface<dim>           &master,
+                  const Surface<dim>           *master,
                   const std::set<unsigned int> &excluded,
                   const Discretization<dim>    &discretization,
                   const Parameters::Contact    &parameters)
   {
     if (discretization.tied().empty())
       return;
-    std::map<types::global_dof_index, unsigned int> node_of_slave;
+    std::map<types::global_dof_index, unsigned int> on_slave;
     std::set<types::global_dof_index>               on_master;
     for (unsigned int i = 0; i < slave.nodes.size(); ++i)
-      for (const auto dof : slave.nodes[i].dofs)
-        node_of_slave[dof] = i;
-    for (const SurfaceNode<dim> &node : master.nodes)
-      on_master.insert(node.dofs.begin(), node.dofs.end());
-    for (const auto &[dof, leader] : discretization.tied())
-      for (const auto &[own, other] :
-           {std::make_pair(dof, leader), std::make_pair(leader, dof)})
-        if (const auto found = node_of_slave.find(own);
-            found != node_of_slave.end() && on_master.count(other) > 0 &&
-            excluded.count(found->second) == 0)
-          {
-            const unsigned int i = found->second;
-            throw InputError("the node of the slave '" + parameters.slave +
-                               "' at (" + brief(slave.nodes[i].X[0]) + ", " +
-                               brief(slave.nodes[i].X[1]) +
-                               ") mm is tied to the master: it would be held "
-                               "twice, and how tie and contact share the force "
-                               "is not determined",
-                             "Boundary conditions/Tied x, Tied y, Tied z, " +
-                               parameters.section() + "/Slave",
-                             "name the point in '" + parameters.section() +
+      if (excluded.count(i) == 0)
+        for (const auto dof : slave.nodes[i].dofs)
+          on_slave[dof] = i;
+    if (master != nullptr)
+      for (const SurfaceNode<dim> &node : master->nodes)
+        on_master.insert(node.dofs.begin(), node.dofs.end());
+
+    const auto check = [&](const types::global_dof_index own,
+                           const types::global_dof_index other) {
+      const auto found = on_slave.find(own);
+      if (found == on_slave.end())
+        return;
+      const bool is_on_slave = on_slave.count(other) > 0;
+      if (is_on_slave || on_master.count(other) > 0)
+        throw InputError("the node of the slave '" + parameters.slave +
+                           "' at (" + brief(slave.nodes[found->second].X) +
+                           ") mm is tied to " +
+                           (is_on_slave ? "another one" : "the master") +
+                           ": it would be held twice, and how tie and contact "
+                           "share the force is not determined",
+                         "Boundary conditions/Tied x, Tied y, Tied z, " +
+                           parameters.section() + "/Slave",
+                         is_on_slave
+                           ? "take the tied surface as master, or remove the "
+                             "tie"
+                           : "name the point in '" + parameters.section() +
                                "/Excluded points', or remove the tie");
-          }
+    };
+    for (const auto &[dof, leader] : discretization.tied())
+      {
+        check(dof, leader);
+        check(leader, dof);
+      }
   }
 
 
@@ -184,12 +194,12 @@ namespace Contact
                                const Discretization<3>   &discretization,
                                const Parameters::Contact &parameters);
   template void check_ties(const Surface<2>             &slave,
-                           const Surface<2>             &master,
+                           const Surface<2>             *master,
                            const std::set<unsigned int> &excluded,
                            const Discretization<2>      &discretization,
                            const Parameters::Contact    &parameters);
   template void check_ties(const Surface<3>             &slave,
-                           const Surface<3>             &master,
+                           const Surface<3>             *master,
                            const std::set<unsigned int> &excluded,
                            const Discretization<3>      &discretization,
                            const Parameters::Contact    &parameters);

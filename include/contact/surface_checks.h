@@ -27,11 +27,11 @@ namespace Contact
                       const Parameters::Contact &parameters);
 
   /// Check that no node of the slave but those @p excluded is tied to one of
-  /// the master: tie and contact would share one force as they like. Throws
-  /// InputError.
+  /// the master or of the slave: tie and contact would share one force as they
+  /// like. Throws InputError.
   template<int dim>
   void check_ties(const Surface<dim>           &slave,
-                  const Surface<dim>           &master,
+                  const Surface<dim>           *master,
                   const std::set<unsigned int> &excluded,
                   const Discretization<dim>    &discretization,
                   const Parameters::Contact    &parameters);
