@@ -11,6 +11,8 @@ Proves that
 - points may be named by their place: supports, forces and probes there are those
   of the points of the mesh file; a place without a node is refused, and the
   closest node named;
+- a curve in space may be held: a plate on two edges, of degree 1 and 2, on
+  finer meshes and on two processes;
 - a boundary may be tied to a point: a platen that a force pushes goes as far as
   the displacement that needs this force, with all nodes where they are then, in
   the plane, in space, with nodes that hang, on two processes, and in contact.
@@ -206,6 +208,46 @@ def platen():
               f"{worst} {wrong} {said[:300]}")
 
 
+def curves():
+    """A plate on two of its edges, under pressure."""
+    block = Volumes()
+    block.block("A", (4, 2, 2), lambda r, s, t: (4 * r, 2 * s, t),
+                {"z1": "Top"}, {})
+    for x, name in ((0, "Left"), (4, "Right")):
+        ends = [block.places["A", x, y, 0] for y in (0, 1, 2)]
+        for pair in zip(ends, ends[1:]):
+            block.add(1, name, list(pair))
+    block.write("curves")
+    scene = {**SOLID, "Mesh/File": "curves.msh",
+             "Boundary conditions/Displacement x": "Left: 0",
+             "Boundary conditions/Displacement y": "Left: 0",
+             "Boundary conditions/Displacement z": "Left: 0, Right: 0",
+             "Boundary conditions/Pressure": "A_Top: 0.01",
+             "Output/Nodes": "true"}
+    adaptive = {"Refinement/Levels": 2, "Refinement/Strategy": "adaptive"}
+    for what, more, ranks in (
+            ("", {}, 1), (", degree 2", {"Element/Degree": 2}, 1),
+            (", refined", {"Mesh/Refinements": 1}, 2),
+            (", adaptive", adaptive, 1), (", adaptive", adaptive, 2)):
+        status, said, summary = run("curves", {**scene, **more}, ranks)
+        if status != 0:
+            check(f"a plate on edges{what}, {ranks} processes", False, said[:400])
+            continue
+        nodes = rows("curves", "nodes.csv")
+        on_edge = [n for n in nodes if n["X_mm"] in (0, 4) and n["Z_mm"] == 0]
+        held = [n for n in nodes if n["displacement_z_mm"] == 0]
+        forces = summary["increments"][-1]["reactions"]
+        lift = sum(forces[name]["z"] for name in ("Left", "Right"))
+        check(f"a plate on edges{what}, {ranks} processes",
+              held == on_edge and abs(lift - 0.08) < 1e-10,
+              f"{len(held)} {len(on_edge)} {lift}")
+    status, said, _ = run("curves", {
+        **scene, "Boundary conditions/Tied z": "Right: A_000",
+        "Boundary conditions/Displacement z": "Left: 0",
+        "Mesh/Points": "A_000: 4, 0, 0"})
+    check("a curve is tied", status == 2 and "rotation" in said, said[:300])
+
+
 def tied_slave():
     """Contact would hold twice what is tied."""
     scene = {"Mesh/File": "platen.msh", "Mesh/Points": "P: -3, 0; Q: -6, 0",
@@ -232,5 +274,6 @@ stretched()
 hanging()
 named_points()
 platen()
+curves()
 tied_slave()
 sys.exit(len(failures) > 0)

@@ -393,6 +393,64 @@ namespace Contact
 
 
 
+    /// The edges of cells on the boundary.
+    std::set<Face> boundary_edges(const Faces &faces)
+    {
+      std::set<Face> edges;
+      for (const auto &[sorted, face] : faces)
+        for (unsigned int i = 0; face.n_cells == 1 && i < 4; ++i)
+          {
+            const unsigned int a = face.corners[i],
+                               b = face.corners[(i + 1) % 4];
+            edges.insert({std::min(a, b), std::max(a, b)});
+          }
+      return edges;
+    }
+
+
+
+    /// The same of the curves on the boundary of volumes. Edges that refinement
+    /// makes inside of a face have the number of the face: those of curves come
+    /// behind.
+    void number_curves(const MshFile  &msh,
+                       const Vertices &vertices,
+                       const Faces    &faces,
+                       CoarseMesh<3>  &coarse)
+    {
+      const std::set<Face> edges = boundary_edges(faces);
+      std::map<std::set<std::string>, types::boundary_id> ids;
+      types::boundary_id                                  n_faces = 0;
+      for (const auto &face : coarse.faces.boundary_quads)
+        n_faces = std::max(n_faces, face.boundary_id);
+      for (const auto &element : msh.elements[1])
+        if (!element.groups.empty())
+          {
+            Face edge;
+            for (const long node : element.nodes)
+              if (const auto vertex = vertices.find(node);
+                  vertex != vertices.end())
+                edge.push_back(vertex->second);
+            std::sort(edge.begin(), edge.end());
+            if (edges.count(edge) == 0)
+              throw InputError("a line of the physical group '" +
+                                 *element.groups.begin() +
+                                 "' is no edge of a cell on the boundary",
+                               msh.where(element),
+                               "mesh the curve and the volume together, or "
+                               "take the curve out of its group");
+            CellData<1> data;
+            data.vertices = edge;
+            data.boundary_id =
+              ids.emplace(element.groups, n_faces + ids.size() + 1)
+                .first->second;
+            coarse.faces.boundary_lines.push_back(data);
+            for (const std::string &group : element.groups)
+              coarse.curves[group].insert(data.boundary_id);
+          }
+    }
+
+
+
     std::map<std::string, unsigned int> find_points(const MshFile  &msh,
                                                     const Vertices &vertices)
     {
@@ -420,6 +478,8 @@ namespace Contact
     coarse.cells     = make_cells(msh, vertices, coarse.vertices, bodies);
     const auto faces = count_faces(coarse.cells, coarse.vertices, msh);
     number_boundaries(msh, vertices, faces, coarse);
+    if constexpr (dim == 3)
+      number_curves(msh, vertices, faces, coarse);
     coarse.points = find_points(msh, vertices);
     return coarse;
   }

@@ -29,9 +29,10 @@ namespace Contact
   {
     std::vector<Point<dim>>    vertices;
     std::vector<CellData<dim>> cells; // corners in gmsh's order, right-handed
-    SubCellData                faces; // with boundary ids
+    SubCellData                faces; // and curves in space, with ids
 
     std::map<std::string, std::set<types::boundary_id>> boundaries;
+    std::map<std::string, std::set<types::boundary_id>> curves; // in space
     std::map<std::string, unsigned int>                 points;
 
     /// The groups that have faces inside of bodies.

@@ -203,6 +203,7 @@ namespace Contact
 
     CoarseMesh<dim> coarse = make_coarse_mesh<dim>(msh, bodies);
     boundaries             = coarse.boundaries;
+    curves                 = coarse.curves;
     points                 = coarse.points;
     with_inner_faces       = coarse.with_inner_faces;
     name_points(parameters, coarse.vertices, points);
@@ -225,6 +226,7 @@ namespace Contact
     , triangulation(*owned_triangulation)
     , bodies(other.bodies)
     , boundaries(other.boundaries)
+    , curves(other.curves)
     , with_inner_faces(other.with_inner_faces)
     , points(other.points)
     , pieces(other.pieces)
@@ -297,12 +299,20 @@ namespace Contact
     if (const auto point = points.find(name); point != points.end())
       return {point->second};
     std::set<unsigned int> vertices;
-    const auto            &ids = boundaries.at(name);
+    const auto             insert = [&](const auto &part, const auto &ids) {
+      if (ids.count(part->boundary_id()) > 0)
+        for (const unsigned int v : part->vertex_indices())
+          vertices.insert(part->vertex_index(v));
+    };
+    const auto curve = curves.find(name);
     for (const auto &cell : triangulation.cell_iterators_on_level(0))
-      for (const auto &face : cell->face_iterators())
-        if (face->at_boundary() && ids.count(face->boundary_id()) > 0)
-          for (const unsigned int v : face->vertex_indices())
-            vertices.insert(face->vertex_index(v));
+      if (curve != curves.end())
+        for (const unsigned int l : cell->line_indices())
+          insert(cell->line(l), curve->second);
+      else
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary())
+            insert(face, boundaries.at(name));
     return vertices;
   }
 

@@ -79,6 +79,9 @@ namespace Contact
     std::map<std::string, types::material_id>           bodies;
     std::map<std::string, std::set<types::boundary_id>> boundaries;
 
+    /// In space, of edges of cells.
+    std::map<std::string, std::set<types::boundary_id>> curves;
+
     /// The groups of faces that bound bodies in part only.
     std::set<std::string> with_inner_faces;
 
@@ -97,7 +100,7 @@ namespace Contact
     boundary(const std::string &name, const std::string &entry) const;
     unsigned int point(const std::string &name, const std::string &entry) const;
 
-    /// The vertices of the coarse mesh on a boundary or point group.
+    /// The vertices of the coarse mesh on a boundary, curve or point group.
     std::set<unsigned int> coarse_vertices(const std::string &name) const;
 
     /// Whether there are no triangles, so that cells can be refined one by one.

@@ -17,7 +17,7 @@
 
 namespace Contact
 {
-  // The nodes of a point or of a boundary.
+  // The nodes of a point, of a curve in space, or of a boundary.
   template<int dim>
   void Discretization<dim>::visit_group(const unsigned int component,
                                         const std::string &entry,
@@ -31,28 +31,47 @@ namespace Contact
                        mesh.triangulation.get_vertices()[vertex],
                        /*is_owned=*/true);
       }
-    const auto                          &ids = mesh.boundary(name, entry);
-    std::vector<types::global_dof_index> dofs, on_face;
+    const auto curve = mesh.curves.find(name);
+    const bool is_curve =
+      curve != mesh.curves.end() && mesh.boundaries.count(name) == 0;
+    const auto &ids = is_curve ? curve->second : mesh.boundary(name, entry);
+
+    std::vector<types::global_dof_index> dofs, of_part;
+    std::set<types::global_dof_index>    on_group;
     for (const auto &cell : dof_handler.active_cell_iterators())
-      for (const unsigned int f : cell->face_indices())
-        if (!cell->is_artificial() && cell->at_boundary(f) &&
-            ids.count(cell->face(f)->boundary_id()) > 0)
-          {
-            const auto &fe = cell->get_fe();
-            dofs.resize(fe.n_dofs_per_cell());
-            cell->get_dof_indices(dofs);
-            on_face.resize(fe.n_dofs_per_face(f));
-            cell->face(f)->get_dof_indices(on_face, cell->active_fe_index());
-            for (unsigned int i = 0; i < dofs.size(); ++i)
-              if (fe.system_to_component_index(i).first == component &&
-                  std::count(on_face.begin(), on_face.end(), dofs[i]) > 0)
-                visitor(
-                  dofs[i],
-                  mapping[cell->active_fe_index()].transform_unit_to_real_cell(
-                    cell,
-                    fe.unit_support_point(i)),
-                  cell->is_locally_owned());
-          }
+      {
+        if (cell->is_artificial() || !cell->at_boundary())
+          continue;
+        const auto &fe = cell->get_fe();
+        on_group.clear();
+        const auto add = [&](const auto &part, const unsigned int n_dofs) {
+          if (ids.count(part->boundary_id()) == 0)
+            return;
+          of_part.resize(n_dofs);
+          part->get_dof_indices(of_part, cell->active_fe_index());
+          on_group.insert(of_part.begin(), of_part.end());
+        };
+        if constexpr (dim == 3)
+          for (unsigned int l = 0; is_curve && l < cell->n_lines(); ++l)
+            add(cell->line(l),
+                2 * fe.n_dofs_per_vertex() + fe.n_dofs_per_line());
+        for (const unsigned int f : cell->face_indices())
+          if (!is_curve && cell->at_boundary(f))
+            add(cell->face(f), fe.n_dofs_per_face(f));
+        if (on_group.empty())
+          continue;
+
+        dofs.resize(fe.n_dofs_per_cell());
+        cell->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (fe.system_to_component_index(i).first == component &&
+              on_group.count(dofs[i]) > 0)
+            visitor(dofs[i],
+                    mapping[cell->active_fe_index()]
+                      .transform_unit_to_real_cell(cell,
+                                                   fe.unit_support_point(i)),
+                    cell->is_locally_owned());
+      }
   }
 
 
