@@ -509,7 +509,9 @@ namespace Contact
   template<int dim>
   void ContactProblem<dim>::solve_increment(const LoadSteps::Step &step)
   {
-    state.begin(model, step.to);
+    if (model.interface && model.interface->move_obstacles(step.from, step.to))
+      pairing.pair(state.solution);
+    state.begin(model, step.from, step.to);
     pairing.begin_increment((step.to - step.from) *
                             parameters.solution.n_increments);
     postprocessor.forget_stresses();
@@ -572,6 +574,8 @@ namespace Contact
     state.roll_back(model);
     postprocessor.forget_stresses();
     system->forget_pattern();
+    if (model.interface)
+      model.interface->move_obstacles(step.from, step.from);
     pairing.pair(state.solution);
 
     stabilization.stabilize_free_pieces(nullptr);

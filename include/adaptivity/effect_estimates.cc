@@ -88,7 +88,8 @@ namespace Contact
                                                 pairs);
 
       state.reinit(model);
-      state.load_factor = from.load_factor;
+      state.load_factor  = from.load_factor;
+      state.start_factor = from.start_factor;
       std::copy_n(from.solution.begin(),
                   model.n_displacements(),
                   state.solution.begin());
@@ -110,6 +111,8 @@ namespace Contact
                                             timer);
       if (model.interface)
         {
+          model.interface->move_obstacles(state.start_factor,
+                                          state.load_factor);
           pair();
           model.interface->set_support_motion(
             model.discretization->support_motion(state.start,

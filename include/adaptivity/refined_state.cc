@@ -42,8 +42,9 @@ namespace Contact
         vector = grown;
       }
 
-    state.load_factor = coarse_state.load_factor;
-    state.start       = transferred.back();
+    state.load_factor  = coarse_state.load_factor;
+    state.start_factor = coarse_state.start_factor;
+    state.start        = transferred.back();
     transferred.pop_back();
     state.solution = transferred.back();
     transferred.pop_back();
@@ -78,6 +79,7 @@ namespace Contact
                                       const SurfaceStates &duals_on_surfaces,
                                       std::vector<GhostedVector> &duals)
   {
+    model.interface->move_obstacles(state.start_factor, state.load_factor);
     PairingMode mode;
     mode.with_derivatives = linearization.moving_geometry;
     model.interface->pair(linearization.moving_geometry ? state.solution

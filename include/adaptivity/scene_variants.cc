@@ -191,6 +191,7 @@ namespace Contact
                    {section + "Slave=",
                     section + "Master=",
                     section + "Obstacle=",
+                    section + "Obstacle motion=",
                     section + "Excluded points=",
                     section + "Friction coefficient=0",
                     section + "Tresca limit=0",

@@ -223,6 +223,19 @@ namespace Contact
 
 
   template<int dim>
+  bool ContactInterface<dim>::move_obstacles(const double from, const double to)
+  {
+    bool moves = false;
+    for (const auto &contact_pair : pairs)
+      moves =
+        (contact_pair->obstacle && contact_pair->obstacle->move(from, to)) ||
+        moves;
+    return moves;
+  }
+
+
+
+  template<int dim>
   double ContactInterface<dim>::misfit(const GhostedVector &u) const
   {
     std::vector<ContactPoint<dim>> closest = all_points;
@@ -275,7 +288,7 @@ namespace Contact
                                const GhostedVector     &u_start) const
   {
     const bool     tied = contact_pair(point).tied;
-    Tensor<1, dim> r, dr;
+    Tensor<1, dim> r, dr = -point.projection_motion;
     if (!tied)
       r -= point.projection;
     for (unsigned int a = 0; a < point.n_nodes; ++a)

@@ -54,6 +54,7 @@ namespace Contact
     motion.weight.resize(n);
     motion.omega.resize(n);
     motion.gap.resize(n);
+    motion.slip.resize(n);
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
         {
@@ -65,6 +66,7 @@ namespace Contact
                    slope;
           motion.omega[j] =
             (curve * d_xi - point.C1[a] * point.normal[i]) / point.metric;
+          motion.slip[j] = -point.projection_stretch * point.metric * d_xi;
           for (unsigned int b = 0; b < point.n_nodes; ++b)
             motion.C(b, j) = point.C1[b] * d_xi;
         }
@@ -107,7 +109,7 @@ namespace Contact
                            const GhostedVector   &solution,
                            const GhostedVector   &u_start) const
   {
-    Tensor<1, 2> r = -point.projection, d_r;
+    Tensor<1, 2> r = -point.projection, d_r = -point.projection_motion;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
         {
@@ -125,7 +127,7 @@ namespace Contact
     for (unsigned int j = 0; j < n; ++j)
       {
         motion.gap[j] -= (point.tangents[0] * r) * motion.omega[j];
-        motion.slip[j] = (point.normal * d_r) * motion.omega[j];
+        motion.slip[j] += (point.normal * d_r) * motion.omega[j];
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           for (unsigned int i = 0; i < 2; ++i)
             {

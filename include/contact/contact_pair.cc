@@ -10,6 +10,7 @@
 
 #include "base/errors.h"
 #include "contact/corner_points.h"
+#include "contact/moving_obstacle.h"
 #include "contact/surface_checks.h"
 
 namespace Contact
@@ -41,13 +42,18 @@ namespace Contact
 
 
     template<int dim>
-    std::unique_ptr<const Obstacle<dim>>
+    std::unique_ptr<Obstacle<dim>>
     make_obstacle(const Parameters::Contact &parameters)
     {
       if (parameters.obstacle.empty())
         return nullptr;
-      return Obstacle<dim>::create(parameters.obstacle.begin()->first,
-                                   parameters.obstacle.begin()->second);
+      auto shape = Obstacle<dim>::create(parameters.obstacle.begin()->first,
+                                         parameters.obstacle.begin()->second);
+      if (parameters.obstacle_motion.empty() &&
+          parameters.obstacle_centre.empty())
+        return shape;
+      return std::make_unique<MovingObstacle<dim>>(std::move(shape),
+                                                   parameters);
     }
 
 

@@ -53,9 +53,9 @@ namespace Contact
     const bool        tied;
     const FrictionLaw law;
 
-    const Surface<dim>                         slave;
-    const std::optional<Surface<dim>>          master;   // none: an obstacle
-    const std::unique_ptr<const Obstacle<dim>> obstacle; // none: a surface
+    const Surface<dim>                   slave;
+    const std::optional<Surface<dim>>    master;   // none: an obstacle
+    const std::unique_ptr<Obstacle<dim>> obstacle; // none: a surface
 
     /// The c of all points, by the stiffness E/h of their slave edges [-].
     const double augmentation_parameter;
@@ -122,6 +122,12 @@ namespace Contact
      */
     std::vector<std::pair<unsigned int, double>>
     pressure_at(const unsigned int node) const;
+
+    /// The section of the parameters.
+    std::string section() const
+    {
+      return parameters.section();
+    }
 
     /// The undeformed place of a point [mm].
     Point<dim> place(const ContactPoint<dim> &point) const;

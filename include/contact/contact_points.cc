@@ -216,7 +216,7 @@ namespace Contact
       return {};
     const Tensor<1, 2> along =
       point.tangents[0] - (rows.nn > 0 ? rows.nt / rows.nn : 0.) * point.normal;
-    double slip = 0, size = 0;
+    double slip = -along * point.projection_motion, size = std::abs(slip);
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       {
         const Tensor<1, 2> held =
@@ -389,6 +389,8 @@ namespace Contact
     set_tangents(point);
     point.metric = projection.radius == 0 ? 1 : std::abs(projection.radius);
     point.projection_curvature = -projection.radius * projection.normal;
+    point.projection_motion    = projection.motion;
+    point.projection_stretch   = projection.stretch;
     point.tangential_row_is_void =
       tangential_row_is_void(point, discretization);
   }

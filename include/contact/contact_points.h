@@ -150,9 +150,13 @@ namespace Contact
       return components;
     }
 
-    // On an obstacle, which has no nodes: the place x_m, and d^2 x_m / d xi^2.
+    // On an obstacle, which has no nodes: the place x_m, and d^2 x_m / d xi^2;
+    // what the material there moves in the increment, see
+    // Obstacle::ClosestPoint.
     Point<dim>     projection;
     Tensor<1, dim> projection_curvature;
+    Tensor<1, dim> projection_motion;
+    double         projection_stretch = 0;
 
     // Over a vertex of the master the projection stays there.
     bool projection_is_clipped = false;
@@ -189,6 +193,7 @@ namespace Contact
    *   gap             g = n . sum_a C_a x_a          (negative: penetration)
    *                   (minus the place on the obstacle, if that is the master)
    *   slip            s = t . sum_a C_a (u_a - u_a at the increment's start)
+   *                   (minus the motion of the obstacle's material there)
    *   force on node a     w (p n + q t) C_a
    * Sign conventions, stated here once: n is the unit normal of the master
    * edge, out of the master body; t its unit tangent, n turned by +90 degrees;
@@ -288,8 +293,8 @@ namespace Contact
 
   /**
    * The slip [mm] of a point, by tangent, in the directions that supports do
-   * not leave free, while its gap stays: it follows from their @p motion. Zero
-   * where all are free.
+   * not leave free, while its gap stays: it follows from their @p motion, and
+   * from that of an obstacle. Zero where all are free.
    */
   Tensor<1, 1> prescribed_slip(const ContactPoint<2>   &point,
                                const Discretization<2> &discretization,

@@ -22,7 +22,7 @@ namespace Contact
   {
     GhostedVector solution;
     GhostedVector start;
-    double        load_factor = 0;
+    double        load_factor = 0, start_factor = 0;
 
     /// Undeformed, without forces.
     void reinit(const ContactModel<dim> &model)
@@ -30,11 +30,13 @@ namespace Contact
       solution = start = model.zero();
     }
 
-    /// An increment starts here, up to the load factor @p to.
-    void begin(const ContactModel<dim> &model, const double to)
+    /// An increment starts here, from one load factor to another.
+    void
+    begin(const ContactModel<dim> &model, const double from, const double to)
     {
-      load_factor = to;
-      start       = solution;
+      start_factor = from;
+      load_factor  = to;
+      start        = solution;
       if (model.has_friction())
         {
           model.interface->set_support_motion(

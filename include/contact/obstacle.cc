@@ -30,6 +30,11 @@ namespace Contact
         return {x - ((x - point) * normal) * normal, normal, 0};
       }
 
+      Point<dim> centre() const override
+      {
+        return point;
+      }
+
     private:
       const Point<dim>     point;
       const Tensor<1, dim> normal;
@@ -41,8 +46,8 @@ namespace Contact
     class Ball : public Obstacle<dim>
     {
     public:
-      Ball(const Point<dim> &centre, const double radius)
-        : centre(centre)
+      Ball(const Point<dim> &middle, const double radius)
+        : middle(middle)
         , radius(radius)
       {
       }
@@ -51,15 +56,20 @@ namespace Contact
       typename Obstacle<dim>::ClosestPoint
       closest_point(const Point<dim> &x) const override
       {
-        Tensor<1, dim> normal = x - centre;
+        Tensor<1, dim> normal = x - middle;
         if (normal.norm() == 0)
           normal[1] = 1;
         normal *= std::copysign(1 / normal.norm(), radius);
-        return {centre + radius * normal, normal, radius};
+        return {middle + radius * normal, normal, radius};
+      }
+
+      Point<dim> centre() const override
+      {
+        return middle;
       }
 
     private:
-      const Point<dim> centre;
+      const Point<dim> middle;
       const double     radius;
     };
 
@@ -86,6 +96,11 @@ namespace Contact
         return closest;
       }
 
+      Point<3> centre() const override
+      {
+        return point;
+      }
+
     private:
       const Point<3>     point;
       const Tensor<1, 3> axis;
@@ -110,7 +125,7 @@ namespace Contact
 
 
   template<>
-  std::unique_ptr<const Obstacle<2>>
+  std::unique_ptr<Obstacle<2>>
   Obstacle<2>::create(const Parameters::ObstacleShape shape,
                       const std::vector<double>      &numbers)
   {
@@ -132,7 +147,7 @@ namespace Contact
 
 
   template<>
-  std::unique_ptr<const Obstacle<3>>
+  std::unique_ptr<Obstacle<3>>
   Obstacle<3>::create(const Parameters::ObstacleShape shape,
                       const std::vector<double>      &numbers)
   {

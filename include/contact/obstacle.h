@@ -17,9 +17,26 @@ namespace Contact
 {
   using namespace dealii;
 
+  /// A moment [N mm per mm of thickness], or a turn [rad]: in the plane about
+  /// z.
+  template<int dim>
+  using Moment = Tensor<1, dim == 2 ? 1 : 3>;
+
+  inline Moment<2> moment_of(const Tensor<1, 2> &arm, const Tensor<1, 2> &force)
+  {
+    return Moment<2>({arm[0] * force[1] - arm[1] * force[0]});
+  }
+
+  inline Moment<3> moment_of(const Tensor<1, 3> &arm, const Tensor<1, 3> &force)
+  {
+    return cross_product_3d(arm, force);
+  }
+
+
+
   /**
-   * A rigid master without a mesh, which stands still (in the manner of
-   * step-42): it answers what a point of the slave faces.
+   * A rigid master without a mesh (in the manner of step-42): it answers what a
+   * point of the slave faces. It stands still, but for a MovingObstacle.
    */
   template<int dim>
   class Obstacle
@@ -33,7 +50,7 @@ namespace Contact
     /// sphere alike, and a cylinder by a point of its axis, the direction of
     /// the axis and its radius. Throws InputError if a shape is one of the
     /// other dimension.
-    static std::unique_ptr<const Obstacle<dim>>
+    static std::unique_ptr<Obstacle<dim>>
     create(const Parameters::ObstacleShape shape,
            const std::vector<double>      &numbers);
 
@@ -43,9 +60,36 @@ namespace Contact
       Point<dim>     x;      // [mm]
       Tensor<1, dim> normal; // outward
       double         radius; // [mm], negative in a hole; 0: flat
+
+      // What the material there has moved in this increment [mm], and in the
+      // plane the derivative of its tangential part along the surface [-].
+      Tensor<1, dim> motion  = {};
+      double         stretch = 0;
     };
 
     virtual ClosestPoint closest_point(const Point<dim> &x) const = 0;
+
+    /// The point that it turns about, and its moments are about [mm].
+    virtual Point<dim> centre() const = 0;
+
+    /// An increment from a load factor to another moves it. Returns whether it
+    /// does.
+    virtual bool move(const double /*from*/, const double /*to*/)
+    {
+      return false;
+    }
+
+    /// The motion of this increment: of the centre [mm], and the turn.
+    struct Motion
+    {
+      Tensor<1, dim> shift;
+      Moment<dim>    turn;
+    };
+
+    virtual Motion motion() const
+    {
+      return {};
+    }
   };
 } // namespace Contact
 

@@ -45,7 +45,8 @@ namespace Contact
   bool is_stress(const Quantity quantity)
   {
     return !is_displacement(quantity) && !is_contact_traction(quantity) &&
-           !is_force(quantity) && !is_energy(quantity);
+           !is_force(quantity) && !is_energy(quantity) &&
+           !is_of_obstacle(quantity);
   }
 
 

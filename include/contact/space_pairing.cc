@@ -139,7 +139,8 @@ namespace Contact
     for (const auto &direction : held)
       {
         const Tensor<1, 2> along = point.tangential_part(direction);
-        double             slip = 0, size = 0;
+        double             slip  = -direction * point.projection_motion,
+               size              = std::abs(slip);
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           for (unsigned int c = 0; c < 3; ++c)
             {

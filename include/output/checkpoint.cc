@@ -125,7 +125,7 @@ namespace Contact
   std::string Checkpoint<dim>::key() const
   {
     std::ostringstream key;
-    key << "contact restart 3, ranks "
+    key << "contact restart 4, ranks "
         << Utilities::MPI::n_mpi_processes(model.discretization->communicator)
         << ", unknowns " << state.solution.size() << ", mesh "
         << checksum(parameters.mesh.file) << '\n';

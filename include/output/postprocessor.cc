@@ -39,6 +39,14 @@ namespace Contact
               check_force(name, probe.quantity, point, model);
               continue;
             }
+          if (is_of_obstacle(probe.quantity))
+            {
+              check_obstacle(name,
+                             probe.quantity,
+                             point,
+                             model.interface.get());
+              continue;
+            }
           if (is_energy(probe.quantity))
             {
               model.mesh->body(point, "Probes/Probes");
@@ -96,8 +104,17 @@ namespace Contact
         record.stick            = count.stick;
         record.slip             = count.active - count.stick;
         for (const auto &contact_pair : model.interface->pairs)
-          record.contact[contact_pair->name] =
-            results(*contact_pair).by_name(dim);
+          {
+            auto &values = record.contact[contact_pair->name];
+            values       = results(*contact_pair).by_name(dim);
+            if (contact_pair->obstacle)
+              values.merge(
+                obstacle_values(*model.interface,
+                                *contact_pair,
+                                state.solution,
+                                state.start,
+                                parameters.solution.has_moving_bound()));
+          }
       }
     for (const auto &[name, definition] : parameters.probes.definitions())
       if (!is_stress(definition.quantity))
@@ -262,6 +279,13 @@ namespace Contact
     if (is_force(quantity))
       return resultant(quantity, point, model)
         .value(state.solution, state.load_factor);
+    if (is_of_obstacle(quantity))
+      return obstacle_value(quantity,
+                            point,
+                            model.interface.get(),
+                            state.solution,
+                            state.start,
+                            parameters.solution.has_moving_bound());
     if (is_energy(quantity))
       return body_energy(point, model, state.solution);
     const unsigned int vertex = model.mesh->point(point, "Probes/Probes");

@@ -59,27 +59,26 @@ namespace Contact
                              "if(condition, a, b), pi and others");
         }
     }
-
-
-
-    void check_history(const std::string &history, const std::string &entry)
-    {
-      if (!is_table(history))
-        return check_formula<1>(history, "t", entry);
-      try
-        {
-          parse_history(history, entry);
-        }
-      catch (const std::runtime_error &error)
-        {
-          throw EntryError(error.what(),
-                           {entry},
-                           "write pairs of t and a factor, with growing t, "
-                           "such as 'table(0 0, 0.5 1, 1 -1)'");
-        }
-    }
-
   } // namespace
+
+
+
+  void check_history(const std::string &history, const std::string &entry)
+  {
+    if (!is_table(history))
+      return check_formula<1>(history, "t", entry);
+    try
+      {
+        parse_history(history, entry);
+      }
+    catch (const std::runtime_error &error)
+      {
+        throw EntryError(error.what(),
+                         {entry},
+                         "write pairs of t and a factor, with growing t, "
+                         "such as 'table(0 0, 0.5 1, 1 -1)'");
+      }
+  }
 
 
 

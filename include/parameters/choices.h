@@ -239,6 +239,12 @@ namespace Contact
       contact_force_x,
       contact_force_y,
       contact_force_z,
+      obstacle_force_x,
+      obstacle_force_y,
+      obstacle_force_z,
+      obstacle_moment_x,
+      obstacle_moment_y,
+      obstacle_moment_z,
       strain_energy
     };
 
@@ -262,6 +268,12 @@ namespace Contact
               {"contact force x", Quantity::contact_force_x},
               {"contact force y", Quantity::contact_force_y},
               {"contact force z", Quantity::contact_force_z},
+              {"obstacle force x", Quantity::obstacle_force_x},
+              {"obstacle force y", Quantity::obstacle_force_y},
+              {"obstacle force z", Quantity::obstacle_force_z},
+              {"obstacle moment x", Quantity::obstacle_moment_x},
+              {"obstacle moment y", Quantity::obstacle_moment_y},
+              {"obstacle moment z", Quantity::obstacle_moment_z},
               {"strain energy", Quantity::strain_energy}};
     }
 
@@ -274,10 +286,12 @@ namespace Contact
           case Quantity::displacement_y:
           case Quantity::reaction_y:
           case Quantity::contact_force_y:
+          case Quantity::obstacle_force_y:
             return 1;
           case Quantity::displacement_z:
           case Quantity::reaction_z:
           case Quantity::contact_force_z:
+          case Quantity::obstacle_force_z:
             return 2;
           default:
             return 0;
@@ -288,7 +302,9 @@ namespace Contact
     inline bool is_in_space(const Quantity quantity)
     {
       return component_of(quantity) == 2 || quantity == Quantity::stress_xz ||
-             quantity == Quantity::stress_yz;
+             quantity == Quantity::stress_yz ||
+             quantity == Quantity::obstacle_moment_x ||
+             quantity == Quantity::obstacle_moment_y;
     }
 
     /// The unit of a quantity.
@@ -318,8 +334,14 @@ namespace Contact
           case Quantity::contact_force_x:
           case Quantity::contact_force_y:
           case Quantity::contact_force_z:
+          case Quantity::obstacle_force_x:
+          case Quantity::obstacle_force_y:
+          case Quantity::obstacle_force_z:
             return symmetry == Symmetry::plane_strain && !in_space ? "N/mm"
                                                                    : "N";
+          case Quantity::obstacle_moment_x:
+          case Quantity::obstacle_moment_y:
+          case Quantity::obstacle_moment_z:
           case Quantity::strain_energy:
             return symmetry == Symmetry::plane_strain && !in_space ? "N mm/mm"
                                                                    : "N mm";

@@ -144,8 +144,13 @@ namespace Contact
                              {surfaces[0], entry},
                              "set the slave");
           check_obstacle(entry);
+          check_obstacle_motion();
           return;
         }
+      if (!obstacle_motion.empty())
+        throw EntryError("There is no obstacle to move.",
+                         {section() + "/Obstacle motion"},
+                         "set the obstacle, or move supports of the master");
       if (slave.empty() != master.empty())
         throw EntryError("Contact takes two surfaces, but there is only one.",
                          surfaces,
@@ -205,6 +210,48 @@ namespace Contact
                          "normal y, normal z', 'sphere: x, y, z, radius' or "
                          "'cylinder: x, y, z, axis x, axis y, axis z, "
                          "radius'");
+    }
+
+
+
+    void Contact::check_obstacle_motion() const
+    {
+      const std::string entry = section() + "/Obstacle motion";
+      const auto        shape = obstacle.begin()->first;
+      const bool        is_plane =
+        shape == ObstacleShape::half_plane || shape == ObstacleShape::circle;
+      const unsigned int dim   = is_plane ? 2 : 3;
+      const std::string  names = is_plane ? "'x', 'y'" : "'x', 'y', 'z'";
+      for (const auto &[name, history] : obstacle_motion)
+        {
+          if (name != "x" && name != "y" && name != "angle" &&
+              (is_plane || name != "z"))
+            throw EntryError(in_quotes(name) + " is no motion.",
+                             {entry},
+                             "there are " + names + " and 'angle'");
+          check_history(history, entry);
+        }
+      if (!obstacle_centre.empty() && obstacle_centre.size() != dim)
+        throw EntryError("This is no point.",
+                         {section() + "/Obstacle centre"},
+                         std::string("write x, y") + (is_plane ? "" : ", z"));
+      if (!obstacle_axis.empty() &&
+          (is_plane || obstacle_axis.size() != 3 ||
+           std::all_of(obstacle_axis.begin(),
+                       obstacle_axis.end(),
+                       [](const double x) { return x == 0; })))
+        throw EntryError("This is no direction in space.",
+                         {section() + "/Obstacle axis"},
+                         "write x, y, z; in the plane there is none");
+      if (!is_plane && shape != ObstacleShape::cylinder &&
+          obstacle_axis.empty() && obstacle_motion.count("angle") > 0)
+        throw EntryError("The obstacle turns about no axis.",
+                         {entry, section() + "/Obstacle axis"},
+                         "set the axis");
+      if (tied && !obstacle_motion.empty())
+        throw EntryError("A body is glued to an obstacle that moves.",
+                         {entry, section() + "/Tied"},
+                         "move supports of the body instead");
     }
 
 

@@ -120,7 +120,19 @@ namespace Contact
                            std::to_string(n_ranks) + ".",
                          {"Solution/Estimate effects"},
                          "run it without mpirun, or without this entry");
-      if (!probes.dual_weighted_residuals && !asks_for_accuracy())
+      const bool has_dual_problems =
+        probes.dual_weighted_residuals || asks_for_accuracy();
+      for (const auto &[name, probe] : probes.definitions())
+        if ((has_dual_problems || solution.estimate_effects) &&
+            probe.quantity.name().compare(0, 8, "obstacle") == 0)
+          throw EntryError("There is no dual problem for what an obstacle "
+                           "exerts, the probe '" +
+                             name + "'.",
+                           {has_dual_problems ? entry
+                                              : "Solution/Estimate effects",
+                            "Probes/Probes"},
+                           "ask for the contact force of the slave");
+      if (!has_dual_problems)
         return;
       if (n_ranks > 1)
         throw EntryError("Dual problems are solved by one process, here are " +

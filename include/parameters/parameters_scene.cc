@@ -303,6 +303,27 @@ namespace Contact
                         "normal x, normal y, normal z', 'sphere: x, y, z, "
                         "radius', 'cylinder: x, y, z, axis x, axis y, axis z, "
                         "radius'.");
+      prm.add_parameter("Obstacle motion",
+                        obstacle_motion,
+                        "How the obstacle moves: 'x: formula; y: formula; z: "
+                        "formula' [mm], 'angle: formula' [degrees], separated "
+                        "by ';'; formulas in t or tables as those of 'Boundary "
+                        "conditions/Histories'. It turns about the Obstacle "
+                        "centre, which moves along. Empty: it stands still.",
+                        Patterns::Map(Patterns::Anything(),
+                                      Patterns::Anything(),
+                                      0,
+                                      Patterns::Map::max_int_value,
+                                      ";"));
+      prm.add_parameter("Obstacle centre",
+                        obstacle_centre,
+                        "The point x, y, in space x, y, z, that the obstacle "
+                        "turns about, and its moments are about [mm]. Empty: "
+                        "the point that Obstacle begins with.");
+      prm.add_parameter("Obstacle axis",
+                        obstacle_axis,
+                        "In space the direction x, y, z of the axis that the "
+                        "obstacle turns about [-]. Empty: that of a cylinder.");
       prm.add_parameter("Discretization",
                         discretization,
                         "Where the contact points are [-]; nodal: in the nodes "

@@ -37,6 +37,9 @@ namespace Contact
     const std::string              remedy;
   };
 
+  /// Check a history, see parse_history(). Throws EntryError.
+  void check_history(const std::string &history, const std::string &entry);
+
 
 
   /**
@@ -208,6 +211,12 @@ namespace Contact
       /// Instead of a master: see Obstacle.
       std::map<Choice<ObstacleShape>, std::vector<double>> obstacle;
 
+      /// How the obstacle moves: 'x', 'y', 'z' [mm] and 'angle' [degrees] by
+      /// histories, see parse_history(); the point that it turns about, and in
+      /// space the direction of the axis there. Empty: those of the shape.
+      std::map<std::string, std::string> obstacle_motion;
+      std::vector<double>                obstacle_centre, obstacle_axis;
+
       Choice<ContactDiscretization> discretization =
         ContactDiscretization::mortar;
       unsigned int n_gauss_points = 3;
@@ -263,6 +272,7 @@ namespace Contact
       void add_surfaces(ParameterHandler &prm);
       void add_law(ParameterHandler &prm);
       void check_obstacle(const std::string &entry) const;
+      void check_obstacle_motion() const;
       void check_surfaces() const;
       void check_friction() const;
       void check_excluded_points() const;

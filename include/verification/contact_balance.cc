@@ -17,18 +17,6 @@ namespace Contact
     /// The moment that glue across a gap may lose, of that of its forces.
     /// Polygons of degree 1 on round surfaces that fit lose about 2e-3.
     constexpr double largest_loss_of_glue = 0.01;
-
-
-
-    Tensor<1, 1> moment_of(const Tensor<1, 2> &arm, const Tensor<1, 2> &force)
-    {
-      return Tensor<1, 1>({arm[0] * force[1] - arm[1] * force[0]});
-    }
-
-    Tensor<1, 3> moment_of(const Tensor<1, 3> &arm, const Tensor<1, 3> &force)
-    {
-      return cross_product_3d(arm, force);
-    }
   } // namespace
 
 

@@ -157,12 +157,10 @@ namespace Contact
 
     /// The forces of a contact pair on both bodies together; the moment is
     /// about the middle of the slave, whose size [mm] is that of its box.
-    using Moment = Tensor<1, dim == 2 ? 1 : 3>;
-
     struct Resultant
     {
       Tensor<1, dim> force;
-      Moment         moment;
+      Moment<dim>    moment;
       double         magnitude = 0, size = 0;
     };
 

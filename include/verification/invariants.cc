@@ -118,6 +118,16 @@ namespace Contact
                                         moved);
         contact.widen(slack);
         contact.add_forces(end.pressures, end.shears, end.dissipation);
+        end.obstacles.clear();
+        for (const auto &contact_pair : interface->pairs)
+          if (contact_pair->obstacle)
+            end.obstacles.push_back(
+              obstacle_forces(*interface,
+                              *contact_pair,
+                              solution,
+                              start.displacement,
+                              parameters.has_moving_bound()));
+        start.obstacles.resize(end.obstacles.size());
         contact.check(slack, found);
       }
     found.supports =
@@ -257,9 +267,11 @@ namespace Contact
     const auto work = [&](const GhostedVector State::*forces) {
       return 0.5 * ((start.*forces) * d + (end.*forces) * d);
     };
-    const double external      = work(&State::external);
-    const double contact       = work(&State::pressures);
-    const double friction      = work(&State::shears);
+    const auto   of_obstacles = work_of_obstacles();
+    const double external =
+      work(&State::external) + of_obstacles[0] + of_obstacles[1];
+    const double contact       = work(&State::pressures) - of_obstacles[0];
+    const double friction      = work(&State::shears) - of_obstacles[1];
     const double stabilization = work(&State::holds);
     const double sum           = external + contact + friction + stabilization;
 
@@ -296,6 +308,26 @@ namespace Contact
                   " N mm" + discretization.per_thickness() +
                   " in this increment",
                 wrong_forces);
+  }
+
+
+
+  template<int dim>
+  std::array<double, 2> InvariantCheck<dim>::work_of_obstacles() const
+  {
+    std::array<double, 2> works{};
+    unsigned int          n = 0;
+    if (interface != nullptr)
+      for (const auto &contact_pair : interface->pairs)
+        if (contact_pair->obstacle)
+          {
+            const auto motion = contact_pair->obstacle->motion();
+            for (unsigned int k = 0; k < 2; ++k)
+              works[k] += 0.5 * (start.obstacles[n][k].work(motion) +
+                                 end.obstacles[n][k].work(motion));
+            ++n;
+          }
+    return works;
   }
 
 

@@ -6,9 +6,13 @@
 #ifndef contact_invariants_h
 #define contact_invariants_h
 
+#include <array>
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/vector.hpp>
 #include <map>
 #include <string>
 
+#include "contact/contact_results.h"
 #include "verification/contact_check.h"
 
 namespace Contact
@@ -17,9 +21,9 @@ namespace Contact
 
   /**
    * Energy and works since the start [N mm per mm of thickness]:
-   *   strain energy = works of the loads and moved supports (external), of
-   *     the pressures (contact), of the shears (friction), of what else holds
-   *     the bodies (stabilization), and path work.
+   *   strain energy = works of the loads, moved supports and moved obstacles
+   *     (external), of the pressures (contact), of the shears (friction), of
+   *     what else holds the bodies (stabilization), and path work.
    * See InvariantCheck. The dissipation is that of the slip law, which is
    * never negative; it and minus the friction work agree in the limit of many
    * increments, where contact work and path work vanish.
@@ -86,7 +90,10 @@ namespace Contact
    * discretization, with each work by the trapezoidal rule. It holds up to what
    * Newton's method leaves of the residual: |r . d| <= tolerance F |d|.
    *
-   * Reactions work where supports are moved. Pressures would not work if points
+   * Reactions work where supports are moved, and what obstacles exert where
+   * these are, F . (motion of the centre) + M . turn, by the trapezoidal rule:
+   * that much of the works of pressures and shears on the bodies comes from
+   * outside. Pressures would not work if points
    * touched along the whole path or not at all; those that open or close within
    * the increment do, of the second order in its length, and so do the turning
    * normals of large displacement. The dissipation is -sum w q s with the q of
@@ -115,6 +122,9 @@ namespace Contact
       GhostedVector displacement;
       GhostedVector external, pressures, shears, holds;
 
+      /// Of each contact pair with an obstacle, see obstacle_forces().
+      std::vector<std::array<ObstacleForce<dim>, 2>> obstacles;
+
       std::vector<GhostedVector *> vectors()
       {
         return {&displacement, &external, &pressures, &shears, &holds};
@@ -124,7 +134,7 @@ namespace Contact
       void serialize(Archive &archive, const unsigned int)
       {
         archive &strain_energy &external_work &contact_work &friction_work
-          &stabilization_work &path_work &dissipation;
+          &stabilization_work &path_work &dissipation &obstacles;
       }
     };
 
@@ -169,6 +179,9 @@ namespace Contact
                        Invariants  &found) const;
     void add_up(const GhostedVector &reactions, Invariants &found) const;
     void check_energy(const Slack &slack, Invariants &found);
+
+    /// The works of pressures and shears in the motion of the obstacles.
+    std::array<double, 2> work_of_obstacles() const;
 
     /// The work of the internal forces in the middle of the increment along its
     /// whole way @p d.
