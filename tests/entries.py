@@ -11,6 +11,9 @@ Proves that
 - points may be named by their place: supports, forces and probes there are those
   of the points of the mesh file; a place without a node is refused, and the
   closest node named;
+- an interference presses two blocks on each other, and a block on an obstacle,
+  with the closed form's pressure, and is released again; with every
+  discretization, in the plane and in space, and as the mesh would that overlaps;
 - a curve in space may be held: a plate on two edges, of degree 1 and 2, on
   finer meshes and on two processes;
 - a boundary may be tied to a point: a platen that a force pushes goes as far as
@@ -248,6 +251,81 @@ def curves():
     check("a curve is tied", status == 2 and "rotation" in said, said[:300])
 
 
+def interference():
+    """Two blocks between walls, L1 = 2 and L2 = 3 long, free across:
+    p = delta/(L1/E1 + L2/E2). Without Poisson's ratio they stay as wide."""
+    for n, name in ((4, "interference"), (3, "interference_matching")):
+        mesh = Mesh()
+        mesh.block("A", 3, 2, box(0, 0, 3, 2), {
+            "bottom": "Base", "top": "Ground", "left": "Side"})
+        mesh.block("B", n, 2, box(0, 2, 3, 5), {
+            "bottom": "Sole", "top": "Head", "left": "Side"})
+        mesh.write(name)
+    mesh = Mesh()
+    mesh.block("A", 3, 2, box(0, 0, 3, 2), {"bottom": "Base", "top": "Ground",
+                                            "left": "Side"})
+    mesh.write("on_plane")
+    for m, name in ((3, "space"), (2, "space_matching")):
+        block = Volumes()
+        for body, n, z in (("A", 2, (0, 2)), ("B", m, (2, 5))):
+            block.block(body, (n, n, 1), lambda r, s, t: (
+                3 * r, 3 * s, z[0] + (z[1] - z[0]) * t),
+                        {"z0": "Low", "z1": "High", "x0": "X", "y0": "Y"}, {})
+        block.write("interference_" + name)
+    nu, delta = 0., 0.01
+    plane = {"Mesh/File": "interference.msh",
+             "Boundary conditions/Displacement x": "Side: 0",
+             "Boundary conditions/Displacement y": "Base: 0, Head: 0",
+             "Contact/Slave": "Sole", "Contact/Master": "Ground"}
+    rigid = {"Mesh/File": "on_plane.msh",
+             "Boundary conditions/Displacement x": "Side: 0",
+             "Boundary conditions/Displacement y": "Base: 0",
+             "Contact/Slave": "Ground",
+             "Contact/Obstacle": "half plane: 0, 2, 0, -1"}
+    space = {"Mesh/File": "interference_space.msh",
+             "Boundary conditions/Displacement x": "A_X: 0, B_X: 0",
+             "Boundary conditions/Displacement y": "A_Y: 0, B_Y: 0",
+             "Boundary conditions/Displacement z": "A_Low: 0, B_High: 0",
+             "Contact/Slave": "B_Low", "Contact/Master": "A_High"}
+    matching = {**plane, "Mesh/File": "interference_matching.msh"}
+    history = f"table(0 0, 0.5 {delta}, 1 0)"
+    for what, more in (
+            ("mortar", plane),
+            ("nodal", {**matching, "Contact/Discretization": "nodal"}),
+            ("Gauss", {**matching, "Contact/Discretization": "Gauss"}),
+            ("degree 2", {**plane, "Element/Degree": 2}),
+            ("with friction", {**plane, "Contact/Friction coefficient": 0.1}),
+            ("on a plane", rigid), ("in space", space),
+            ("in space, nodal", {**space, "Contact/Discretization": "nodal",
+                                 "Mesh/File": "interference_space_matching.msh"})):
+        bodies = ["A"] if what == "on a plane" else ["A", "B"]
+        scene = {**more, "Solids/Kinematics": "small strain",
+                 "Solids/Young's modulus": ", ".join(
+                     f"{b}: {E}" for b, E in zip(bodies, (1000., 3000.))),
+                 "Solids/Poisson's ratio": ", ".join(
+                     f"{b}: {nu}" for b in bodies),
+                 "Contact/Interference": history, "Solution/Increments": 4}
+        status, said, summary = run("interference", scene)
+        if status != 0:
+            check(f"interference, {what}", False, said[:400])
+            continue
+        give = 2 / 1000. + (3 / 3000. if len(bodies) > 1 else 0)
+        across = 9 if "space" in what else 3
+        expected = delta / give * across
+        base = "A_Low" if "space" in what else "Base"
+        forces = [i["reactions"][base]["z" if "space" in what else "y"]
+                  for i in summary["increments"]]
+        check(f"interference, {what}",
+              abs(forces[1] - expected) < 1e-9 * expected and
+              abs(forces[0] - expected / 2) < 1e-9 * expected and
+              abs(forces[3]) < 1e-9 * expected, f"{forces} {expected}")
+    status, said, _ = run("interference", {
+        **plane, **SOLID, "Solids/Young's modulus": "A: 1, B: 1",
+        "Solids/Poisson's ratio": "A: 0, B: 0", "Contact/Tied": "true",
+        "Contact/Interference": "0.1"})
+    check("none of glue", status == 2 and "Interference" in said, said[:300])
+
+
 def tied_slave():
     """Contact would hold twice what is tied."""
     scene = {"Mesh/File": "platen.msh", "Mesh/Points": "P: -3, 0; Q: -6, 0",
@@ -275,5 +353,6 @@ hanging()
 named_points()
 platen()
 curves()
+interference()
 tied_slave()
 sys.exit(len(failures) > 0)

@@ -227,9 +227,13 @@ namespace Contact
   {
     bool moves = false;
     for (const auto &contact_pair : pairs)
-      moves =
-        (contact_pair->obstacle && contact_pair->obstacle->move(from, to)) ||
-        moves;
+      {
+        moves =
+          (contact_pair->obstacle && contact_pair->obstacle->move(from, to)) ||
+          moves;
+        if (auto *interference = contact_pair->interference.get())
+          interference->now = interference->at(Point<1>(to));
+      }
     return moves;
   }
 
@@ -301,6 +305,9 @@ namespace Contact
 
     ContactState<dim> state{};
     state.gap = point.normal * r;
+    if (const auto *interference = contact_pair(point).interference.get())
+      for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
+        state.gap -= interference->now * point.C[a];
     for (const Tensor<1, dim> &across : point.void_slips)
       dr -= (dr * across) * across;
     state.slip = point.tangential_part(dr);

@@ -150,7 +150,8 @@ namespace Contact
     bool pair(const GhostedVector &u, const PairingMode &mode = {});
 
     /// An increment moves the obstacles from where they are at one load factor
-    /// to another. Returns whether the points have to be paired anew.
+    /// to another, and changes the interferences. Returns whether the points
+    /// have to be paired anew.
     bool move_obstacles(const double from, const double to);
 
     /// The pairing stands still from now on.

@@ -12,6 +12,7 @@
 #include "contact/corner_points.h"
 #include "contact/moving_obstacle.h"
 #include "contact/surface_checks.h"
+#include "parameters/formula.h"
 
 namespace Contact
 {
@@ -54,6 +55,20 @@ namespace Contact
         return shape;
       return std::make_unique<MovingObstacle<dim>>(std::move(shape),
                                                    parameters);
+    }
+
+
+
+    template<int dim>
+    std::unique_ptr<typename ContactPair<dim>::Interference>
+    make_interference(const Parameters::Contact &parameters)
+    {
+      if (parameters.interference.empty())
+        return nullptr;
+      using Interference = typename ContactPair<dim>::Interference;
+      return std::make_unique<Interference>(
+        Interference{parse_history(parameters.interference,
+                                   parameters.section() + "/Interference")});
     }
 
 
@@ -136,6 +151,7 @@ namespace Contact
                          parameters.section() + "/Slave"))
     , master(make_master(discretization, parameters))
     , obstacle(make_obstacle<dim>(parameters))
+    , interference(make_interference<dim>(parameters))
     , augmentation_parameter(parameters.augmentation_parameter)
     , elasticity(elasticity)
     , parameters(parameters)

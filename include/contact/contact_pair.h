@@ -8,6 +8,7 @@
 
 #include <deal.II/base/array_view.h>
 
+#include <functional>
 #include <optional>
 
 #include "contact/contact_points.h"
@@ -56,6 +57,15 @@ namespace Contact
     const Surface<dim>                   slave;
     const std::optional<Surface<dim>>    master;   // none: an obstacle
     const std::unique_ptr<Obstacle<dim>> obstacle; // none: a surface
+
+    /// By how much the surfaces overlap more than those of the mesh [mm], by
+    /// the load factor, and now.
+    struct Interference
+    {
+      std::function<double(const Point<1> &)> at;
+      double                                  now = 0;
+    };
+    const std::unique_ptr<Interference> interference; // none: not at all
 
     /// The c of all points, by the stiffness E/h of their slave edges [-].
     const double augmentation_parameter;

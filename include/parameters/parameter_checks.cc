@@ -125,6 +125,16 @@ namespace Contact
                      section() + "/Augmentation parameter");
       check_friction();
       check_excluded_points();
+      if (!interference.empty())
+        {
+          check_history(interference, section() + "/Interference");
+          if (tied || slave.empty())
+            throw EntryError("There is no contact that could have an "
+                             "interference.",
+                             {section() + "/Interference"},
+                             "remove the entry, or make it contact: a slave, "
+                             "and 'Tied = false'");
+        }
     }
 
 

@@ -324,6 +324,13 @@ namespace Contact
                         obstacle_axis,
                         "In space the direction x, y, z of the axis that the "
                         "obstacle turns about [-]. Empty: that of a cylinder.");
+      prm.add_parameter("Interference",
+                        interference,
+                        "By how much the surfaces overlap in truth more than "
+                        "in the mesh [mm], as those of a press fit that is "
+                        "drawn with one radius; a formula in t or a table, as "
+                        "those of 'Boundary conditions/Histories'. Negative: "
+                        "clearance.");
       prm.add_parameter("Discretization",
                         discretization,
                         "Where the contact points are [-]; nodal: in the nodes "

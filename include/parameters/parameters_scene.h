@@ -224,6 +224,10 @@ namespace Contact
       /// Points of the slave surface that carry no contact point.
       std::vector<std::string> excluded_points;
 
+      /// How much the surfaces overlap in truth more than in the mesh [mm], a
+      /// history, see parse_history(). Empty: not at all.
+      std::string interference;
+
       /// Glue the surfaces where they face each other: no contact at all, but
       /// what the same bodies cost without it.
       bool tied = false;

@@ -14,9 +14,18 @@ namespace Contact
 {
   namespace
   {
-    /// The moment that glue across a gap may lose, of that of its forces.
-    /// Polygons of degree 1 on round surfaces that fit lose about 2e-3.
-    constexpr double largest_loss_of_glue = 0.01;
+    /// The moment that forces across a gap may lose, of glue or where surfaces
+    /// have an interference, of that of the forces. Polygons of degree 1 on
+    /// round surfaces that fit lose about 2e-3.
+    constexpr double largest_loss_over_gap = 0.01;
+
+
+
+    template<int dim>
+    bool acts_over_gap(const ContactPair<dim> &contact_pair)
+    {
+      return contact_pair.tied || contact_pair.interference;
+    }
   } // namespace
 
 
@@ -100,9 +109,10 @@ namespace Contact
                 point.C[a] * (point.X[a][i] +
                               (undeformed ? 0. : solution[point.dofs[a][i]]));
           }
-        const double offset = point.projection_is_clipped || contact_pair.tied
-                                ? point.tangential_part(r).norm()
-                                : foot_moves * sum_of_C;
+        const double offset =
+          point.projection_is_clipped || acts_over_gap(contact_pair)
+            ? point.tangential_part(r).norm()
+            : foot_moves * sum_of_C;
         moment +=
           point.weight * (tractions[k].q.norm() * std::abs(r * point.normal) +
                           std::abs(tractions[k].p) * offset);
@@ -137,19 +147,20 @@ namespace Contact
     const double whole = all.magnitude * all.size;
     const double loss  = moment_of_discretization(contact_pair) / whole;
     // Forces that are no more than Newton's tolerance have any moment.
-    const double of_glue  = largest_loss_of_glue + slack.force / all.magnitude;
-    const bool   is_apart = contact_pair.tied && loss > of_glue;
+    const double of_gap   = largest_loss_over_gap + slack.force / all.magnitude;
+    const bool   is_apart = acts_over_gap(contact_pair) && loss > of_gap;
     const double of_moments = all.moment.norm() / whole;
     found.moment_imbalance  = larger(found.moment_imbalance, of_moments);
     found.check(
       "balance of moments",
       of_moments,
-      slack.relative + (is_apart ? of_glue : loss),
+      slack.relative + (is_apart ? of_gap : loss),
       "the forces of contact on both bodies have the moment " +
         brief(all.moment.norm()) + " N" + (dim == 2 ? "" : " mm"),
       is_apart
-        ? "The glued surfaces are apart, and the moment of the shear over "
-          "the gap is lost: let them meet in the mesh."
+        ? "The surfaces are apart where they are glued or have an "
+          "interference, and the moment of the shear over the gap is lost: "
+          "let them meet in the mesh."
         : "Slave points and their projections are apart along the surface: "
           "lower 'Solution/Geometry tolerance'.");
   }
