@@ -89,6 +89,21 @@ namespace
 
 
 
+  /// The same block on a sphere that comes from elsewhere and turns.
+  Parameters::All block_on_sphere(const Case &c)
+  {
+    Parameters::All parameters = turned_block(c, false);
+    parameters.contact.master.clear();
+    parameters.contact.obstacle = {
+      {Parameters::Choice<Parameters::ObstacleShape>("sphere"),
+       {0.5, 0.5, -3, 3}}};
+    parameters.contact.obstacle_motion = {{"x", "0.1*t"}, {"angle", "20*t"}};
+    parameters.contact.obstacle_axis   = {0.3, -0.2, 1};
+    return parameters;
+  }
+
+
+
   /// Any state: all nodes moved a little, the start of the increment elsewhere.
   void randomize(CondensedModelIn<3> &model)
   {
@@ -100,6 +115,7 @@ namespace
       }
     for (unsigned int i = model.n_dofs(); i < model.solution.size(); ++i)
       model.solution[i] = random(0.5, 1.5);
+    model.interface->move_obstacles(0.4, 1);
     model.pair();
     auto points = model.interface->points();
     for (ContactPoint<3> &point : points)
@@ -154,10 +170,14 @@ namespace
 
 
 
-  void points_of_contact(const Case &c)
+  void points_of_contact(const Case &c, const bool on_obstacle)
   {
-    headline("points of contact, " + named(c));
-    CondensedModelIn<3> model(turned_block(c, false), "CHOLMOD", true);
+    headline("points of contact, " + named(c) +
+             (on_obstacle ? ", on a moving obstacle" : ""));
+    CondensedModelIn<3> model(on_obstacle ? block_on_sphere(c)
+                                          : turned_block(c, false),
+                              "CHOLMOD",
+                              true);
     randomize(model);
     const double       angle = 0.7;
     const Tensor<1, 2> direction({std::cos(angle), std::sin(angle)});
@@ -229,10 +249,14 @@ namespace
 
 
   // Multipliers are those of the law, opposite to the slip.
-  void turning(const Case &c)
+  void turning(const Case &c, const bool on_obstacle)
   {
-    headline("turning of a slip, " + named(c));
-    CondensedModelIn<3> model(turned_block(c, false), "CHOLMOD", true);
+    headline("turning of a slip, " + named(c) +
+             (on_obstacle ? ", on a moving obstacle" : ""));
+    CondensedModelIn<3> model(on_obstacle ? block_on_sphere(c)
+                                          : turned_block(c, false),
+                              "CHOLMOD",
+                              true);
     randomize(model);
     auto points = model.interface->points();
     for (ContactPoint<3> &point : points)
@@ -385,8 +409,11 @@ int main()
   for (const std::string rule : {"nodal", "mortar"})
     for (const unsigned int degree : {1, 2})
       {
-        points_of_contact({rule, degree, "small strain"});
-        turning({rule, degree, "small strain"});
+        for (const bool on_obstacle : {false, true})
+          {
+            points_of_contact({rule, degree, "small strain"}, on_obstacle);
+            turning({rule, degree, "small strain"}, on_obstacle);
+          }
         pairing({rule, degree, "large displacement"}, false);
         if (rule == "mortar")
           pairing({rule, degree, "large displacement"}, true);

@@ -360,14 +360,17 @@ namespace
 
 
   /// On rigid obstacles, which turn the normal of a point as it moves along
-  /// them. All is turned by the same angle as in randomize().
+  /// them. All is turned by the same angle as in randomize(). Those that move
+  /// come from elsewhere.
   void check_obstacle(const unsigned int         degree,
                       const std::string         &rule,
                       const std::string         &shape,
-                      const std::vector<double> &numbers)
+                      const std::vector<double> &numbers,
+                      const bool                 moves)
   {
     headline("degree " + std::to_string(degree) + ", " + rule + " rule, " +
-             shape + (numbers.back() < 0 ? ", inside" : ""));
+             shape + (numbers.back() < 0 ? ", inside" : "") +
+             (moves ? ", moving" : ""));
     MeshText mesh;
     mesh.block("upper", 2, 1, rectangle({0.4, 0}, {2.2, 1}));
     Parameters::All parameters =
@@ -378,7 +381,14 @@ namespace
     parameters.contact.discretization       = rule;
     parameters.contact.n_gauss_points       = 2;
     parameters.contact.friction_coefficient = 0.4;
+    if (moves)
+      {
+        parameters.contact.obstacle_motion = {{"x", "t - 1"},
+                                              {"angle", "90*(t - 1)"}};
+        parameters.contact.obstacle_centre = {1, -0.5};
+      }
     ContactModel model(parameters);
+    check("moves", model.interface.move_obstacles(0.4, 1) == moves);
     randomize(model, -0.08);
 
     check_decision(model, "open", {Status::open, 0});
@@ -414,11 +424,23 @@ int main()
   for (const unsigned int degree : {1, 2})
     for (const std::string rule : {"nodal", "Gauss"})
       {
-        check_obstacle(degree,
-                       rule,
-                       "half plane",
-                       {0, 0, normal[0], normal[1]});
-        check_obstacle(degree, rule, "circle", {below[0], below[1], 4});
-        check_obstacle(degree, rule, "circle", {above[0], above[1], -4});
+        for (const bool moves : {false, true})
+          {
+            check_obstacle(degree,
+                           rule,
+                           "half plane",
+                           {0, 0, normal[0], normal[1]},
+                           moves);
+            check_obstacle(degree,
+                           rule,
+                           "circle",
+                           {below[0], below[1], 4},
+                           moves);
+            check_obstacle(degree,
+                           rule,
+                           "circle",
+                           {above[0], above[1], -4},
+                           moves);
+          }
       }
 }

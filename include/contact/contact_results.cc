@@ -353,58 +353,6 @@ namespace Contact
 
 
   template<int dim>
-  std::array<ObstacleForce<dim>, 2>
-  obstacle_forces(const ContactInterface<dim> &interface,
-                  const ContactPair<dim>      &contact_pair,
-                  const GhostedVector         &solution,
-                  const GhostedVector         &u_start,
-                  const bool                   moving_bound)
-  {
-    std::array<ObstacleForce<dim>, 2> forces;
-    for (const ContactPoint<dim> &point : interface.points_of(contact_pair))
-      {
-        const ContactState<dim> now = interface.state(point, solution, u_start);
-        const Traction<dim>     t   = interface.traction(point,
-                                                   point.status,
-                                                   now.p_trial,
-                                                   now.q_trial,
-                                                   moving_bound);
-        const Tensor<1, dim>    arm =
-          point.projection - contact_pair.obstacle->centre();
-        forces[0].add(arm, point.weight * t.p * point.normal);
-        forces[1].add(arm, point.weight * point.along_tangents(t.q));
-      }
-    return forces;
-  }
-
-
-
-  template<int dim>
-  std::map<std::string, double>
-  obstacle_values(const ContactInterface<dim> &interface,
-                  const ContactPair<dim>      &contact_pair,
-                  const GhostedVector         &solution,
-                  const GhostedVector         &u_start,
-                  const bool                   moving_bound)
-  {
-    const auto parts =
-      obstacle_forces(interface, contact_pair, solution, u_start, moving_bound);
-    const Tensor<1, dim> force  = parts[0].force + parts[1].force;
-    const Moment<dim>    moment = parts[0].moment + parts[1].moment;
-    if (interface.discretization.axisymmetric)
-      return {{"obstacle_force_y", force[1]}};
-    std::map<std::string, double> values;
-    for (unsigned int i = 0; i < dim; ++i)
-      values[std::string("obstacle_force_") + "xyz"[i]] = force[i];
-    for (unsigned int i = 0; i < Moment<dim>::dimension; ++i)
-      values[std::string("obstacle_moment_") + "xyz"[dim == 2 ? 2 : i]] =
-        moment[i];
-    return values;
-  }
-
-
-
-  template<int dim>
   GhostedVector contact_forces(const ContactInterface<dim> &interface,
                                const GhostedVector         &solution,
                                const GhostedVector         &u_start,
@@ -458,30 +406,6 @@ namespace Contact
     return text.str();
   }
 
-  template std::array<ObstacleForce<2>, 2>
-  obstacle_forces(const ContactInterface<2> &,
-                  const ContactPair<2> &,
-                  const GhostedVector &,
-                  const GhostedVector &,
-                  const bool);
-  template std::array<ObstacleForce<3>, 2>
-  obstacle_forces(const ContactInterface<3> &,
-                  const ContactPair<3> &,
-                  const GhostedVector &,
-                  const GhostedVector &,
-                  const bool);
-  template std::map<std::string, double>
-  obstacle_values(const ContactInterface<2> &,
-                  const ContactPair<2> &,
-                  const GhostedVector &,
-                  const GhostedVector &,
-                  const bool);
-  template std::map<std::string, double>
-                         obstacle_values(const ContactInterface<3> &,
-                                         const ContactPair<3> &,
-                                         const GhostedVector &,
-                                         const GhostedVector &,
-                                         const bool);
   template GhostedVector contact_forces(const ContactInterface<2> &,
                                         const GhostedVector &,
                                         const GhostedVector &,

@@ -6,7 +6,6 @@
 #ifndef contact_contact_results_h
 #define contact_contact_results_h
 
-#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -60,53 +59,6 @@ namespace Contact
                                  const GhostedVector         &solution,
                                  const GhostedVector         &u_start,
                                  const bool moving_bound = false);
-
-  /// What an obstacle exerts on the slave: the forces [N per mm of thickness],
-  /// and their moment about its centre.
-  template<int dim>
-  struct ObstacleForce
-  {
-    Tensor<1, dim> force;
-    Moment<dim>    moment;
-
-    void add(const Tensor<1, dim> &arm, const Tensor<1, dim> &f)
-    {
-      force += f;
-      moment += moment_of(arm, f);
-    }
-
-    /// Their work in a motion of the obstacle.
-    double work(const typename Obstacle<dim>::Motion &motion) const
-    {
-      return force * motion.shift + moment * motion.turn;
-    }
-
-    template<class Archive>
-    void serialize(Archive &archive, const unsigned int)
-    {
-      archive &force &moment;
-    }
-  };
-
-  /// Of the pressures and of the shears of a contact pair with an obstacle, at
-  /// the material of the obstacle.
-  template<int dim>
-  std::array<ObstacleForce<dim>, 2>
-  obstacle_forces(const ContactInterface<dim> &interface,
-                  const ContactPair<dim>      &contact_pair,
-                  const GhostedVector         &solution,
-                  const GhostedVector         &u_start,
-                  const bool                   moving_bound);
-
-  /// Of both together, by names: "obstacle_force_x", in the plane
-  /// "obstacle_moment_z". Of rings the force along the axis alone.
-  template<int dim>
-  std::map<std::string, double>
-  obstacle_values(const ContactInterface<dim> &interface,
-                  const ContactPair<dim>      &contact_pair,
-                  const GhostedVector         &solution,
-                  const GhostedVector         &u_start,
-                  const bool                   moving_bound);
 
   /// The forces of contact on the nodes by displacement unknown, w (p n + q t)
   /// C summed over the points [N per mm of thickness; rings: N]. The vector is

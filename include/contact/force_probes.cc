@@ -10,7 +10,6 @@
 
 #include "base/errors.h"
 #include "base/string_utilities.h"
-#include "contact/contact_results.h"
 
 namespace Contact
 {
@@ -30,78 +29,6 @@ namespace Contact
     return is_reaction(quantity) || quantity == Quantity::contact_force_x ||
            quantity == Quantity::contact_force_y ||
            quantity == Quantity::contact_force_z;
-  }
-
-
-
-  bool is_of_obstacle(const Quantity quantity)
-  {
-    return Choice<Quantity>(quantity).name().compare(0, 8, "obstacle") == 0;
-  }
-
-
-
-  namespace
-  {
-    /// The contact pair of a section if it has an obstacle, or nothing.
-    template<int dim>
-    const ContactPair<dim> *
-    pair_with_obstacle_of(const std::string           &section,
-                          const ContactInterface<dim> *interface)
-    {
-      if (interface != nullptr)
-        for (const auto &contact_pair : interface->pairs)
-          if (contact_pair->obstacle && contact_pair->section() == section)
-            return contact_pair.get();
-      return nullptr;
-    }
-
-
-
-    std::string key_of(const Quantity quantity)
-    {
-      std::string key = Choice<Quantity>(quantity).name();
-      std::replace(key.begin(), key.end(), ' ', '_');
-      return key;
-    }
-  } // namespace
-
-
-
-  template<int dim>
-  double obstacle_value(const Quantity               quantity,
-                        const std::string           &section,
-                        const ContactInterface<dim> *interface,
-                        const GhostedVector         &solution,
-                        const GhostedVector         &u_start,
-                        const bool                   moving_bound)
-  {
-    return obstacle_values(*interface,
-                           *pair_with_obstacle_of(section, interface),
-                           solution,
-                           u_start,
-                           moving_bound)
-      .at(key_of(quantity));
-  }
-
-
-
-  template<int dim>
-  void check_obstacle(const std::string           &probe,
-                      const Quantity               quantity,
-                      const std::string           &section,
-                      const ContactInterface<dim> *interface)
-  {
-    const bool of_rings = interface != nullptr &&
-                          interface->discretization.axisymmetric &&
-                          quantity != Quantity::obstacle_force_y;
-    if (of_rings || pair_with_obstacle_of(section, interface) == nullptr)
-      throw InputError("there is no " + Choice<Quantity>(quantity).name() +
-                         " of '" + section + "'",
-                       "Probes/Probes, '" + probe + "'",
-                       of_rings ? "of rings there is 'obstacle force y'"
-                                : "name the section of a contact pair with an "
-                                  "obstacle, 'Contact' or 'Contact NAME'");
   }
 
 
@@ -208,34 +135,14 @@ namespace Contact
 
 
 
-  template double obstacle_value(const Quantity,
-                                 const std::string &,
-                                 const ContactInterface<2> *,
-                                 const GhostedVector &,
-                                 const GhostedVector &,
-                                 const bool);
-  template double obstacle_value(const Quantity,
-                                 const std::string &,
-                                 const ContactInterface<3> *,
-                                 const GhostedVector &,
-                                 const GhostedVector &,
-                                 const bool);
-  template void   check_obstacle(const std::string &,
-                                 const Quantity,
-                                 const std::string &,
-                                 const ContactInterface<2> *);
-  template void   check_obstacle(const std::string &,
-                                 const Quantity,
-                                 const std::string &,
-                                 const ContactInterface<3> *);
-  template void   check_force(const std::string         &probe,
-                              const Parameters::Quantity quantity,
-                              const std::string         &boundary,
-                              const ContactModel<2>     &model);
-  template void   check_force(const std::string         &probe,
-                              const Parameters::Quantity quantity,
-                              const std::string         &boundary,
-                              const ContactModel<3>     &model);
+  template void check_force(const std::string         &probe,
+                            const Parameters::Quantity quantity,
+                            const std::string         &boundary,
+                            const ContactModel<2>     &model);
+  template void check_force(const std::string         &probe,
+                            const Parameters::Quantity quantity,
+                            const std::string         &boundary,
+                            const ContactModel<3>     &model);
 
   template Resultant<2> resultant(const Parameters::Quantity quantity,
                                   const std::string         &boundary,

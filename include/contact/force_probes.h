@@ -21,27 +21,6 @@ namespace Contact
   /// Whether a quantity is the resultant of forces at a boundary.
   bool is_force(const Parameters::Quantity quantity);
 
-  /// Whether a quantity is what an obstacle exerts.
-  bool is_of_obstacle(const Parameters::Quantity quantity);
-
-  /// That of the contact pair whose section is @p section [N per mm of
-  /// thickness, N].
-  template<int dim>
-  double obstacle_value(const Parameters::Quantity   quantity,
-                        const std::string           &section,
-                        const ContactInterface<dim> *interface,
-                        const GhostedVector         &solution,
-                        const GhostedVector         &u_start,
-                        const bool                   moving_bound);
-
-  /// Check that a section has an obstacle that exerts it. Throws InputError
-  /// with the name of the @p probe.
-  template<int dim>
-  void check_obstacle(const std::string           &probe,
-                      const Parameters::Quantity   quantity,
-                      const std::string           &section,
-                      const ContactInterface<dim> *interface);
-
   /// Check that supports, or contact, act on a named boundary. Throws
   /// InputError with the name of the @p probe. Collective.
   template<int dim>

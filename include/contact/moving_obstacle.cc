@@ -7,8 +7,10 @@
 
 #include <deal.II/physics/transformations.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "base/errors.h"
 #include "parameters/formula.h"
 
 namespace Contact
@@ -40,6 +42,39 @@ namespace Contact
     {
       return angle * axis;
     }
+    /// Throws InputError where a motion is none of this dimension.
+    template<int dim>
+    void check(const Parameters::Contact &parameters)
+    {
+      using Parameters::ObstacleShape;
+      const auto refuse = [&](const std::string &problem,
+                              const std::string &entry,
+                              const std::string &remedy) {
+        throw InputError(problem, parameters.section() + "/" + entry, remedy);
+      };
+      const auto &motion = parameters.obstacle_motion;
+      const auto &axis   = parameters.obstacle_axis;
+      const auto &centre = parameters.obstacle_centre;
+      const auto  shape  = parameters.obstacle.begin()->first;
+      if (dim == 2 && motion.count("z") > 0)
+        refuse("the mesh is plane and has no direction z",
+               "Obstacle motion",
+               "remove it, or take a mesh of volumes");
+      if (!centre.empty() && centre.size() != dim)
+        refuse("this is no point",
+               "Obstacle centre",
+               dim == 2 ? "write x, y" : "write x, y, z");
+      if (!axis.empty() && (dim == 2 || axis.size() != 3 ||
+                            std::count(axis.begin(), axis.end(), 0.) == 3))
+        refuse("this is no direction in space",
+               "Obstacle axis",
+               "write x, y, z; in the plane there is none");
+      if (dim == 3 && motion.count("angle") > 0 && axis.empty() &&
+          shape != ObstacleShape::cylinder && shape != ObstacleShape::profile)
+        refuse("the obstacle turns about no axis",
+               "Obstacle axis",
+               "set the direction of the axis");
+    }
   } // namespace
 
 
@@ -53,6 +88,7 @@ namespace Contact
     , pivot(shape->centre())
     , axis({0, 0, 1})
   {
+    check<dim>(parameters);
     const std::string entry   = parameters.section() + "/Obstacle motion";
     const auto        history = [&](const std::string &name) -> History {
       const auto found = parameters.obstacle_motion.find(name);

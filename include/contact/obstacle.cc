@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "contact/profile_obstacle.h"
 
 
 namespace Contact
@@ -139,8 +140,10 @@ namespace Contact
                                                   {numbers[2], numbers[3]}));
         case ObstacleShape::circle:
           return std::make_unique<Ball<2>>(x, numbers[2]);
+        case ObstacleShape::profile:
+          return std::make_unique<ProfileObstacle<2>>(numbers);
         default:
-          refuse(shape, "surfaces", "take a half plane or a circle");
+          refuse(shape, "surfaces", "take a half plane, a circle or a profile");
       }
   }
 
@@ -152,6 +155,8 @@ namespace Contact
                       const std::vector<double>      &numbers)
   {
     using Parameters::ObstacleShape;
+    if (shape == ObstacleShape::profile)
+      return std::make_unique<ProfileObstacle<3>>(numbers);
     const Point<3> x(numbers[0], numbers[1], numbers[2]);
     const auto     direction = [&]() {
       return Tensor<1, 3>({numbers[3], numbers[4], numbers[5]});
@@ -165,7 +170,9 @@ namespace Contact
         case ObstacleShape::cylinder:
           return std::make_unique<Cylinder>(x, direction(), numbers[6]);
         default:
-          refuse(shape, "volumes", "take a half space, a sphere or a cylinder");
+          refuse(shape,
+                 "volumes",
+                 "take a half space, a sphere, a cylinder or a profile");
       }
   }
 } // namespace Contact

@@ -48,8 +48,8 @@ namespace Contact
     /// outward normal, or a circle by x, y and its radius, solid, with a
     /// negative radius the inside of a hole [mm]; in space a half space and a
     /// sphere alike, and a cylinder by a point of its axis, the direction of
-    /// the axis and its radius. Throws InputError if a shape is one of the
-    /// other dimension.
+    /// the axis and its radius; in both a ProfileObstacle. Throws InputError if
+    /// a shape is one of the other dimension.
     static std::unique_ptr<Obstacle<dim>>
     create(const Parameters::ObstacleShape shape,
            const std::vector<double>      &numbers);

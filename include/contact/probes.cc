@@ -12,6 +12,7 @@
 
 #include "base/errors.h"
 #include "contact/contact_results.h"
+#include "contact/obstacle_forces.h"
 #include "solid/stress_recovery.h"
 
 namespace Contact

@@ -5,6 +5,7 @@
 
 #include "output/postprocessor.h"
 
+#include "contact/obstacle_forces.h"
 #include "contact/probes.h"
 
 namespace Contact

@@ -6,8 +6,10 @@
 #include "output/scene_notes.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "base/string_utilities.h"
+#include "parameters/formula.h"
 
 namespace Contact
 {
@@ -32,47 +34,71 @@ namespace Contact
 
 
 
-    // Loads and supports have their values at the ends of increments alone:
-    // where a history turns back in between, its peak is never there.
-    template<int dim>
-    void add_note_on_histories(const Parameters::All     &parameters,
-                               const Discretization<dim> &discretization,
-                               std::vector<std::string>  &notes)
+    // Histories have their values at the ends of increments alone: where one
+    // turns back in between, its peak is never there.
+    void add_note_on_history(const std::string                   &entry,
+                             const std::function<double(double)> &history,
+                             const unsigned int                   n,
+                             std::vector<std::string>            &notes)
     {
-      const unsigned int n         = parameters.solution.n_increments;
       const unsigned int n_samples = 32; // of an increment
-      for (const auto &[entry, is_set] :
-           parameters.boundary.entries_with_history())
+      double             size = 0, missed = 0, where = 0;
+      for (unsigned int k = 0; k < n; ++k)
         {
-          if (!is_set || parameters.boundary.histories.count(entry) == 0)
-            continue;
-          double size = 0, missed = 0, where = 0;
-          for (unsigned int k = 0; k < n; ++k)
+          const double first = history(1. * k / n);
+          const double last  = history((k + 1.) / n);
+          size = std::max({size, std::abs(first), std::abs(last)});
+          for (unsigned int i = 1; i < n_samples; ++i)
             {
-              const double first = discretization.factor(entry, 1. * k / n);
-              const double last  = discretization.factor(entry, (k + 1.) / n);
-              size = std::max({size, std::abs(first), std::abs(last)});
-              for (unsigned int i = 1; i < n_samples; ++i)
+              const double t      = (k + 1. * i / n_samples) / n;
+              const double factor = history(t);
+              const double beyond = std::max(factor - std::max(first, last),
+                                             std::min(first, last) - factor);
+              if (beyond > missed)
                 {
-                  const double t      = (k + 1. * i / n_samples) / n;
-                  const double factor = discretization.factor(entry, t);
-                  const double beyond =
-                    std::max(factor - std::max(first, last),
-                             std::min(first, last) - factor);
-                  if (beyond > missed)
-                    {
-                      missed = beyond;
-                      where  = t;
-                    }
+                  missed = beyond;
+                  where  = t;
                 }
             }
-          if (missed > 1e-3 * std::max(size, missed))
-            notes.push_back(
-              "the history of '" + entry +
-              "' turns back inside an increment, at about t = " + brief(where) +
-              ": only its values at the ends of increments are "
-              "applied. Take more increments, so that one ends there");
         }
+      if (missed > 1e-3 * std::max(size, missed))
+        notes.push_back(
+          "the history of '" + entry +
+          "' turns back inside an increment, at about t = " + brief(where) +
+          ": only its values at the ends of increments are "
+          "applied. Take more increments, so that one ends there");
+    }
+
+
+
+    template<int dim>
+    void add_notes_on_histories(const Parameters::All     &parameters,
+                                const Discretization<dim> &discretization,
+                                std::vector<std::string>  &notes)
+    {
+      const unsigned int n = parameters.solution.n_increments;
+      for (const auto &[entry, is_set] :
+           parameters.boundary.entries_with_history())
+        if (is_set && parameters.boundary.histories.count(entry) > 0)
+          add_note_on_history(
+            entry,
+            [&, &entry = entry](const double t) {
+              return discretization.factor(entry, t);
+            },
+            n,
+            notes);
+      for (const auto &contact_pair : parameters.pairs())
+        for (const auto &[motion, formula] : contact_pair.obstacle_motion)
+          {
+            const std::string entry =
+              contact_pair.section() + "/Obstacle motion";
+            const auto history = parse_history(formula, entry);
+            add_note_on_history(
+              entry + " " + motion,
+              [&](const double t) { return history(Point<1>(t)); },
+              n,
+              notes);
+          }
     }
 
 
@@ -323,7 +349,7 @@ namespace Contact
                                           const Parameters::All   &parameters)
   {
     std::vector<std::string> notes;
-    add_note_on_histories(parameters, *model.discretization, notes);
+    add_notes_on_histories(parameters, *model.discretization, notes);
     if (!model.interface)
       return notes;
     for (const auto &contact_pair : parameters.pairs())

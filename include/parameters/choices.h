@@ -93,7 +93,8 @@ namespace Contact
       circle,
       half_space,
       sphere,
-      cylinder
+      cylinder,
+      profile
     };
 
     inline NamedValues<ObstacleShape> named_values(const ObstacleShape)
@@ -102,7 +103,8 @@ namespace Contact
               {"circle", ObstacleShape::circle},
               {"half space", ObstacleShape::half_space},
               {"sphere", ObstacleShape::sphere},
-              {"cylinder", ObstacleShape::cylinder}};
+              {"cylinder", ObstacleShape::cylinder},
+              {"profile", ObstacleShape::profile}};
     }
 
 

@@ -44,6 +44,7 @@ namespace Contact
                          "set 'Kinematics = small strain', or another "
                          "geometry");
       check_points();
+      check_obstacles();
       check_dual_problems();
       check_limits();
       if (n_ranks > 1)

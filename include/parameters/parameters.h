@@ -117,6 +117,7 @@ namespace Contact
 
     private:
       void check_theory() const;
+      void check_obstacles() const;
       void check_points() const;
       void check_dual_problems() const;
       void check_limits() const;

@@ -182,8 +182,11 @@ namespace Contact
           "and contact forces those on the body at a boundary "
           "group, named as the point: of the nodes that "
           "supports hold in that direction, and of the "
-          "others; the strain energy is that of a body, named as "
-          "the point [N mm per mm of thickness, in rings N mm].");
+          "others; obstacle forces and moments, about its centre, "
+          "those of an obstacle on the body, its section 'Contact "
+          "NAME' as the point; the strain energy is that of a body, "
+          "named as the point [N mm per mm of thickness, in rings N "
+          "mm].");
       prm.add_parameter("References",
                         references,
                         "'name: value', separated by ','; what a probe is "

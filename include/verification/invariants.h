@@ -12,7 +12,7 @@
 #include <map>
 #include <string>
 
-#include "contact/contact_results.h"
+#include "contact/obstacle_forces.h"
 #include "verification/contact_check.h"
 
 namespace Contact

@@ -1,0 +1,183 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/obstacle_forces.h"
+
+#include <algorithm>
+
+#include "base/errors.h"
+
+namespace Contact
+{
+  using Parameters::Choice;
+  using Parameters::Quantity;
+
+  template<int dim>
+  std::array<ObstacleForce<dim>, 2>
+  obstacle_forces(const ContactInterface<dim> &interface,
+                  const ContactPair<dim>      &contact_pair,
+                  const GhostedVector         &solution,
+                  const GhostedVector         &u_start,
+                  const bool                   moving_bound)
+  {
+    std::array<ObstacleForce<dim>, 2> forces;
+    for (const ContactPoint<dim> &point : interface.points_of(contact_pair))
+      {
+        const ContactState<dim> now = interface.state(point, solution, u_start);
+        const Traction<dim>     t   = interface.traction(point,
+                                                   point.status,
+                                                   now.p_trial,
+                                                   now.q_trial,
+                                                   moving_bound);
+        const Tensor<1, dim>    arm =
+          point.projection - contact_pair.obstacle->centre();
+        forces[0].add(arm, point.weight * t.p * point.normal);
+        forces[1].add(arm, point.weight * point.along_tangents(t.q));
+      }
+    return forces;
+  }
+
+
+
+  template<int dim>
+  std::map<std::string, double>
+  obstacle_values(const ContactInterface<dim> &interface,
+                  const ContactPair<dim>      &contact_pair,
+                  const GhostedVector         &solution,
+                  const GhostedVector         &u_start,
+                  const bool                   moving_bound)
+  {
+    const auto parts =
+      obstacle_forces(interface, contact_pair, solution, u_start, moving_bound);
+    const Tensor<1, dim> force  = parts[0].force + parts[1].force;
+    const Moment<dim>    moment = parts[0].moment + parts[1].moment;
+    if (interface.discretization.axisymmetric)
+      return {{"obstacle_force_y", force[1]}};
+    std::map<std::string, double> values;
+    for (unsigned int i = 0; i < dim; ++i)
+      values[std::string("obstacle_force_") + "xyz"[i]] = force[i];
+    for (unsigned int i = 0; i < Moment<dim>::dimension; ++i)
+      values[std::string("obstacle_moment_") + "xyz"[dim == 2 ? 2 : i]] =
+        moment[i];
+    return values;
+  }
+
+
+
+  bool is_of_obstacle(const Quantity quantity)
+  {
+    return Choice<Quantity>(quantity).name().compare(0, 8, "obstacle") == 0;
+  }
+
+
+
+  namespace
+  {
+    /// The contact pair of a section if it has an obstacle, or nothing.
+    template<int dim>
+    const ContactPair<dim> *
+    pair_with_obstacle_of(const std::string           &section,
+                          const ContactInterface<dim> *interface)
+    {
+      if (interface != nullptr)
+        for (const auto &contact_pair : interface->pairs)
+          if (contact_pair->obstacle && contact_pair->section() == section)
+            return contact_pair.get();
+      return nullptr;
+    }
+
+
+
+    std::string key_of(const Quantity quantity)
+    {
+      std::string key = Choice<Quantity>(quantity).name();
+      std::replace(key.begin(), key.end(), ' ', '_');
+      return key;
+    }
+  } // namespace
+
+
+
+  template<int dim>
+  double obstacle_value(const Quantity               quantity,
+                        const std::string           &section,
+                        const ContactInterface<dim> *interface,
+                        const GhostedVector         &solution,
+                        const GhostedVector         &u_start,
+                        const bool                   moving_bound)
+  {
+    return obstacle_values(*interface,
+                           *pair_with_obstacle_of(section, interface),
+                           solution,
+                           u_start,
+                           moving_bound)
+      .at(key_of(quantity));
+  }
+
+
+
+  template<int dim>
+  void check_obstacle(const std::string           &probe,
+                      const Quantity               quantity,
+                      const std::string           &section,
+                      const ContactInterface<dim> *interface)
+  {
+    const bool of_rings = interface != nullptr &&
+                          interface->discretization.axisymmetric &&
+                          quantity != Quantity::obstacle_force_y;
+    if (of_rings || pair_with_obstacle_of(section, interface) == nullptr)
+      throw InputError("there is no " + Choice<Quantity>(quantity).name() +
+                         " of '" + section + "'",
+                       "Probes/Probes, '" + probe + "'",
+                       of_rings ? "of rings there is 'obstacle force y'"
+                                : "name the section of a contact pair with an "
+                                  "obstacle, 'Contact' or 'Contact NAME'");
+  }
+
+  template std::array<ObstacleForce<2>, 2>
+  obstacle_forces(const ContactInterface<2> &,
+                  const ContactPair<2> &,
+                  const GhostedVector &,
+                  const GhostedVector &,
+                  const bool);
+  template std::array<ObstacleForce<3>, 2>
+  obstacle_forces(const ContactInterface<3> &,
+                  const ContactPair<3> &,
+                  const GhostedVector &,
+                  const GhostedVector &,
+                  const bool);
+  template std::map<std::string, double>
+  obstacle_values(const ContactInterface<2> &,
+                  const ContactPair<2> &,
+                  const GhostedVector &,
+                  const GhostedVector &,
+                  const bool);
+  template std::map<std::string, double>
+                  obstacle_values(const ContactInterface<3> &,
+                                  const ContactPair<3> &,
+                                  const GhostedVector &,
+                                  const GhostedVector &,
+                                  const bool);
+  template double obstacle_value(const Quantity,
+                                 const std::string &,
+                                 const ContactInterface<2> *,
+                                 const GhostedVector &,
+                                 const GhostedVector &,
+                                 const bool);
+  template double obstacle_value(const Quantity,
+                                 const std::string &,
+                                 const ContactInterface<3> *,
+                                 const GhostedVector &,
+                                 const GhostedVector &,
+                                 const bool);
+  template void   check_obstacle(const std::string &,
+                                 const Quantity,
+                                 const std::string &,
+                                 const ContactInterface<2> *);
+  template void   check_obstacle(const std::string &,
+                                 const Quantity,
+                                 const std::string &,
+                                 const ContactInterface<3> *);
+} // namespace Contact
