@@ -15,6 +15,8 @@ Proves that
 - a circle that turns against a block slips everywhere once its torque is
   mu sum w p R, and sticks before; in space a cylinder does to an extruded block
   what the circle does to the plane one, by its thickness;
+- a profile with round corners is the circle, hole, half plane or cylinder that it
+  can be;
 - forces and moments are those of the nodes of the slave about the centre;
 - in space a sphere that turns about a slanted axis exerts mu sum w p r there once
   all slips, the same turned, and with both systems' loops of friction;
@@ -306,12 +308,17 @@ def other_scenes(entries, plane):
             "Mesh/File": "extruded.msh", "Contact/Slave": "Block_y0",
             "Contact/Obstacle": "cylinder: 2, -3, 0.7, 0, 0, 1, 3",
             "Output/Profile": "false", "Probes/Probes": ""}
-    for rule in ("nodal", "mortar"):
-        found = scene(f"extruded, {rule}", "extruded", {
-            **entries, **flat, "Contact/Discretization": rule})
+    for rule, shape in (("nodal", flat["Contact/Obstacle"]),
+                        ("mortar", flat["Contact/Obstacle"]),
+                        ("mortar", "profile: -1, -6, 3, 5, -6, 3, 5, 0, 3, "
+                                   "-1, 0, 3, -1, -6, 3")):
+        found = scene(f"extruded, {rule}, {shape}", "extruded", {
+            **entries, **flat, "Contact/Obstacle": shape,
+            "Contact/Obstacle centre": "2, -3, 0",
+            "Contact/Discretization": rule})
         found = found["increments"][-1]["contact"]
         found = found.get("", found)
-        near(f"turning cylinder, {rule}: as the circle",
+        near(f"turning {shape.split(':')[0]}, {rule}: as the circle",
              [found[f"obstacle_{k}"] / THICKNESS for k in
               ("force_x", "force_y", "moment_z")], wanted, 1e-9)
 
@@ -319,6 +326,36 @@ def other_scenes(entries, plane):
 dragged_block()
 moved_the_other_way()
 carried_block()
+def profiles(entries, plane):
+    """A square with corners so round that it is a circle, about a body or a hole;
+    a straight line is a half plane."""
+    def square(x, y, r, order):
+        return "profile: " + ", ".join(
+            f"{x + r * i}, {y + r * j}, {r}" for i, j in order)
+    around = ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))
+    near("profile: a round square is a circle", of_obstacle(scene(
+        "round square", "profile", {
+            **entries, "Contact/Obstacle": square(2, -3, 3, around),
+            "Contact/Obstacle centre": "2, -3"})), of_obstacle(plane), 1e-9)
+    way = {"Contact/Obstacle motion": "y: 0.1*t; x: 0.03*t^2",
+           "Solution/Increments": 4}
+    for what, shape, same in (
+            ("a round square hole is a hole", "circle: 2, 29.9, -30",
+             square(2, 29.9, 30, around[::-1])),
+            ("a straight line is a half plane", "half plane: 0, 0, 0.1, 1",
+             "profile: 0, 0, 0, -10, 1, 0")):
+        found = [of_obstacle(scene(what, "profile", {
+            **entries, **way, "Contact/Obstacle": obstacle,
+            "Contact/Obstacle centre": "0, 0"})) for obstacle in (shape, same)]
+        near(f"profile: {what}", found[1], found[0], 1e-9)
+    for wrong in ("0, 0, 0", "0, 0, 0, 1, 0, 0, 1, 1, 0",
+                  "0, 0, 0, 1, 0, 2, 1, 1, 2, 0, 1, 0", "0, 0, 1, 1, 0, 0"):
+        status, said, _ = run("profile", {
+            **entries, "Contact/Obstacle": f"profile: {wrong}"})
+        check(f"profile: refused: {wrong}", status == 2 and "profile" in said,
+              said)
+
+
 def restarted(entries):
     """Ended from outside after some increments, and gone on with."""
     entries = {**entries, "Solution/Increments": 80}
@@ -426,6 +463,7 @@ def refusals():
 
 entries, turned_circle = turning_circle()
 other_scenes(entries, turned_circle)
+profiles(entries, turned_circle)
 restarted(entries)
 spinning_sphere()
 refusals()

@@ -228,12 +228,12 @@ namespace Contact
     bool moves = false;
     for (const auto &contact_pair : pairs)
       {
-        moves =
-          (contact_pair->obstacle && contact_pair->obstacle->move(from, to)) ||
-          moves;
+        if (contact_pair->obstacle)
+          moves = contact_pair->obstacle->move(from, to) || moves;
         if (auto *interference = contact_pair->interference.get())
           interference->now = interference->at(Point<1>(to));
       }
+    obstacles_are_moving = moves && from != to;
     return moves;
   }
 

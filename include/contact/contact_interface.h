@@ -154,6 +154,12 @@ namespace Contact
     /// have to be paired anew.
     bool move_obstacles(const double from, const double to);
 
+    /// Whether obstacles move in this increment.
+    bool obstacles_move() const
+    {
+      return obstacles_are_moving;
+    }
+
     /// The pairing stands still from now on.
     void forget_changes();
 
@@ -310,6 +316,7 @@ namespace Contact
     std::vector<ContactPoint<dim>>                    all_points;
     std::map<unsigned int, std::vector<unsigned int>> in_corner;
     GhostedVector support_motion; // of this increment
+    bool          obstacles_are_moving = false;
 
     /// Of each normal multiplier the number of its tangential one.
     std::vector<unsigned int> tangential_number;

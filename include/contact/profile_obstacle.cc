@@ -39,7 +39,8 @@ namespace Contact
           refuse("two points of a profile are one");
         edges.push_back({points[k], way / way.norm(), 0, way.norm()});
       }
-    const double infinity = std::numeric_limits<double>::infinity();
+    const double round_off = 1e-12;
+    const double infinity  = std::numeric_limits<double>::infinity();
     if (!is_closed)
       {
         if (radii.front() != 0 || radii.back() != 0)
@@ -52,8 +53,7 @@ namespace Contact
         Edge              &in = edges[k == 0 ? n - 2 : k - 1], &out = edges[k];
         const Tensor<1, 2> a = in.tangent, b = out.tangent;
         const double       sine = a[0] * b[1] - a[1] * b[0], cosine = a * b;
-        const double       alpha     = std::atan2(sine, cosine);
-        const double       round_off = 1e-12;
+        const double       alpha = std::atan2(sine, cosine);
         if (std::abs(alpha) <= round_off)
           continue;
         if (!(radii[k] > 0) || numbers::PI - std::abs(alpha) <= round_off)
@@ -71,7 +71,7 @@ namespace Contact
                         std::cos(alpha / 2)});
       }
     for (const Edge &edge : edges)
-      if (edge.end < edge.begin)
+      if (edge.end < edge.begin * (1 - round_off))
         refuse("an edge of a profile is shorter than its arcs");
   }
 
@@ -95,7 +95,7 @@ namespace Contact
           closest  = {foot, normal, radius};
         }
     };
-    const double slack = 1e-12;
+    const double slack = 1e-12; // round-off
     for (const Edge &edge : edges)
       {
         const double s = (at - edge.from) * edge.tangent;

@@ -144,9 +144,14 @@ namespace Contact
 
 
 
+  // In space slip turns with an obstacle although no force, and no status,
+  // changes: a step finds its direction.
   template<int dim>
   bool NewtonState<dim>::has_converged() const
   {
+    if (dim == 3 && n_steps == 0 && model.interface &&
+        model.interface->obstacles_move())
+      return false;
     const bool has_statuses =
       n_status_changes == 0 ||
       (n_steps > 0 && !one_at_a_time && points_follow_the_law());
