@@ -85,6 +85,7 @@ namespace Contact
     std::unique_ptr<const Obstacle<dim>> shape_,
     const Parameters::Contact           &parameters)
     : shape(std::move(shape_))
+    , moves(!parameters.obstacle_motion.empty())
     , pivot(shape->centre())
     , axis({0, 0, 1})
   {
@@ -111,7 +112,7 @@ namespace Contact
       for (unsigned int i = 0; i < 3; ++i)
         axis[i] = parameters.obstacle_axis[i];
     axis /= axis.norm();
-    move(0, 0);
+    first = start = end = placement(0);
   }
 
 
@@ -139,7 +140,7 @@ namespace Contact
   {
     start = placement(from);
     end   = placement(to);
-    return true;
+    return moves;
   }
 
 

@@ -46,6 +46,11 @@ namespace Contact
 
     typename Obstacle<dim>::Motion motion() const override;
 
+    Tensor<1, dim> way(const Point<dim> &x) const override
+    {
+      return x - first.at(end.back(x));
+    }
+
   private:
     struct Placement
     {
@@ -70,11 +75,12 @@ namespace Contact
     using History = std::function<double(const Point<1> &)>;
 
     const std::unique_ptr<const Obstacle<dim>> shape;
+    const bool                                 moves;
     Point<dim>                                 pivot;
     Tensor<1, 3>                               axis;
     std::array<History, dim>                   shifts; // empty: none
     History                                    angle;
-    Placement                                  start, end;
+    Placement                                  first, start, end;
   };
 } // namespace Contact
 

@@ -90,6 +90,12 @@ namespace Contact
     {
       return {};
     }
+
+    /// What the material at @p x has moved since the beginning [mm].
+    virtual Tensor<1, dim> way(const Point<dim> & /*x*/) const
+    {
+      return {};
+    }
   };
 } // namespace Contact
 

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "parameters/choices.h"
+#include "parameters/quantities.h"
 
 namespace Contact
 {

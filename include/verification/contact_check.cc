@@ -143,12 +143,17 @@ namespace Contact
     look_at(contact_pair.slave);
     if (contact_pair.master)
       look_at(*contact_pair.master);
+    const double of_obstacle =
+      contact_pair.obstacle ? contact_pair.obstacle->way(now.X).norm() : 0.;
+    way = std::max(way, of_obstacle);
     // No less than the digits of a mesh file resolve.
     const double allowed =
       std::max(0.5 * way,
                1e-9 * contact_pair.slave.reference_length(now.slave_facet));
     const double overlap =
-      pushes ? largest_depth(contact_pair, none, /*as_drawn=*/false).depth : 0.;
+      pushes && of_obstacle == 0
+        ? largest_depth(contact_pair, none, /*as_drawn=*/false).depth
+        : 0.;
     if (now.depth - overlap <= allowed)
       return;
     const std::string what =
