@@ -325,7 +325,8 @@ namespace Contact
     {
       TimerOutput::Scope scope(report.timer, "setup");
       model.elasticity =
-        Elasticity<dim>::create(*model.discretization, parameters.solids);
+        std::make_unique<Elasticity<dim>>(*model.discretization,
+                                          parameters.solids);
       auto pairs = parameters.pairs();
       for (Parameters::Contact &contact_pair : pairs)
         contact_pair.ends_are_corners = ends_are_corners;
@@ -455,6 +456,7 @@ namespace Contact
                         model.interface.get(),
                         state.solution);
         check_invariants(stabilization.release(state));
+        model.elasticity->accept(state.solution);
         steps.accept(report.increment().newton_iterations);
         stabilization.end_increment();
 

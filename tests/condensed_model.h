@@ -59,11 +59,12 @@ namespace Tests
     {
       condensed.reset();
       interface.reset();
-      elasticity = Elasticity<dim>::create(discretization, parameters.solids);
-      interface  = std::make_unique<ContactInterface<dim>>(discretization,
+      elasticity =
+        std::make_unique<Elasticity<dim>>(discretization, parameters.solids);
+      interface = std::make_unique<ContactInterface<dim>>(discretization,
                                                           *elasticity,
                                                           parameters.pairs());
-      solution   = GhostedVector(n_dofs() + interface->n_multipliers());
+      solution  = GhostedVector(n_dofs() + interface->n_multipliers());
       start = rhs = solution;
       update      = GhostedVector(n_dofs());
       std::copy(displacement.begin(), displacement.end(), solution.begin());

@@ -22,8 +22,8 @@ namespace Tests
 
   /// Compare with central differences, by all unknowns and without constraints.
   /// The forces belong to @p energy, a function of the displacement.
-  template<class Energy>
-  Deviations compare_with_differences(const Bodies        &bodies,
+  template<int dim, class Energy>
+  Deviations compare_with_differences(const BodiesIn<dim> &bodies,
                                       const GhostedVector &u,
                                       const Energy        &energy)
   {

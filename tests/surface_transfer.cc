@@ -136,7 +136,8 @@ namespace
       std::vector<GhostedVector> none;
       flag_all_cells(mesh);
       refine_and_transfer(mesh, discretization, none);
-      elasticity = Elasticity<2>::create(discretization, parameters.solids);
+      elasticity =
+        std::make_unique<Elasticity<2>>(discretization, parameters.solids);
       make_interface();
     }
 

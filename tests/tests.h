@@ -269,7 +269,8 @@ namespace Tests
     explicit BodiesIn(const Parameters::All &parameters)
       : mesh(parameters.mesh)
       , discretization(mesh, parameters)
-      , elasticity(Elasticity<dim>::create(discretization, parameters.solids))
+      , elasticity(
+          std::make_unique<Elasticity<dim>>(discretization, parameters.solids))
     {
     }
 

@@ -386,7 +386,8 @@ namespace
               bodies.mesh.triangulation.execute_coarsening_and_refinement();
               bodies.discretization.redistribute();
               bodies.elasticity =
-                Elasticity<3>::create(bodies.discretization, parameters.solids);
+                std::make_unique<Elasticity<3>>(bodies.discretization,
+                                                parameters.solids);
             }
           const auto u        = solve(bodies);
           const auto reaction = [&](const unsigned int c) {

@@ -75,7 +75,7 @@ namespace Contact
       model.discretization =
         std::make_unique<Discretization<2>>(*model.mesh, parameters);
       model.elasticity =
-        Elasticity<2>::create(*model.discretization, parameters.solids);
+        std::make_unique<Elasticity<2>>(*model.discretization, parameters.solids);
       std::vector<Parameters::Contact> pairs = parameters.pairs();
       for (Parameters::Contact &of_pair : pairs)
         for (const auto &known : scene.interface->pairs)

@@ -225,7 +225,7 @@ namespace Contact
             GeometryInfo<dim - 1>::d_linear_shape_function(zeta, v) *
             on_facets(vertex_stresses[vertices[v]], discretization.mesh);
 
-        Tensor<1, dim> residual = stress_traction(stress, place);
+        Tensor<1, dim> residual = stress_traction(stress, place, facet.body);
         bool           is_known = true;
         for (const ContactTractions<dim> &of_pair : contact)
           if (const auto traction = of_pair(facet.name, place, h))
@@ -252,10 +252,12 @@ namespace Contact
   template<int dim>
   Tensor<1, dim>
   ErrorEstimator<dim>::stress_traction(const SymmetricTensor<2, dim> &stress,
-                                       const FacetPlace<dim> &place) const
+                                       const FacetPlace<dim>         &place,
+                                       const types::material_id body) const
   {
     return stress *
-           (elasticity.is_linear() ? place.undeformed_area : place.area) /
+           (elasticity.is_small_strain(body) ? place.undeformed_area
+                                             : place.area) /
            place.undeformed_area.norm();
   }
 

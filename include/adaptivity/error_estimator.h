@@ -102,7 +102,8 @@ namespace Contact
 
     /// The traction s* n at a place of the boundary, by undeformed length.
     Tensor<1, dim> stress_traction(const SymmetricTensor<2, dim> &stress,
-                                   const FacetPlace<dim>         &place) const;
+                                   const FacetPlace<dim>         &place,
+                                   const types::material_id       body) const;
 
     /// What supports do not hold of a traction all over a facet.
     Tensor<1, dim> free_part(const SurfaceFacet<dim> &facet,

@@ -32,7 +32,7 @@ namespace Contact
     refine_and_transfer(*model.mesh, *model.discretization, transferred);
 
     model.elasticity =
-      Elasticity<2>::create(*model.discretization, parameters.solids);
+      std::make_unique<Elasticity<2>>(*model.discretization, parameters.solids);
     if (coarse.interface)
       make_interface(parameters, *coarse.interface);
     for (GhostedVector &vector : transferred)

@@ -55,7 +55,10 @@ namespace Contact
       write_file(part(rank), [&](std::ostream &out) {
         const auto values =
           values_on_cells(*model.discretization, vectors(start));
-        write_restart(out, key, [&](auto &archive) { archive &values; });
+        const auto history = model.elasticity->history();
+        write_restart(out, key, [&](auto &archive) {
+          archive &values &history;
+        });
       });
     });
     report.files().write_first("restart.bin", [&](std::ostream &out) {
@@ -85,9 +88,12 @@ namespace Contact
       archive &n_parts &number;
       for (unsigned int r = 0; r < n_parts; ++r)
         {
-          CellValues values;
-          read_restart(part(r), key, [&](auto &archive) { archive &values; });
+          CellValues values, history;
+          read_restart(part(r), key, [&](auto &archive) {
+            archive &values &history;
+          });
           take_from_cells(*model.discretization, values, vectors(start));
+          model.elasticity->restore(history);
         }
       for (GhostedVector *vector : vectors(start))
         vector->update_ghosts();

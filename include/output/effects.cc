@@ -153,7 +153,7 @@ namespace Contact
         {"kinematics",
          kinematics.name() +
            (discretization.axisymmetric ? ", axisymmetric" : ""),
-         kinematics == Parameters::Strains::small
+         kinematics.all_are(Parameters::Strains::small)
            ? "one tangent on a mesh"
            : "a tangent for each Newton step",
          discretization.axisymmetric ? "Solids/Kinematics, Solids/Symmetry"

@@ -228,9 +228,9 @@ namespace Contact
     summary.strain_range = range;
     screen << "Largest strain " << range.strain << ", largest rotation "
            << range.rotation << " rad" << std::endl;
-    const std::string note =
-      beyond_range(range,
-                   parameters.solids.kinematics == Parameters::Strains::small);
+    const std::string note = beyond_range(range,
+                                          parameters.solids.kinematics.all_are(
+                                            Parameters::Strains::small));
     if (!note.empty())
       print_error(": note: " + note);
   }

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "base/string_utilities.h"
+#include "parameters/entry_checks.h"
 #include "parameters/parameters.h"
 
 namespace Contact
@@ -20,19 +21,6 @@ namespace Contact
   namespace
   {
     using Names = std::vector<std::string>;
-
-
-
-    // Patterns know closed intervals only, and a tolerance of zero is never
-    // reached.
-    void check_positive(const double value, const std::string &entry)
-    {
-      if (!(value > 0))
-        throw EntryError(entry + " is " + Utilities::to_string(value) +
-                           ", but has to be positive.",
-                         {entry},
-                         "set a value greater than 0");
-    }
 
 
 
@@ -49,24 +37,6 @@ namespace Contact
                          "set a value between 0 and " +
                            Utilities::to_string(coarsest));
     }
-
-
-
-    // The keys of one map have to be keys of another one as well.
-    template<typename A, typename B>
-    void check_keys(const std::map<std::string, A> &map,
-                    const std::string              &entry,
-                    const std::map<std::string, B> &other,
-                    const std::string              &other_entry)
-    {
-      for (const auto &[key, value] : map)
-        if (other.count(key) == 0)
-          throw EntryError(in_quotes(key) + " is in " + entry +
-                             ", but not in " + other_entry + ".",
-                           {entry, other_entry},
-                           "add " + in_quotes(key) + " to " + other_entry +
-                             " or remove it from " + entry);
-    }
   } // namespace
 
 
@@ -80,33 +50,6 @@ namespace Contact
                          {"Element/Centre node", "Element/Degree"},
                          "set 'Degree = 2' for the 9-node element, or "
                          "'Centre node = serendipity'");
-    }
-
-
-
-    void Solids::check() const
-    {
-      const std::string E  = "Solids/Young's modulus";
-      const std::string nu = "Solids/Poisson's ratio";
-      check_keys(youngs_modulus, E, poisson, nu);
-      check_keys(poisson, nu, youngs_modulus, E);
-      if (youngs_modulus.empty())
-        throw EntryError("No body has a material.",
-                         {E, nu},
-                         "set both, as in 'set Young's modulus = Block: "
-                         "70000'");
-      for (const auto &[body, value] : youngs_modulus)
-        if (!(value > 0))
-          throw EntryError("Young's modulus of " + in_quotes(body) +
-                             " is not positive.",
-                           {E},
-                           "set a positive value in MPa");
-      for (const auto &[body, value] : poisson)
-        if (!(value > -1 && value < 0.5))
-          throw EntryError("Poisson's ratio of " + in_quotes(body) +
-                             " is not between -1 and 0.5.",
-                           {nu},
-                           "set a value greater than -1 and less than 0.5");
     }
 
 

@@ -37,7 +37,7 @@ namespace Contact
 
       check_theory();
       if (solution.geometry == GeometryLoop::undeformed &&
-          solids.kinematics != Strains::small)
+          !solids.kinematics.all_are(Strains::small))
         throw EntryError("Large displacements are not those of undeformed "
                          "surfaces.",
                          {"Solution/Geometry", "Solids/Kinematics"},
@@ -116,6 +116,17 @@ namespace Contact
       const std::string entry = asks_for_accuracy()
                                   ? "Probes/Accuracy"
                                   : "Probes/Dual weighted residuals";
+      if (!solids.is_elastic() &&
+          (solution.estimate_effects || probes.dual_weighted_residuals ||
+           asks_for_accuracy()))
+        throw EntryError("Effects and errors of probes are estimated for "
+                         "elastic bodies alone.",
+                         {solution.estimate_effects
+                            ? "Solution/Estimate effects"
+                            : entry,
+                          "Solids/Material"},
+                         "set 'Estimate errors = true', which solves on the "
+                         "next mesh, or compare two runs");
       if (solution.estimate_effects && n_ranks > 1)
         throw EntryError("Effects are estimated by one process, here are " +
                            std::to_string(n_ranks) + ".",

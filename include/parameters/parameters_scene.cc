@@ -119,15 +119,59 @@ namespace Contact
                         kinematics,
                         "How the bodies move [-]; large displacement: Green "
                         "strain and rotations of any size, small strain: "
-                        "linear.");
+                        "linear; or 'body: kinematics' of each, separated by "
+                        "','.");
       prm.add_parameter(
         "Dilatation",
         dilatation,
         "The trace of the strain in a cell [-]; full: as it is, "
         "B-bar: its mean, in quadrangles of degree 2 its linear "
         "part, against locking, automatic: B-bar for bodies "
-        "with nu > 5/11. Triangles of degree 1 lock either way.");
+        "with nu > 5/11 or plasticity. Triangles of degree 1 lock either way.");
+      add_materials(prm);
       prm.leave_subsection();
+    }
+
+
+
+    void Solids::add_materials(ParameterHandler &prm)
+    {
+      prm.add_parameter("Material",
+                        material,
+                        "'body: material' [-], separated by ','; elastic: "
+                        "linear, in large displacement St. Venant and "
+                        "Kirchhoff's, and so are bodies without an entry; "
+                        "elastic-plastic: of von Mises, in small strain; "
+                        "neo-Hookean: in large displacement, with modulus and "
+                        "ratio at zero strain.");
+      prm.add_parameter("Yield stress",
+                        yield_stress,
+                        "'body: stress' [MPa], separated by ','; where an "
+                        "elastic-plastic body begins to yield. Of elastic "
+                        "bodies a check: how much of the volume and of the "
+                        "contact is above it.");
+      prm.add_parameter("Hardening modulus",
+                        hardening_modulus,
+                        "'body: slope' [MPa] of the yield stress by the "
+                        "equivalent plastic strain; >= 0.");
+      prm.add_parameter("Kinematic hardening modulus",
+                        kinematic_hardening_modulus,
+                        "'body: slope' [MPa] of the uniaxial back stress by "
+                        "the plastic strain; >= 0.");
+      prm.add_parameter("Saturation stress",
+                        saturation_stress,
+                        "'body: stress' [MPa], which the yield stress tends to "
+                        "besides the hardening modulus, as 1 - exp(-rate times "
+                        "plastic strain) (Voce).");
+      prm.add_parameter("Saturation rate",
+                        saturation_rate,
+                        "'body: rate' [-] of that; > 0.");
+      prm.add_parameter("Hardening curve",
+                        hardening_curve,
+                        "'body: plastic strain, stress, plastic strain, ...' "
+                        "[-, MPa], separated by ';'; the yield stress, linear "
+                        "in between and behind the last one constant. At no "
+                        "plastic strain it is Yield stress.");
     }
 
 

@@ -16,6 +16,7 @@
 
 #include "base/errors.h"
 #include "parameters/choices.h"
+#include "parameters/per_body.h"
 
 namespace Contact
 {
@@ -124,13 +125,39 @@ namespace Contact
       /// See symmetry.h.
       Choice<Symmetry> symmetry = Symmetry::plane_strain;
 
-      Choice<Strains> kinematics = Strains::large;
+      PerBody<Strains> kinematics = Strains::large;
+
+      /// Body group -> its material; linear elastic without.
+      std::map<std::string, Choice<MaterialModel>> material;
+
+      /// Body group -> constants of plasticity [MPa], see Hardening; of elastic
+      /// bodies the yield stress is a mere check.
+      std::map<std::string, double> yield_stress, hardening_modulus,
+        kinematic_hardening_modulus, saturation_stress;
+      std::map<std::string, double>              saturation_rate; // [-]
+      std::map<std::string, std::vector<double>> hardening_curve;
+
+      MaterialModel model_of(const std::string &body) const
+      {
+        const auto found = material.find(body);
+        return found == material.end() ? MaterialModel::elastic
+                                       : MaterialModel(found->second);
+      }
+
+      /// Whether all bodies are linear elastic or St. Venant-Kirchhoff's.
+      bool is_elastic() const;
 
       /// See Elasticity.
       Choice<Dilatation> dilatation = Dilatation::automatic;
 
       void add_parameters(ParameterHandler &prm);
       void check() const;
+
+    private:
+      void add_materials(ParameterHandler &prm);
+      void check_kinematics() const;
+      void check_materials() const;
+      void check_hardening(const std::string &body) const;
     };
 
 

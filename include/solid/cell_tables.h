@@ -26,7 +26,10 @@ namespace Contact
   template<int dim>
   using UnitGradients = std::vector<Tensor<1, dim>>;
 
-  /// The data of a cell that stay the same on a mesh.
+  template<int dim>
+  class CellKernel;
+
+  /// The data of a cell that stay the same on a mesh, but for its history.
   template<int dim>
   struct CellTable
   {
@@ -34,6 +37,7 @@ namespace Contact
     types::material_id                   body;
     unsigned int                         piece; // of its body, see MeshPieces
     const Material                      *material;
+    const CellKernel<dim>               *kernel;
     std::vector<types::global_dof_index> dofs;          // (x, y, z) by node
     std::vector<double>                  JxW;           // by point
     Point<dim>                           centre;        // X
@@ -45,6 +49,10 @@ namespace Contact
     /// Modes of the projected dilatation: polynomials phi_m with sum_q JxW
     /// phi_m phi_n = delta_mn, by point. Else empty.
     std::vector<std::array<double, dim + 1>> modes;
+
+    /// Of its points at the start of the increment, see MaterialLaw. Else
+    /// empty.
+    std::vector<double> history;
 
     unsigned int n_nodes() const
     {

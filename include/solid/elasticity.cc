@@ -11,44 +11,26 @@
 #include <algorithm>
 #include <array>
 
-#include "base/errors.h"
-
 namespace Contact
 {
   namespace
   {
     template<int dim>
-    std::map<types::material_id, Material>
-    find_materials(const Mesh<dim> &mesh, const Parameters::Solids &parameters)
+    std::map<types::material_id, std::unique_ptr<CellKernel<dim>>> make_kernels(
+      const Discretization<dim>                    &discretization,
+      const std::map<types::material_id, Material> &materials,
+      const std::map<types::material_id, std::unique_ptr<MaterialLaw>> &laws,
+      const Parameters::Solids &parameters)
     {
-      const std::string                      entry = "Solids/Young's modulus";
-      std::map<types::material_id, Material> materials;
-      for (const auto &[name, youngs_modulus] : parameters.youngs_modulus)
-        materials.emplace(mesh.body(name, entry),
-                          Material(youngs_modulus,
-                                   parameters.poisson.at(name)));
-      for (const auto &[name, body] : mesh.bodies)
-        if (materials.count(body) == 0)
-          throw InputError("body '" + name + "' has no material",
-                           entry,
-                           "add '" + name + ": <value>' to the moduli");
-      return materials;
-    }
-
-
-
-    /// The bodies whose dilatation is projected.
-    std::set<types::material_id>
-    find_projected(const std::map<types::material_id, Material> &materials,
-                   const Parameters::Dilatation                  dilatation)
-    {
-      std::set<types::material_id> projected;
-      for (const auto &[body, material] : materials)
-        if (dilatation == Parameters::Dilatation::B_bar ||
-            (dilatation == Parameters::Dilatation::automatic &&
-             material.lambda > 10 * material.mu))
-          projected.insert(body);
-      return projected;
+      std::map<types::material_id, std::unique_ptr<CellKernel<dim>>> kernels;
+      for (const auto &[name, body] : discretization.mesh.bodies)
+        kernels[body] =
+          CellKernel<dim>::create(materials.at(body),
+                                  laws.at(body).get(),
+                                  parameters.kinematics.of(name) ==
+                                    Parameters::Strains::small,
+                                  discretization.axisymmetric);
+      return kernels;
     }
   } // namespace
 
@@ -83,10 +65,137 @@ namespace Contact
     : dead_loads(discretization)
     , discretization(discretization)
     , materials(find_materials(discretization.mesh, parameters))
-    , projected(find_projected(materials, parameters.dilatation))
+    , laws(make_laws(discretization.mesh.bodies, materials, parameters))
+    , kernels(make_kernels(discretization, materials, laws, parameters))
+    , projected(find_projected(materials, laws, parameters.dilatation))
     , tables(tabulate_cells(discretization, materials, projected))
     , springs(discretization, tables.own)
   {
+    for (auto *part : {&tables.own, &tables.neighbors})
+      for (CellTable<dim> &cell : *part)
+        {
+          cell.kernel = kernels.at(cell.body).get();
+          if (const auto *law = laws.at(cell.body).get())
+            cell.history.resize(cell.JxW.size() * law->n_history());
+        }
+  }
+
+
+
+  template<int dim>
+  bool Elasticity<dim>::is_linear() const
+  {
+    return std::all_of(kernels.begin(), kernels.end(), [](const auto &kernel) {
+      return kernel.second->is_linear();
+    });
+  }
+
+
+
+  template<int dim>
+  bool Elasticity<dim>::is_elastic() const
+  {
+    return std::all_of(laws.begin(), laws.end(), [](const auto &law) {
+      return law.second == nullptr;
+    });
+  }
+
+
+
+  template<int dim>
+  double Elasticity<dim>::cell_forces(const CellTable<dim> &cell,
+                                      const Vector<double> &u,
+                                      const StressStiffness stress_stiffness,
+                                      FullMatrix<double>   *tangent,
+                                      Vector<double>       &forces) const
+  {
+    discretization.counters.large_displacement_cells +=
+      !cell.kernel->is_small_strain();
+    return cell.kernel->forces(cell, u, stress_stiffness, tangent, forces);
+  }
+
+
+
+  template<int dim>
+  void Elasticity<dim>::accept(const GhostedVector &u)
+  {
+    for (auto *part : {&tables.own, &tables.neighbors})
+      for (CellTable<dim> &cell : *part)
+        if (!cell.history.empty())
+          cell.history = cell.kernel->history_at(cell, u.extract(cell.dofs));
+  }
+
+
+
+  // By cell how many numbers follow, and these.
+  template<int dim>
+  CellValues Elasticity<dim>::history() const
+  {
+    const auto ids = cell_ids();
+    CellValues values;
+    for (const CellTable<dim> &cell : tables.own)
+      {
+        values.cells.push_back(ids[cell.active_index]);
+        values.numbers.push_back(cell.history.size());
+        values.numbers.insert(values.numbers.end(),
+                              cell.history.begin(),
+                              cell.history.end());
+      }
+    return values;
+  }
+
+
+
+  template<int dim>
+  void Elasticity<dim>::restore(const CellValues &history)
+  {
+    std::map<CellId, const double *> of_cell;
+    const double                    *here = history.numbers.data();
+    for (const CellId &cell : history.cells)
+      {
+        of_cell[cell] = here + 1;
+        here += 1 + static_cast<std::size_t>(*here);
+      }
+    const auto ids = cell_ids();
+    for (auto *part : {&tables.own, &tables.neighbors})
+      for (CellTable<dim> &cell : *part)
+        if (const auto found = of_cell.find(ids[cell.active_index]);
+            found != of_cell.end())
+          std::copy_n(found->second, cell.history.size(), cell.history.begin());
+  }
+
+
+
+  template<int dim>
+  std::vector<CellId> Elasticity<dim>::cell_ids() const
+  {
+    std::vector<CellId> ids;
+    for (const auto &cell :
+         discretization.mesh.triangulation.active_cell_iterators())
+      ids.push_back(cell->id());
+    return ids;
+  }
+
+
+
+  template<int dim>
+  typename Elasticity<dim>::Works
+  Elasticity<dim>::works(const GhostedVector &u_0,
+                         const GhostedVector &u_1) const
+  {
+    Works sum;
+    for (const CellTable<dim> &cell : tables.own)
+      {
+        const Works of_cell = cell.kernel->works(cell,
+                                                 u_0.extract(cell.dofs),
+                                                 u_1.extract(cell.dofs));
+        sum.dissipation += of_cell.dissipation;
+        sum.path += of_cell.path;
+        sum.error += of_cell.error;
+      }
+    for (double *work : {&sum.dissipation, &sum.path, &sum.error})
+      *work = Utilities::MPI::sum(*work, discretization.communicator);
+    return sum;
   }
 
 
@@ -237,7 +346,8 @@ namespace Contact
       discretization.mesh.triangulation.n_active_cells());
     for (const auto *part : {&tables.own, &tables.neighbors})
       for (const CellTable<dim> &cell : *part)
-        stresses[cell.active_index] = cell_stresses(cell, u.extract(cell.dofs));
+        stresses[cell.active_index] =
+          cell.kernel->stresses(cell, u.extract(cell.dofs));
     return stresses;
   }
 
@@ -259,7 +369,7 @@ namespace Contact
                                              return table.active_index < index;
                                            });
         if (cell != part->end() && cell->active_index == active_index)
-          return cell_stresses(*cell, u.extract(cell->dofs));
+          return cell->kernel->stresses(*cell, u.extract(cell->dofs));
       }
     Assert(false, ExcMessage("The cell is of another rank."));
     return {};
@@ -272,7 +382,7 @@ namespace Contact
   {
     double energy = 0;
     for (const CellTable<dim> &cell : tables.own)
-      energy += cell_energy(cell, u.extract(cell.dofs));
+      energy += cell.kernel->energy(cell, u.extract(cell.dofs));
     return Utilities::MPI::sum(energy, discretization.communicator);
   }
 
@@ -285,7 +395,7 @@ namespace Contact
     double energy = 0;
     for (const CellTable<dim> &cell : tables.own)
       if (cell.body == body)
-        energy += cell_energy(cell, u.extract(cell.dofs));
+        energy += cell.kernel->energy(cell, u.extract(cell.dofs));
     return Utilities::MPI::sum(energy, discretization.communicator);
   }
 

@@ -17,6 +17,9 @@
 #include <set>
 #include <vector>
 
+#include "solid/body_materials.h"
+#include "solid/cell_kernel.h"
+#include "solid/cell_values.h"
 #include "solid/dead_loads.h"
 #include "solid/stabilization_springs.h"
 
@@ -36,17 +39,6 @@ namespace Contact
     double             value = 1;
     types::material_id body  = numbers::invalid_material_id;
     Point<dim>         X;
-  };
-
-  /**
-   * Whether the tangent knows that stresses turn with the material. Without
-   * that part it is positive semidefinite whatever the stresses, and no body
-   * yields to its own loads as it turns or buckles. Nothing in small strain.
-   */
-  enum class StressStiffness
-  {
-    with,
-    without
   };
 
   /// The smallest of all ranks, on all of them. Collective.
@@ -86,12 +78,8 @@ namespace Contact
   class Elasticity
   {
   public:
-    virtual ~Elasticity() = default;
-
-    /// The kinematics and the symmetry named in the parameters.
-    static std::unique_ptr<Elasticity>
-    create(const Discretization<dim> &discretization,
-           const Parameters::Solids  &parameters);
+    Elasticity(const Discretization<dim> &discretization,
+               const Parameters::Solids  &parameters);
 
     /// The forces on the bodies.
     const DeadLoads<dim> dead_loads;
@@ -193,12 +181,37 @@ namespace Contact
                                                 const GhostedVector &u) const;
 
     /// The tangent does not depend on the displacement.
-    virtual bool is_linear() const = 0;
+    bool is_linear() const;
 
-    /// s : D^-1 : s [MPa], twice the energy by volume of a stress s in a body.
-    virtual double
-    energy_density(const types::material_id     body,
-                   const SymmetricTensor<2, 3> &stress) const = 0;
+    /// Whether all bodies are linear elastic or St. Venant-Kirchhoff's.
+    bool is_elastic() const;
+
+    bool is_small_strain(const types::material_id body) const
+    {
+      return kernels.at(body)->is_small_strain();
+    }
+
+    /// An increment ends with the displacements @p u: the history of all points
+    /// is that of its end. The same stresses and energies under the same @p u.
+    void accept(const GhostedVector &u);
+
+    /// What an increment from @p u_0 to @p u_1 that has not been accepted yet
+    /// dissipates, and the rest of its work, see CellKernel. Collective.
+    using Works = typename CellKernel<dim>::Works;
+    Works works(const GhostedVector &u_0, const GhostedVector &u_1) const;
+
+    /// The history of the cells of this rank; take over what is of the cells
+    /// that it knows.
+    CellValues history() const;
+    void       restore(const CellValues &history);
+
+    /// s : D^-1 : s [MPa], twice the elastic energy by volume of a stress s in
+    /// a body.
+    double energy_density(const types::material_id     body,
+                          const SymmetricTensor<2, 3> &stress) const
+    {
+      return kernels.at(body)->energy_density(stress);
+    }
 
     /// Young's modulus [MPa] of a body.
     double youngs_modulus(const types::material_id body) const
@@ -220,33 +233,23 @@ namespace Contact
                            const Numbers        &numbers,
                            const CellVisitor    &visitor) const;
 
-  protected:
-    Elasticity(const Discretization<dim> &discretization,
-               const Parameters::Solids  &parameters);
+    double cell_forces(const CellTable<dim> &cell,
+                       const Vector<double> &u,
+                       const StressStiffness stress_stiffness,
+                       FullMatrix<double>   *tangent,
+                       Vector<double>       &forces) const;
 
-    /// Internal forces and, if @p tangent is not null, tangent of a cell with
-    /// the displacements @p u of its own.
-    /// Returns the smallest det F, at most one.
-    virtual double cell_forces(const CellTable<dim> &cell,
-                               const Vector<double> &u,
-                               const StressStiffness stress_stiffness,
-                               FullMatrix<double>   *tangent,
-                               Vector<double>       &forces) const = 0;
-
-    /// Strain energy of a cell.
-    virtual double cell_energy(const CellTable<dim> &cell,
-                               const Vector<double> &u) const = 0;
-
-    /// Cauchy stress in the quadrature points of a cell.
-    virtual std::vector<SymmetricTensor<2, 3>>
-    cell_stresses(const CellTable<dim> &cell,
-                  const Vector<double> &u) const = 0;
+    /// Of all active cells.
+    std::vector<CellId> cell_ids() const;
 
     const Discretization<dim>                   &discretization;
     const std::map<types::material_id, Material> materials;
-    const std::set<types::material_id>           projected;
+    const std::map<types::material_id, std::unique_ptr<MaterialLaw>> laws;
+    const std::map<types::material_id, std::unique_ptr<CellKernel<dim>>>
+                                       kernels;
+    const std::set<types::material_id> projected;
 
-    const CellTables<dim> tables;
+    CellTables<dim> tables;
 
   public:
     /// The springs at the cells, which are part of their residual and of their

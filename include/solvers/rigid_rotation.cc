@@ -408,7 +408,11 @@ namespace Contact
                        const ContactInterface<dim> *interface,
                        const GhostedVector         &u)
   {
-    if (!elasticity.is_linear())
+    const auto &pieces    = discretization.mesh.pieces;
+    bool        all_large = true;
+    for (unsigned int p = 0; p < pieces.size(); ++p)
+      all_large = all_large && !elasticity.is_small_strain(pieces[p].body);
+    if (all_large)
       return;
     const double yield  = 1e-3;
     const auto   angles = rigid_rotations(discretization, u);
@@ -417,7 +421,8 @@ namespace Contact
       {
         const double angle     = std::abs(angles[motion.piece]);
         const double elongates = std::sqrt(1 + angle * angle) - 1;
-        if (elongates > yield &&
+        if (elasticity.is_small_strain(pieces[motion.piece].body) &&
+            elongates > yield &&
             10 * elongates >
               largest_strain(discretization, elasticity, motion.piece, u))
           throw NotConverged(

@@ -47,7 +47,8 @@ namespace Contact
             {"friction", friction_work},
             {"stabilization", stabilization_work},
             {"path", path_work},
-            {"dissipation", dissipation}};
+            {"dissipation", dissipation},
+            {"plastic_dissipation", plastic_work}};
   }
 
 
@@ -275,16 +276,22 @@ namespace Contact
     const double stabilization = work(&State::holds);
     const double sum           = external + contact + friction + stabilization;
 
-    const double path =
-      elasticity.is_linear() ? 0. : 2. / 3 * (work_at_middle(d) - sum);
+    typename Elasticity<dim>::Works of_bodies;
+    if (!elasticity.is_elastic())
+      of_bodies = elasticity.works(start.displacement, end.displacement);
+    else if (!elasticity.is_linear())
+      of_bodies.path = 2. / 3 * (work_at_middle(d) - sum);
+    const double path = of_bodies.path;
 
     end.external_work += external;
     end.contact_work += contact;
     end.friction_work += friction;
     end.stabilization_work += stabilization;
     end.path_work += path;
+    end.plastic_work += of_bodies.dissipation;
 
-    const double change  = end.strain_energy - start.strain_energy;
+    const double change =
+      end.strain_energy - start.strain_energy + of_bodies.dissipation;
     const double missing = std::abs(change - sum - path);
     const double scale   = std::abs(change) + std::abs(external) +
                          std::abs(contact) + std::abs(friction) +
@@ -302,7 +309,8 @@ namespace Contact
     found.energy_imbalance = missing / std::max(scale, works);
     found.check("energy",
                 missing / scale,
-                ((slack.force + slack.shear_force) * d.l2_norm() + round_off) /
+                ((slack.force + slack.shear_force) * d.l2_norm() + round_off +
+                 of_bodies.error) /
                   scale,
                 "strain energy and works differ by " + brief(missing) +
                   " N mm" + discretization.per_thickness() +

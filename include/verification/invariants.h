@@ -37,6 +37,7 @@ namespace Contact
     double stabilization_work = 0;
     double path_work          = 0;
     double dissipation        = 0;
+    double plastic_work       = 0; // dissipated
   };
 
 
@@ -87,7 +88,9 @@ namespace Contact
    *   path work = 2/3 (f_1/2 . d - 1/2 (f_0 + f_1) . d).
    * At both ends there is equilibrium: f = load + reactions + forces of contact
    * (+ forces that hold the bodies). Hence an identity without an error of time
-   * discretization, with each work by the trapezoidal rule. It holds up to what
+   * discretization, with each work by the trapezoidal rule. Of materials the
+   * path work is MaterialLaw::works(), and E_1 - E_0 has what yielding
+   * dissipates beside it. It holds up to what
    * Newton's method leaves of the residual: |r . d| <= tolerance F |d|.
    *
    * Reactions work where supports are moved, and what obstacles exert where
@@ -134,7 +137,7 @@ namespace Contact
       void serialize(Archive &archive, const unsigned int)
       {
         archive &strain_energy &external_work &contact_work &friction_work
-          &stabilization_work &path_work &dissipation &obstacles;
+          &stabilization_work &path_work &dissipation &plastic_work &obstacles;
       }
     };
 

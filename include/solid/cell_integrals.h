@@ -1,0 +1,239 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_cell_integrals_h
+#define contact_cell_integrals_h
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <array>
+
+#include "solid/cell_kernel.h"
+#include "solid/symmetry.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// What the integrals over a cell are made of, with one kinematics and one
+  /// symmetry, which no quadrature loop has to ask for.
+  template<class Kinematics, class Symmetry>
+  class CellIntegrals : public CellKernel<Symmetry::dim>
+  {
+  public:
+    static constexpr int dim = Symmetry::dim;
+
+    CellIntegrals(const Material &elastic)
+      : elastic(elastic)
+    {
+    }
+
+    bool is_small_strain() const override
+    {
+      return !Kinematics::has_geometric_stiffness;
+    }
+
+    double energy_density(const SymmetricTensor<2, 3> &stress) const override
+    {
+      return Symmetry::energy_density(elastic, stress);
+    }
+
+  protected:
+    const Material &elastic;
+
+    static constexpr unsigned int n_max    = dim == 2 ? 9 : 27; // nodes
+    static constexpr unsigned int n_modes  = dim + 1;
+    static constexpr unsigned int n_shears = dim == 2 ? 1 : 3;
+
+    using AtPoints = std::array<double, n_max>; // by quadrature point
+
+    /// By direction, what an unknown of a node adds to the strains.
+    using StrainRows = std::array<typename Symmetry::StrainRow, dim>;
+
+    /// A quadrature point: the gradient F of the motion, the stress S, and
+    /// for the tangent the derivatives N_a,i and N_a/X of the shape functions
+    /// and the rows B_a. What is across the plane only rings use.
+    struct PointState
+    {
+      double                            JxW;
+      const double                     *N_X;
+      Tensor<2, dim>                    F;
+      double                            f33;
+      SymmetricTensor<2, dim>           S;
+      double                            S33;
+      std::array<Tensor<1, dim>, n_max> N;
+      std::array<StrainRows, n_max>     B;
+
+      void drop_stresses()
+      {
+        S   = 0;
+        S33 = 0;
+      }
+    };
+
+    static Tensor<2, dim> displacement_gradient(const CellTable<dim> &cell,
+                                                const unsigned int    q,
+                                                const Vector<double> &u)
+    {
+      const Tensor<1, dim> *unit = cell.unit_gradients_at(q);
+      const unsigned int    n    = cell.n_nodes();
+      Tensor<2, dim>        H;
+      for (unsigned int a = 0; a < n; ++a)
+        for (unsigned int i = 0; i < dim; ++i)
+          H[i] += u[dim * a + i] * unit[a];
+      return H * transpose(cell.gradient_maps[q]);
+    }
+
+    /// The hoop part of it, u_x/X; zero if nothing strains across the plane.
+    static double hoop_gradient(const CellTable<dim> &cell,
+                                const unsigned int    q,
+                                const Vector<double> &u)
+    {
+      double h = 0;
+      if constexpr (Symmetry::has_hoop)
+        for (unsigned int a = 0; a < cell.n_nodes(); ++a)
+          h += u[dim * a] * cell.hoop_gradients[q * cell.n_nodes() + a];
+      return h;
+    }
+
+    /// The orthonormal modes phi_m of the cell take the place of all else:
+    ///   P d = sum_m theta_m phi_m,   theta_m = sum_q JxW phi_m d.
+    static void project(const CellTable<dim> &cell, AtPoints &values)
+    {
+      std::array<double, n_modes> theta{};
+      for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+        for (unsigned int m = 0; m < n_modes; ++m)
+          theta[m] += cell.JxW[q] * cell.modes[q][m] * values[q];
+      for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+        {
+          values[q] = 0;
+          for (unsigned int m = 0; m < n_modes; ++m)
+            values[q] += theta[m] * cell.modes[q][m];
+        }
+    }
+
+    /// What the tangent needs besides.
+    static void
+    add_rows(const CellTable<dim> &cell, const unsigned int q, PointState &at)
+    {
+      const Tensor<1, dim> *unit = cell.unit_gradients_at(q);
+      const Tensor<2, dim>  map  = cell.gradient_maps[q];
+      for (unsigned int a = 0; a < cell.n_nodes(); ++a)
+        {
+          at.N[a] = map * unit[a];
+          for (unsigned int i = 0; i < dim; ++i)
+            {
+              for (unsigned int d = 0; d < dim; ++d)
+                at.B[a][i][d] = at.F[i][d] * at.N[a][d];
+              for (unsigned int k = dim; k < dim + n_shears; ++k)
+                {
+                  const auto [d, e] = Symmetry::components[k];
+                  at.B[a][i][k] =
+                    at.F[i][d] * at.N[a][e] + at.F[i][e] * at.N[a][d];
+                }
+            }
+          if constexpr (Symmetry::has_hoop)
+            {
+              at.B[a][0][3] = at.f33 * at.N_X[a];
+              at.B[a][1][3] = 0;
+            }
+        }
+    }
+
+    /// Add the contributions of a point to the forces of the nodes of its
+    /// cell: JxW F S grad N_a.
+    static void add_forces(const CellTable<dim> &cell,
+                           const unsigned int    q,
+                           const PointState     &at,
+                           Vector<double>       &residual)
+    {
+      const Tensor<2, dim> P =
+        at.JxW * (at.F * Tensor<2, dim>(at.S) * cell.gradient_maps[q]);
+      const Tensor<1, dim> *unit = cell.unit_gradients_at(q);
+      const unsigned int    n    = cell.n_nodes();
+      for (unsigned int a = 0; a < n; ++a)
+        for (unsigned int i = 0; i < dim; ++i)
+          residual[dim * a + i] += P[i] * unit[a];
+      if constexpr (Symmetry::has_hoop)
+        for (unsigned int a = 0; a < n; ++a)
+          residual[dim * a] += at.JxW * at.f33 * at.S33 * at.N_X[a];
+    }
+
+    /// Add those to the upper half of the tangent of the @p n nodes, the moduli
+    /// as a function of a row B_a: JxW D B_a.
+    template<class Moduli>
+    static void add_tangent(const PointState   &at,
+                            const unsigned int  n,
+                            const Moduli       &moduli,
+                            FullMatrix<double> &matrix)
+    {
+      for (unsigned int a = 0; a < n; ++a)
+        {
+          StrainRows DB;
+          for (unsigned int i = 0; i < dim; ++i)
+            DB[i] = moduli(at.B[a][i]);
+          const Tensor<1, dim> SN = at.JxW * (at.S * at.N[a]);
+          for (unsigned int b = a; b < n; ++b)
+            {
+              for (unsigned int i = 0; i < dim; ++i)
+                for (unsigned int j = 0; j < dim; ++j)
+                  {
+                    double sum = DB[i][0] * at.B[b][j][0];
+                    for (unsigned int k = 1; k < dim + n_shears; ++k)
+                      sum += DB[i][k] * at.B[b][j][k];
+                    matrix(dim * a + i, dim * b + j) += sum;
+                  }
+              if constexpr (Symmetry::has_hoop)
+                for (unsigned int i = 0; i < dim; ++i)
+                  matrix(dim * a + i, dim * b) += DB[i][3] * at.B[b][0][3];
+              if constexpr (Kinematics::has_geometric_stiffness)
+                {
+                  const double geometric = SN * at.N[b];
+                  for (unsigned int i = 0; i < dim; ++i)
+                    matrix(dim * a + i, dim * b + i) += geometric;
+                  if constexpr (Symmetry::has_hoop)
+                    matrix(dim * a, dim * b) +=
+                      at.JxW * at.S33 * at.N_X[a] * at.N_X[b];
+                }
+            }
+        }
+    }
+
+    static void mirror(FullMatrix<double> &matrix)
+    {
+      for (unsigned int i = 0; i < matrix.m(); ++i)
+        for (unsigned int j = 0; j < i; ++j)
+          matrix(i, j) = matrix(j, i);
+    }
+
+    /// The work of the forces along the straight path from @p u_0 to @p u_1 by
+    /// the rule of Gauss and Lobatto, exact up to the degree 2 n_points - 3,
+    /// minus that by the trapezoidal one.
+    double path_work(const CellTable<dim> &cell,
+                     const Vector<double> &u_0,
+                     const Vector<double> &u_1,
+                     const unsigned int    n_points) const
+    {
+      Vector<double> d(u_1);
+      d -= u_0;
+      const QGaussLobatto<1> rule(n_points);
+      Vector<double>         u(d.size()), forces(d.size());
+      double                 work = 0;
+      for (unsigned int k = 0; k < n_points; ++k)
+        {
+          const double t = rule.point(k)[0];
+          u              = u_0;
+          u.add(t, d);
+          forces = 0;
+          this->forces(cell, u, StressStiffness::with, nullptr, forces);
+          const bool is_end = k == 0 || k + 1 == n_points;
+          work += (rule.weight(k) - (is_end ? 0.5 : 0.)) * (forces * d);
+        }
+      return work;
+    }
+  };
+} // namespace Contact
+
+#endif

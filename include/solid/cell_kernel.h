@@ -1,0 +1,96 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_cell_kernel_h
+#define contact_cell_kernel_h
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <memory>
+#include <vector>
+
+#include "solid/cell_tables.h"
+#include "solid/material_law.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * Whether the tangent knows that stresses turn with the material. Without
+   * that part it is positive semidefinite whatever the stresses, and no body
+   * yields to its own loads as it turns or buckles. Nothing in small strain.
+   */
+  enum class StressStiffness
+  {
+    with,
+    without
+  };
+
+
+
+  /// The integrals over a cell, of a body with its kinematics and its material.
+  /// Displacements @p u are those of the unknowns of the cell.
+  template<int dim>
+  class CellKernel
+  {
+  public:
+    virtual ~CellKernel() = default;
+
+    /// Linear elastic, or of a material that has to outlive the kernel.
+    static std::unique_ptr<CellKernel> create(const Material    &elastic,
+                                              const MaterialLaw *law,
+                                              const bool is_small_strain,
+                                              const bool axisymmetric);
+
+    virtual bool is_small_strain() const = 0;
+
+    /// The tangent does not depend on the displacement.
+    virtual bool is_linear() const = 0;
+
+    /// s : D^-1 : s [MPa], twice the elastic energy by volume of a stress s.
+    virtual double
+    energy_density(const SymmetricTensor<2, 3> &stress) const = 0;
+
+    /// Add internal forces and, if @p tangent is not null, write the tangent.
+    /// Returns the smallest det F, at most one.
+    virtual double forces(const CellTable<dim> &cell,
+                          const Vector<double> &u,
+                          const StressStiffness stress_stiffness,
+                          FullMatrix<double>   *tangent,
+                          Vector<double>       &forces) const = 0;
+
+    /// The stored energy.
+    virtual double energy(const CellTable<dim> &cell,
+                          const Vector<double> &u) const = 0;
+
+    /// Cauchy stress in the quadrature points.
+    virtual std::vector<SymmetricTensor<2, 3>>
+    stresses(const CellTable<dim> &cell, const Vector<double> &u) const = 0;
+
+    /// The history of the cell at the end of an increment.
+    virtual std::vector<double> history_at(const CellTable<dim> &cell,
+                                           const Vector<double> &) const
+    {
+      return cell.history;
+    }
+
+    /**
+     * What an increment from @p u_0 to @p u_1 dissipates, and what that and
+     * the change of the energy are more than its work by the trapezoidal rule,
+     * see MaterialLaw::works(); the latter up to an error.
+     */
+    struct Works
+    {
+      double dissipation = 0, path = 0, error = 0;
+    };
+    virtual Works works(const CellTable<dim> &cell,
+                        const Vector<double> &u_0,
+                        const Vector<double> &u_1) const = 0;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,374 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solid/material_cells.h"
+
+#include <algorithm>
+
+#include "solid/cell_integrals.h"
+
+namespace Contact
+{
+  namespace
+  {
+    template<class Kinematics, class Symmetry>
+    class MaterialCells : public CellIntegrals<Kinematics, Symmetry>
+    {
+    public:
+      static constexpr int dim = Symmetry::dim;
+      using Integrals          = CellIntegrals<Kinematics, Symmetry>;
+      using Works              = typename CellKernel<dim>::Works;
+
+      MaterialCells(const Material &elastic, const MaterialLaw &law)
+        : Integrals(elastic)
+        , law(law)
+      {
+      }
+
+      bool is_linear() const override
+      {
+        return false;
+      }
+
+      // In plane strain plastic strains leave a stress across the plane that
+      // those in the plane do not tell.
+      double energy_density(const SymmetricTensor<2, 3> &stress) const override
+      {
+        return this->elastic.energy_density(stress);
+      }
+
+      double forces(const CellTable<dim> &cell,
+                    const Vector<double> &u,
+                    const StressStiffness stress_stiffness,
+                    FullMatrix<double>   *tangent,
+                    Vector<double>       &forces) const override
+      {
+        return cell.modes.empty()
+                 ? assemble<false>(cell, u, stress_stiffness, tangent, forces)
+                 : assemble<true>(cell, u, stress_stiffness, tangent, forces);
+      }
+
+      double energy(const CellTable<dim> &cell,
+                    const Vector<double> &u) const override;
+
+      std::vector<SymmetricTensor<2, 3>>
+      stresses(const CellTable<dim> &cell,
+               const Vector<double> &u) const override;
+
+      std::vector<double> history_at(const CellTable<dim> &cell,
+                                     const Vector<double> &u) const override;
+
+      Works works(const CellTable<dim> &cell,
+                  const Vector<double> &u_0,
+                  const Vector<double> &u_1) const override;
+
+    private:
+      using Integrals::n_max;
+      using Integrals::n_modes;
+      using Integrals::n_shears;
+      using typename Integrals::AtPoints;
+      using typename Integrals::PointState;
+
+      /// By point the strain in space, the measure of volume and what follows
+      /// from P d.
+      struct States
+      {
+        std::array<SymmetricTensor<2, 3>, n_max> E;
+        std::array<MaterialLaw::Volume, n_max>   volume;
+        AtPoints                                 theta, p, modulus, energy;
+      };
+      States states(const CellTable<dim> &cell, const Vector<double> &u) const;
+
+      static SymmetricTensor<2, 3> strain(const CellTable<dim> &cell,
+                                          const unsigned int    q,
+                                          const Vector<double> &u)
+      {
+        const auto in_space =
+          Kinematics::strain(Integrals::displacement_gradient(cell, q, u));
+        SymmetricTensor<2, 3> E;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j <= i; ++j)
+            E[i][j] = in_space[i][j];
+        if constexpr (Symmetry::has_hoop)
+          E[2][2] = Kinematics::strain(Integrals::hoop_gradient(cell, q, u));
+        return E;
+      }
+
+      const double *history(const CellTable<dim> &cell,
+                            const unsigned int    q) const
+      {
+        return cell.history.data() + q * law.n_history();
+      }
+
+      /// The indices of the strains that vary.
+      static std::array<unsigned int, 2> indices(const unsigned int k)
+      {
+        return k < dim + n_shears ? Symmetry::components[k]
+                                  : std::array<unsigned int, 2>{{2, 2}};
+      }
+
+      template<bool projected>
+      double assemble(const CellTable<dim> &cell,
+                      const Vector<double> &u,
+                      const StressStiffness stress_stiffness,
+                      FullMatrix<double>   *tangent,
+                      Vector<double>       &residual) const;
+
+      const MaterialLaw &law;
+    };
+
+
+
+    template<class Kinematics, class Symmetry>
+    typename MaterialCells<Kinematics, Symmetry>::States
+    MaterialCells<Kinematics, Symmetry>::states(const CellTable<dim> &cell,
+                                                const Vector<double> &u) const
+    {
+      States             states;
+      const unsigned int n_points = cell.JxW.size();
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          states.E[q]      = strain(cell, q, u);
+          states.volume[q] = law.volume(states.E[q]);
+          states.theta[q]  = states.volume[q].value;
+        }
+      if (!cell.modes.empty())
+        this->project(cell, states.theta);
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          const auto U      = law.volume_energy(states.theta[q]);
+          states.p[q]       = U.pressure;
+          states.modulus[q] = U.modulus;
+          states.energy[q]  = U.energy;
+        }
+      if (!cell.modes.empty())
+        this->project(cell, states.p);
+      return states;
+    }
+
+
+
+    template<class Kinematics, class Symmetry>
+    template<bool projected>
+    double MaterialCells<Kinematics, Symmetry>::assemble(
+      const CellTable<dim> &cell,
+      const Vector<double> &u,
+      const StressStiffness stress_stiffness,
+      FullMatrix<double>   *tangent,
+      Vector<double>       &residual) const
+    {
+      constexpr bool is_large = Kinematics::has_geometric_stiffness;
+      const bool     without  = stress_stiffness == StressStiffness::without;
+      using Row               = typename Symmetry::StrainRow;
+      const unsigned int n    = cell.n_nodes();
+      const unsigned int n_points = cell.JxW.size();
+      const States       states   = this->states(cell, u);
+
+      std::array<std::array<double, dim * n_max>, n_modes> g{};
+      std::array<std::array<double, n_modes>, n_modes>     moduli{};
+      double                                               smallest = 1;
+      PointState                                           at;
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          const Tensor<2, dim> H = Integrals::displacement_gradient(cell, q, u);
+          const double         h = Integrals::hoop_gradient(cell, q, u);
+          const auto          &volume = states.volume[q];
+          auto response = law.shear_part(states.E[q], history(cell, q));
+          response.stress += states.p[q] * volume.slope;
+
+          at.JxW = cell.JxW[q];
+          at.N_X = Symmetry::has_hoop ? &cell.hoop_gradients[q * n] : nullptr;
+          at.F   = Kinematics::gradient_of_motion(H);
+          at.f33 = Kinematics::gradient_of_motion(h);
+          at.S   = in_space<dim>(response.stress);
+          at.S33 = response.stress[2][2];
+          if constexpr (is_large)
+            smallest =
+              std::min({smallest, determinant(at.F) * at.f33, states.theta[q]});
+          this->add_forces(cell, q, at, residual);
+          if (tangent == nullptr)
+            continue;
+
+          // Without their part of the tangent the moduli are those at rest.
+          double modulus = states.modulus[q];
+          if (is_large && without)
+            {
+              const SymmetricTensor<2, 3> rest;
+              response.tangent = law.shear_part(rest, history(cell, q)).tangent;
+              modulus = law.volume_energy(law.volume(rest).value).modulus;
+              at.drop_stresses();
+            }
+          else if constexpr (is_large)
+            response.tangent += states.p[q] * volume.curvature;
+          if constexpr (!projected)
+            response.tangent +=
+              modulus * outer_product(volume.slope, volume.slope);
+
+          std::array<Row, std::tuple_size<Row>::value> D;
+          Row                                          slope;
+          for (unsigned int k = 0; k < D.size(); ++k)
+            {
+              const auto [i, j] = indices(k);
+              slope[k]          = at.JxW * volume.slope[i][j];
+              for (unsigned int l = 0; l < D.size(); ++l)
+                {
+                  const auto [r, s] = indices(l);
+                  D[k][l]           = at.JxW * response.tangent[i][j][r][s];
+                }
+            }
+          const auto times = [](const Row &row, const Row &B) {
+            double sum = 0;
+            for (unsigned int l = 0; l < B.size(); ++l)
+              sum += row[l] * B[l];
+            return sum;
+          };
+          this->add_rows(cell, q, at);
+          this->add_tangent(
+            at,
+            n,
+            [&](const Row &B) {
+              Row DB;
+              for (unsigned int k = 0; k < B.size(); ++k)
+                DB[k] = times(D[k], B);
+              return DB;
+            },
+            *tangent);
+          if constexpr (projected)
+            for (unsigned int m = 0; m < n_modes; ++m)
+              {
+                for (unsigned int a = 0; a < n; ++a)
+                  for (unsigned int i = 0; i < dim; ++i)
+                    g[m][dim * a + i] +=
+                      cell.modes[q][m] * times(slope, at.B[a][i]);
+                for (unsigned int l = 0; l < n_modes; ++l)
+                  moduli[m][l] +=
+                    at.JxW * modulus * cell.modes[q][m] * cell.modes[q][l];
+              }
+        }
+      if (tangent == nullptr)
+        return smallest;
+
+      if constexpr (projected)
+        for (unsigned int m = 0; m < n_modes; ++m)
+          for (unsigned int i = 0; i < dim * n; ++i)
+            {
+              double Hg = 0;
+              for (unsigned int l = 0; l < n_modes; ++l)
+                Hg += moduli[m][l] * g[l][i];
+              for (unsigned int j = i; j < dim * n; ++j)
+                (*tangent)(i, j) += Hg * g[m][j];
+            }
+      this->mirror(*tangent);
+      return smallest;
+    }
+
+
+
+    template<class Kinematics, class Symmetry>
+    double
+    MaterialCells<Kinematics, Symmetry>::energy(const CellTable<dim> &cell,
+                                                const Vector<double> &u) const
+    {
+      const States states = this->states(cell, u);
+      double       energy = 0;
+      for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+        energy +=
+          cell.JxW[q] * (law.shear_part(states.E[q], history(cell, q)).energy +
+                         states.energy[q]);
+      return energy;
+    }
+
+
+
+    template<class Kinematics, class Symmetry>
+    std::vector<SymmetricTensor<2, 3>>
+    MaterialCells<Kinematics, Symmetry>::stresses(const CellTable<dim> &cell,
+                                                  const Vector<double> &u) const
+    {
+      const States                       states = this->states(cell, u);
+      std::vector<SymmetricTensor<2, 3>> stresses;
+      for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+        stresses.push_back(Kinematics::cauchy(
+          Integrals::displacement_gradient(cell, q, u),
+          Integrals::hoop_gradient(cell, q, u),
+          law.shear_part(states.E[q], history(cell, q)).stress +
+            states.p[q] * states.volume[q].slope));
+      return stresses;
+    }
+
+
+
+    template<class Kinematics, class Symmetry>
+    std::vector<double> MaterialCells<Kinematics, Symmetry>::history_at(
+      const CellTable<dim> &cell,
+      const Vector<double> &u) const
+    {
+      std::vector<double> history = cell.history;
+      if (law.n_history() > 0)
+        for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+          law.advance(strain(cell, q, u), &history[q * law.n_history()]);
+      return history;
+    }
+
+
+
+    // Without a history by two rules, whose difference is the error.
+    template<class Kinematics, class Symmetry>
+    typename MaterialCells<Kinematics, Symmetry>::Works
+    MaterialCells<Kinematics, Symmetry>::works(const CellTable<dim> &cell,
+                                               const Vector<double> &u_0,
+                                               const Vector<double> &u_1) const
+    {
+      Works works;
+      if (law.n_history() == 0)
+        {
+          works.path = this->path_work(cell, u_0, u_1, 7);
+          works.error =
+            std::abs(works.path - this->path_work(cell, u_0, u_1, 5));
+          return works;
+        }
+      for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+        {
+          const auto at_point = law.works(strain(cell, q, u_0),
+                                          strain(cell, q, u_1),
+                                          history(cell, q));
+          works.dissipation += cell.JxW[q] * at_point.dissipation;
+          works.path += cell.JxW[q] * at_point.path;
+        }
+      return works;
+    }
+  } // namespace
+
+
+
+  template<int dim>
+  std::unique_ptr<CellKernel<dim>>
+  make_material_cells(const Material    &elastic,
+                      const MaterialLaw &law,
+                      const bool         is_small_strain,
+                      const bool         axisymmetric)
+  {
+    return with_kinematics<dim>(
+      is_small_strain,
+      axisymmetric,
+      [&](const auto kinematics,
+          const auto symmetry) -> std::unique_ptr<CellKernel<dim>> {
+        return std::make_unique<
+          MaterialCells<std::decay_t<decltype(kinematics)>,
+                        std::decay_t<decltype(symmetry)>>>(elastic, law);
+      });
+  }
+
+  template std::unique_ptr<CellKernel<2>>
+  make_material_cells(const Material &,
+                      const MaterialLaw &,
+                      const bool,
+                      const bool);
+  template std::unique_ptr<CellKernel<3>>
+  make_material_cells(const Material &,
+                      const MaterialLaw &,
+                      const bool,
+                      const bool);
+} // namespace Contact

@@ -1,0 +1,88 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_material_law_h
+#define contact_material_law_h
+
+#include <deal.II/base/symmetric_tensor.h>
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * A material that is not linear elastic, as a function of the strain E in
+   * space [-] (small strain, or that of Green and Lagrange) and of the history
+   * of a point at the start of an increment, for the stress S = dW/dE [MPa]
+   * (or the second one of Piola and Kirchhoff):
+   *   W = shear part(E, history) + U(d(E)),
+   * d a measure of volume. The cells put the projected P d in the place of d
+   * where they have to, see Elasticity. How to add one: include/README.md.
+   */
+  class MaterialLaw
+  {
+  public:
+    virtual ~MaterialLaw() = default;
+
+    /// Stress [MPa], its derivative with respect to E, energy by volume.
+    struct Response
+    {
+      SymmetricTensor<2, 3> stress;
+      SymmetricTensor<4, 3> tangent;
+      double                energy;
+    };
+
+    /// Of the part without U, at the end of the increment.
+    virtual Response shear_part(const SymmetricTensor<2, 3> &E,
+                                const double                *history) const = 0;
+
+    /// d(E) [-] and its derivatives.
+    struct Volume
+    {
+      double                value;
+      SymmetricTensor<2, 3> slope;
+      SymmetricTensor<4, 3> curvature;
+    };
+    virtual Volume volume(const SymmetricTensor<2, 3> &E) const = 0;
+
+    /// U(d) and its derivatives [MPa].
+    struct VolumeEnergy
+    {
+      double energy, pressure, modulus;
+    };
+    virtual VolumeEnergy volume_energy(const double d) const = 0;
+
+    /// Numbers of the history of a point, zero at first; the first one is the
+    /// equivalent plastic strain [-].
+    virtual unsigned int n_history() const
+    {
+      return 0;
+    }
+
+    /// The history at the end of an increment.
+    virtual void advance(const SymmetricTensor<2, 3> &, double *) const
+    {
+    }
+
+    /**
+     * By volume [MPa] of an increment from E_0 to E_1: what it dissipates, D,
+     * and what energy W and D are more than the work by the trapezoidal rule,
+     *   path = W_1 - W_0 + D - 1/2 (S_0 + S_1) : (E_1 - E_0),
+     * by a formula of its own. Only of materials with a history.
+     */
+    struct Works
+    {
+      double dissipation = 0, path = 0;
+    };
+    virtual Works works(const SymmetricTensor<2, 3> &,
+                        const SymmetricTensor<2, 3> &,
+                        const double *) const
+    {
+      return Works();
+    }
+  };
+} // namespace Contact
+
+#endif

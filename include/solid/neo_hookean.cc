@@ -1,0 +1,83 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solid/neo_hookean.h"
+
+#include <cmath>
+
+namespace Contact
+{
+  namespace
+  {
+    /// -d(C^-1)/dE/2, symmetric in each pair: the double contraction with X is
+    /// C^-1 X C^-1.
+    SymmetricTensor<4, 3> inverse_twice(const SymmetricTensor<2, 3> &inverse)
+    {
+      SymmetricTensor<4, 3> product;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = i; j < 3; ++j)
+          for (unsigned int k = 0; k < 3; ++k)
+            for (unsigned int l = k; l < 3; ++l)
+              product[i][j][k][l] = 0.5 * (inverse[i][k] * inverse[j][l] +
+                                           inverse[i][l] * inverse[j][k]);
+      return product;
+    }
+
+
+
+    SymmetricTensor<2, 3> right_cauchy_green(const SymmetricTensor<2, 3> &E)
+    {
+      return 2 * E + unit_symmetric_tensor<3>();
+    }
+  } // namespace
+
+
+
+  NeoHookean::NeoHookean(const Material &elastic)
+    : mu(elastic.mu)
+    , bulk_modulus(elastic.lambda + 2. / 3 * elastic.mu)
+  {
+  }
+
+
+
+  // With G = C^-1 and m = mu J^(-2/3):
+  //   S = m (I - tr(C)/3 G),
+  //   dS/dE = 2/3 m (tr(C)/3 G x G - G x I - I x G + tr(C) (G . G)).
+  MaterialLaw::Response NeoHookean::shear_part(const SymmetricTensor<2, 3> &E,
+                                               const double *) const
+  {
+    const auto   C  = right_cauchy_green(E);
+    const auto   G  = invert(C);
+    const auto   I  = unit_symmetric_tensor<3>();
+    const double tr = trace(C);
+    const double m  = mu * std::pow(determinant(C), -1. / 3);
+    return {m * (I - tr / 3 * G),
+            2. / 3 * m *
+              (tr / 3 * outer_product(G, G) - outer_product(G, I) -
+               outer_product(I, G) + tr * inverse_twice(G)),
+            0.5 * (m * tr - 3 * mu)};
+  }
+
+
+
+  // dJ/dE = J G.
+  MaterialLaw::Volume NeoHookean::volume(const SymmetricTensor<2, 3> &E) const
+  {
+    const auto   C = right_cauchy_green(E);
+    const auto   G = invert(C);
+    const double J = std::sqrt(determinant(C));
+    return {J, J * G, J * (outer_product(G, G) - 2 * inverse_twice(G))};
+  }
+
+
+
+  MaterialLaw::VolumeEnergy NeoHookean::volume_energy(const double d) const
+  {
+    return {0.25 * bulk_modulus * (d * d - 1 - 2 * std::log(d)),
+            0.5 * bulk_modulus * (d - 1 / d),
+            0.5 * bulk_modulus * (1 + 1 / (d * d))};
+  }
+} // namespace Contact

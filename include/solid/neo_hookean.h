@@ -1,0 +1,38 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_neo_hookean_h
+#define contact_neo_hookean_h
+
+#include "solid/kinematics.h"
+#include "solid/material_law.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The neo-Hookean material, of any compressibility: with C = 2 E + I,
+   * J = det(C)^(1/2), shear modulus mu and bulk modulus K at zero strain
+   *   W = mu/2 (J^(-2/3) tr C - 3) + K/4 (J^2 - 1 - 2 ln J)
+   * (J. C. Simo and T. J. R. Hughes, Computational Inelasticity, 1998, section
+   * 9.2). The measure of volume is J: mean dilatation where it is projected.
+   */
+  class NeoHookean : public MaterialLaw
+  {
+  public:
+    explicit NeoHookean(const Material &elastic);
+
+    Response     shear_part(const SymmetricTensor<2, 3> &E,
+                            const double                *history) const override;
+    Volume       volume(const SymmetricTensor<2, 3> &E) const override;
+    VolumeEnergy volume_energy(const double d) const override;
+
+  private:
+    const double mu, bulk_modulus;
+  };
+} // namespace Contact
+
+#endif

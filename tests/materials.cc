@@ -1,0 +1,275 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Materials that are not linear elastic, in the plane, of rings and in space,
+// with the full and with the projected dilatation:
+//  - the tangent is the derivative of the forces, also while points yield, that
+//    have yielded before;
+//  - forces are the derivative of the energy (neo-Hookean);
+//  - what is stored and dissipated is the work of the forces, in increments of
+//    any size; an accepted increment leaves forces and energy as they are;
+//  - uniaxial, equibiaxial stretch and simple shear of a neo-Hookean material,
+//    and cyclic uniaxial yielding with each kind of hardening are exact.
+
+#include <cmath>
+
+#include "derivatives.h"
+#include "solid/elastic_plastic.h"
+#include "solid/neo_hookean.h"
+#include "volume_mesh.h"
+
+using namespace Tests;
+
+namespace
+{
+  Parameters::All plane(const unsigned int degree)
+  {
+    MeshText mesh;
+    mesh.block(
+      "Body",
+      2,
+      2,
+      [](const double s, const double t) {
+        const double bump = s * (1 - s) * t * (1 - t);
+        return Point<2>(1 + 2 * s + bump, 2 * t - 0.7 * bump);
+      },
+      [](const unsigned int i, const unsigned int j) { return i + j == 2; });
+    return make_parameters(mesh, {"Body"}, degree, "small strain", 1000, 0.4);
+  }
+
+
+
+  Parameters::All space(const unsigned int degree)
+  {
+    VolumeText text;
+    text.block("Body", {{1, 1, 2}}, [](const Point<3> &s) {
+      return Point<3>(s[0] + 0.1 * s[1] * s[2], s[1] - 0.1 * s[0], 2 * s[2]);
+    });
+    text.write("volume.msh");
+    Parameters::All parameters = plane(degree);
+    parameters.mesh.file       = "volume.msh";
+    return parameters;
+  }
+
+
+
+  void set_material(const std::string &material, Parameters::Solids &solids)
+  {
+    solids.material.emplace("Body",
+                            Parameters::Choice<Parameters::MaterialModel>(
+                              material));
+    if (material == "neo-Hookean")
+      {
+        solids.kinematics = Parameters::Strains::large;
+        return;
+      }
+    solids.yield_stress["Body"]                = 10;
+    solids.hardening_modulus["Body"]           = 50;
+    solids.kinematic_hardening_modulus["Body"] = 30;
+    solids.saturation_stress["Body"]           = 20;
+    solids.saturation_rate["Body"]             = 40;
+  }
+
+
+
+  template<int dim>
+  GhostedVector any(const BodiesIn<dim> &bodies, const double size)
+  {
+    static Random random;
+    GhostedVector u(bodies.n_dofs());
+    for (double &value : u)
+      value = random(-size, size);
+    return u;
+  }
+
+
+
+  template<int dim>
+  void check_bodies(const std::string &what, Parameters::All parameters)
+  {
+    for (const std::string material : {"elastic-plastic", "neo-Hookean"})
+      for (const std::string dilatation : {"full", "B-bar"})
+        {
+          headline(what + ", " + material + ", " + dilatation);
+          Parameters::All here   = parameters;
+          here.solids.dilatation = dilatation;
+          set_material(material, here.solids);
+          here.solids.check();
+          const BodiesIn<dim> bodies(here);
+          Elasticity<dim>    &elasticity = *bodies.elasticity;
+          const bool          yields     = material == "elastic-plastic";
+
+          const GhostedVector zero(bodies.n_dofs());
+          const GhostedVector first  = any(bodies, yields ? 0.03 : 0.05);
+          const auto          energy = [&](const GhostedVector &u) {
+            return elasticity.strain_energy(u);
+          };
+          // Yielding has a dissipation beside its energy.
+          const auto balance = [&](const GhostedVector &u_0,
+                                   const GhostedVector &u_1) {
+            GhostedVector mean = elasticity.forces(u_0, 0);
+            mean += elasticity.forces(u_1, 0);
+            GhostedVector d = u_1;
+            d -= u_0;
+            const auto   works = elasticity.works(u_0, u_1);
+            const double work  = 0.5 * (mean * d);
+            check_small("balance of the energy",
+                        std::abs(energy(u_1) - energy(u_0) + works.dissipation -
+                                 work - works.path) -
+                          works.error,
+                        1e-12 * energy(u_1));
+            check_small("error of the path", works.error, 1e-4 * energy(u_1));
+            check("dissipation", yields == (works.dissipation > 0));
+          };
+          balance(zero, first);
+
+          const GhostedVector before = elasticity.forces(first, 0);
+          const double        stored = energy(first);
+          elasticity.accept(first);
+          GhostedVector after = elasticity.forces(first, 0);
+          after -= before;
+          check_small("accepted: change of the forces",
+                      after.linfty_norm() / before.linfty_norm(),
+                      1e-13);
+          check_small("and of the energy",
+                      std::abs(energy(first) / stored - 1),
+                      1e-13);
+
+          const GhostedVector second = any(bodies, yields ? 0.03 : 0.05);
+          balance(first, second);
+          const auto found = compare_with_differences(bodies, second, energy);
+          if (!yields)
+            check_small("forces against differences of the energy",
+                        found.forces,
+                        1e-8);
+          check_small("tangent against those of the forces",
+                      found.tangent,
+                      1e-7);
+          check_small("asymmetry", found.asymmetry, 1e-13);
+          check("not linear", !elasticity.is_linear());
+        }
+  }
+
+
+
+  // F of diagonal stretches, and the Cauchy stress by its principal values
+  //   J sigma_i = mu J^(-2/3) (l_i^2 - tr(C)/3) + K/2 (J^2 - 1).
+  SymmetricTensor<2, 3> neo_hookean_stress(const Tensor<2, 3> &F)
+  {
+    const Material              elastic(1000, 0.4);
+    const NeoHookean            law(elastic);
+    const SymmetricTensor<2, 3> E =
+      0.5 * (symmetrize(transpose(F) * F) - unit_symmetric_tensor<3>());
+    const auto volume = law.volume(E);
+    const auto S      = law.shear_part(E, nullptr).stress +
+                   law.volume_energy(volume.value).pressure * volume.slope;
+    return symmetrize(F * static_cast<Tensor<2, 3>>(S) * transpose(F)) /
+           determinant(F);
+  }
+
+
+
+  void neo_hookean()
+  {
+    headline("neo-Hookean, closed forms");
+    const Material elastic(1000, 0.4);
+    const double   mu = elastic.mu, K = elastic.lambda + 2. / 3 * mu;
+    for (const auto &l : {Point<3>(1.7, 0.8, 0.8),
+                          Point<3>(1.4, 1.4, 0.5),
+                          Point<3>(0.4, 1, 1)})
+      {
+        Tensor<2, 3> F;
+        for (unsigned int i = 0; i < 3; ++i)
+          F[i][i] = l[i];
+        const double J     = l[0] * l[1] * l[2];
+        const auto   sig   = neo_hookean_stress(F);
+        double       error = 0;
+        for (unsigned int i = 0; i < 3; ++i)
+          error = std::max(error,
+                           std::abs(sig[i][i] -
+                                    (mu * std::pow(J, -2. / 3) *
+                                       (l[i] * l[i] - l.norm_square() / 3) +
+                                     K / 2 * (J * J - 1)) /
+                                      J));
+        check_small("stretch", error / mu, 1e-13);
+      }
+    // Simple shear: sigma_xy = mu g, sigma_xx - sigma_yy = mu g^2.
+    const double g = 1.3;
+    Tensor<2, 3> F = static_cast<Tensor<2, 3>>(unit_symmetric_tensor<3>());
+    F[0][1]        = g;
+    const auto sig = neo_hookean_stress(F);
+    check_small("simple shear",
+                std::abs(sig[0][1] / (mu * g) - 1) +
+                  std::abs((sig[0][0] - sig[1][1]) / (mu * g * g) - 1) +
+                  std::abs(trace(sig)) / mu,
+                1e-13);
+  }
+
+
+
+  // Uniaxial stress along x to and fro, the strains across found by Newton's
+  // method: without volume change of plastic strains the axial plastic strain p
+  // and its total way a give
+  //   |sigma - H_k p| = Y(a).
+  void cyclic(const std::string &name, const Hardening &hardening)
+  {
+    const Material       elastic(1000, 0.3);
+    const ElasticPlastic law(elastic, hardening);
+    const double         K = elastic.lambda + 2. / 3 * elastic.mu;
+    std::vector<double>  history(law.n_history());
+    double               error = 0, way = 0, last = 0;
+    for (const double strain : {0.03, 0.06, -0.05, -0.08, 0.04, 0.041})
+      {
+        SymmetricTensor<2, 3> E;
+        E[0][0]       = strain;
+        double across = -0.4 * strain, stress = 0;
+        for (unsigned int step = 0; step < 30; ++step)
+          {
+            E[1][1] = E[2][2] = across;
+            auto response     = law.shear_part(E, history.data());
+            response.stress += K * trace(E) * unit_symmetric_tensor<3>();
+            const double slope = response.tangent[1][1][1][1] +
+                                 response.tangent[1][1][2][2] + 2 * K;
+            across -= response.stress[1][1] / slope;
+            stress = response.stress[0][0];
+          }
+        law.advance(E, history.data());
+        const double p = strain - stress / elastic.youngs_modulus;
+        way += std::abs(p - last);
+        last  = p;
+        error = std::max({error,
+                          std::abs(std::abs(stress - hardening.kinematic * p) -
+                                   hardening.at(way).stress) /
+                            hardening.initial,
+                          std::abs(history[0] - way)});
+      }
+    check_small("cyclic, " + name, error, 1e-13);
+  }
+} // namespace
+
+
+
+int main()
+{
+  for (const unsigned int degree : {1, 2})
+    {
+      const std::string name = ", degree " + std::to_string(degree);
+      check_bodies<2>("plane strain" + name, plane(degree));
+      Parameters::All rings = plane(degree);
+      rings.solids.symmetry = "axisymmetric";
+      check_bodies<2>("rings" + name, rings);
+    }
+  check_bodies<3>("space, degree 1", space(1));
+  neo_hookean();
+  headline("yielding to and fro");
+  cyclic("perfectly plastic", {10});
+  cyclic("linear", {10, 50});
+  cyclic("Voce", {10, 20, 10, 40});
+  cyclic("kinematic", {10, 0, 0, 0, 100});
+  Hardening curve{10};
+  curve.kinematic = 20;
+  curve.curve     = {{0, 10}, {0.02, 18}, {0.1, 20}, {0.15, 30}};
+  cyclic("curve and kinematic", curve);
+}
