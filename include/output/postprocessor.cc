@@ -7,6 +7,7 @@
 
 #include "contact/obstacle_forces.h"
 #include "contact/probes.h"
+#include "output/body_results.h"
 
 namespace Contact
 {
@@ -54,6 +55,11 @@ namespace Contact
               continue;
             }
           model.mesh->point(point, "Probes/Probes");
+          if (probe.quantity == Parameters::Quantity::plastic_strain &&
+              !model.elasticity->has_history())
+            throw InputError("no body is elastic-plastic",
+                             "Probes/Probes, '" + name + "'",
+                             "remove the probe, or set 'Solids/Material'");
           if (is_contact_traction(probe.quantity))
             check_contact_traction(name,
                                    probe.quantity,
@@ -77,6 +83,18 @@ namespace Contact
         stresses = recovery->vertex_stresses(*model.elasticity, state.solution);
       }
     return stresses;
+  }
+
+
+
+  template<int dim>
+  std::vector<double> Postprocessor<dim>::recovered_plastic_strains()
+  {
+    if (!model.elasticity->has_history())
+      return {};
+    if (!recovery)
+      recovery = std::make_unique<StressRecovery<dim>>(*model.discretization);
+    return recovery->vertex_strains(*model.elasticity);
   }
 
 
@@ -183,7 +201,11 @@ namespace Contact
       }
     const bool with_profile = is_last && output.profile;
     const bool with_nodes   = is_last && output.nodes;
-    if (!output.vtu && !with_profile && !with_nodes)
+    const bool with_bodies =
+      is_last &&
+      (!parameters.solids.yield_stress.empty() ||
+       !parameters.solids.kinematics.all_are(Parameters::Strains::small));
+    if (!output.vtu && !with_profile && !with_nodes && !with_bodies)
       return;
     TimerOutput::Scope scope(report.timer, "output");
 
@@ -193,6 +215,15 @@ namespace Contact
                               state.solution,
                               state.start,
                               parameters.solution.has_moving_bound());
+    if (with_bodies)
+      report.record(body_results(model,
+                                 parameters.solids,
+                                 parameters.solids.yield_stress.empty()
+                                   ? std::vector<SymmetricTensor<2, 3>>()
+                                   : recovered_stresses(),
+                                 recovered_plastic_strains(),
+                                 state.solution,
+                                 forces));
     if (with_nodes)
       report.files().write_nodes(state.solution, forces);
     if (!output.vtu && !with_profile)
@@ -212,7 +243,8 @@ namespace Contact
                                   state.load_factor,
                                   recovered_stresses(),
                                   state.solution,
-                                  forces);
+                                  forces,
+                                  recovered_plastic_strains());
     if (output.vtu && model.interface)
       report.files().write_contact(k, state.load_factor, profiles);
     if (with_profile && model.interface)
@@ -290,6 +322,8 @@ namespace Contact
     if (is_energy(quantity))
       return body_energy(point, model, state.solution);
     const unsigned int vertex = model.mesh->point(point, "Probes/Probes");
+    if (quantity == Parameters::Quantity::plastic_strain)
+      return recovered_plastic_strains().at(vertex);
     if (is_contact_traction(quantity))
       return contact_traction(quantity,
                               vertex,

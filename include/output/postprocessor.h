@@ -43,6 +43,10 @@ namespace Contact
     /// Cauchy stresses at the vertices [MPa]. Collective.
     const std::vector<SymmetricTensor<2, 3>> &recovered_stresses();
 
+    /// Equivalent plastic strains at the vertices [-] of the last increment
+    /// that was accepted; none if no body yields. Collective.
+    std::vector<double> recovered_plastic_strains();
+
     /// Into the record of the present increment.
     void record_increment();
 

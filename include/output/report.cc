@@ -223,6 +223,25 @@ namespace Contact
 
 
   template<int dim>
+  void Report<dim>::record(const std::map<std::string, BodyResult<dim>> &bodies)
+  {
+    for (const auto &[name, result] : bodies)
+      {
+        summary.bodies[name] = result.by_name();
+        const auto text      = describe(name, result, parameters.solids);
+        if (!text.empty())
+          screen << text << std::endl;
+      }
+    const auto &works = increment().works;
+    if (const auto found = works.find("plastic_dissipation");
+        found != works.end() && found->second > 0)
+      screen << "Dissipated by yielding: " << found->second << " N mm"
+             << discretization->per_thickness() << std::endl;
+  }
+
+
+
+  template<int dim>
   void Report<dim>::record(const StrainRange &range)
   {
     summary.strain_range = range;

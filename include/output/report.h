@@ -14,6 +14,7 @@
 #include <string>
 
 #include "contact/contact_model.h"
+#include "output/body_results.h"
 #include "output/result_files.h"
 #include "output/summary.h"
 #include "verification/invariants.h"
@@ -93,6 +94,9 @@ namespace Contact
     /// The invariants of the present increment; notes and violations go to
     /// the standard error.
     void record(const Invariants &found);
+
+    /// How far the bodies are from the range of their materials.
+    void record(const std::map<std::string, BodyResult<dim>> &bodies);
 
     /// The strains and rotations; a note if they are beyond the range of the
     /// kinematics.

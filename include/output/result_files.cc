@@ -214,7 +214,8 @@ namespace Contact
     const double                              load_factor,
     const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
     const GhostedVector                      &solution,
-    const GhostedVector                      &contact_forces)
+    const GhostedVector                      &contact_forces,
+    const std::vector<double>                &plastic_strains)
   {
     const auto u = discretization.distributed(solution);
 
@@ -222,7 +223,9 @@ namespace Contact
     Vector<double> body(triangulation.n_active_cells());
     for (const auto &cell : triangulation.active_cell_iterators())
       body[cell->active_cell_index()] = cell->material_id();
-    const VertexFields vertex_fields(discretization, vertex_stresses);
+    const VertexFields vertex_fields(discretization,
+                                     vertex_stresses,
+                                     plastic_strains);
 
     DataOut<dim> data_out;
     data_out.attach_dof_handler(discretization.dof_handler);

@@ -46,15 +46,17 @@ namespace Contact
     /**
      * Write bodies_000k.vtu of increment @p k, and bodies.pvd anew: all cells
      * at their degree with displacement [mm], Cauchy stress and von Mises
-     * stress [MPa], body (material id), and, unless @p contact_forces is empty,
-     * the forces of contact on the nodes [N per mm of thickness; rings: N].
+     * stress [MPa], body (material id), and, unless they are empty, the forces
+     * of contact on the nodes [N per mm of thickness; rings: N] and the
+     * equivalent plastic strains at the vertices [-].
      * Only what has converged is written: the field "converged" is 1.
      */
     void write_bodies(const unsigned int                        k,
                       const double                              load_factor,
                       const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                       const GhostedVector                      &solution,
-                      const GhostedVector &contact_forces = {});
+                      const GhostedVector       &contact_forces  = {},
+                      const std::vector<double> &plastic_strains = {});
 
     /**
      * Write contact_000k.vtu of increment @p k, and contact.pvd anew: the

@@ -244,6 +244,8 @@ namespace Contact
       add_pairs(summary.contact, json);
       for (const auto &[effect, value] : summary.effects)
         json["effects"][effect] = value;
+      if (!summary.bodies.empty())
+        json["bodies"] = summary.bodies;
       if (summary.strain_range)
         json["largest"] = {{"strain", summary.strain_range->strain},
                            {"rotation", summary.strain_range->rotation}};

@@ -167,6 +167,9 @@ namespace Contact
     /// "Coulomb 0.1".
     std::map<std::string, std::string> effects;
 
+    /// By name, see BodyResult; empty where bodies have nothing to tell.
+    std::map<std::string, std::map<std::string, double>> bodies;
+
     /// Where effects are estimated.
     std::optional<StrainRange> strain_range;
 

@@ -42,7 +42,8 @@ namespace Contact
   template<int dim>
   VertexFields<dim>::VertexFields(
     const Discretization<dim>                &discretization,
-    const std::vector<SymmetricTensor<2, 3>> &vertex_stresses)
+    const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+    const std::vector<double>                &plastic_strains)
     : fe(FE_Q<dim>(1), FE_SimplexP<dim>(1))
     , dof_handler(discretization.mesh.triangulation)
   {
@@ -55,6 +56,8 @@ namespace Contact
     for (const auto &component : components)
       fields.emplace_back(component.name, zero);
     fields.emplace_back("von_mises", zero);
+    if (!plastic_strains.empty())
+      fields.emplace_back("plastic_strain", zero);
 
     // A vertex of another rank may have cells that this one does not know.
     const IndexSet &owned = dof_handler.locally_owned_dofs();
@@ -69,7 +72,10 @@ namespace Contact
             const auto &stress = vertex_stresses[cell->vertex_index(v)];
             for (unsigned int c = 0; c < components.size(); ++c)
               fields[c].second[dof] = stress[components[c].i][components[c].j];
-            fields.back().second[dof] = von_mises(stress);
+            fields[components.size()].second[dof] = von_mises(stress);
+            if (!plastic_strains.empty())
+              fields.back().second[dof] =
+                plastic_strains[cell->vertex_index(v)];
           }
     for (auto &field : fields)
       field.second.update_ghost_values();

@@ -26,13 +26,15 @@ namespace Contact
   class VertexFields
   {
   public:
-    /// Of the stress [MPa] by vertex of the triangulation.
+    /// Of the stress [MPa] by vertex of the triangulation, and of the
+    /// equivalent plastic strain [-], which may be empty.
     VertexFields(const Discretization<dim>                &discretization,
-                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses);
+                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
+                 const std::vector<double>                &plastic_strains);
 
     /// Attach stress_xx, _yy, _zz, _xy, in space _xz and _yz, and von_mises
-    /// [MPa] to @p data_out,
-    /// which must not outlive this object.
+    /// [MPa], and plastic_strain if there is one, to @p data_out, which must
+    /// not outlive this object.
     void attach(DataOut<dim> &data_out) const;
 
   private:

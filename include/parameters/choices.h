@@ -54,6 +54,23 @@ namespace Contact
 
 
 
+    /// The material of a body.
+    enum class MaterialModel
+    {
+      elastic,
+      elastic_plastic,
+      neo_hookean
+    };
+
+    inline NamedValues<MaterialModel> named_values(const MaterialModel)
+    {
+      return {{"elastic", MaterialModel::elastic},
+              {"elastic-plastic", MaterialModel::elastic_plastic},
+              {"neo-Hookean", MaterialModel::neo_hookean}};
+    }
+
+
+
     /// The ninth node of a quadratic quadrangle.
     enum class CentreNode
     {

@@ -19,23 +19,6 @@ namespace Contact
 
   namespace Parameters
   {
-    /// The material of a body.
-    enum class MaterialModel
-    {
-      elastic,
-      elastic_plastic,
-      neo_hookean
-    };
-
-    inline NamedValues<MaterialModel> named_values(const MaterialModel)
-    {
-      return {{"elastic", MaterialModel::elastic},
-              {"elastic-plastic", MaterialModel::elastic_plastic},
-              {"neo-Hookean", MaterialModel::neo_hookean}};
-    }
-
-
-
     /// One of the values of an enum for all bodies, or 'body: value' for each,
     /// separated by ','. Names of values are checked by whoever asks for them.
     template<typename Enum>

@@ -41,7 +41,8 @@ namespace Contact
       obstacle_moment_x,
       obstacle_moment_y,
       obstacle_moment_z,
-      strain_energy
+      strain_energy,
+      plastic_strain
     };
 
     inline NamedValues<Quantity> named_values(const Quantity)
@@ -70,7 +71,8 @@ namespace Contact
               {"obstacle moment x", Quantity::obstacle_moment_x},
               {"obstacle moment y", Quantity::obstacle_moment_y},
               {"obstacle moment z", Quantity::obstacle_moment_z},
-              {"strain energy", Quantity::strain_energy}};
+              {"strain energy", Quantity::strain_energy},
+              {"plastic strain", Quantity::plastic_strain}};
     }
 
     /// The direction of a displacement or a force: 0 for x, and 0 for what has
@@ -135,6 +137,8 @@ namespace Contact
           case Quantity::obstacle_force_z:
             return symmetry == Symmetry::plane_strain && !in_space ? "N/mm"
                                                                    : "N";
+          case Quantity::plastic_strain:
+            return "-";
           case Quantity::obstacle_moment_x:
           case Quantity::obstacle_moment_y:
           case Quantity::obstacle_moment_z:

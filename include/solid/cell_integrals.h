@@ -40,6 +40,15 @@ namespace Contact
       return Symmetry::energy_density(elastic, stress);
     }
 
+    std::vector<SymmetricTensor<2, 3>>
+    strains(const CellTable<dim> &cell, const Vector<double> &u) const override
+    {
+      std::vector<SymmetricTensor<2, 3>> strains;
+      for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+        strains.push_back(strain(cell, q, u));
+      return strains;
+    }
+
   protected:
     const Material &elastic;
 
@@ -96,6 +105,21 @@ namespace Contact
         for (unsigned int a = 0; a < cell.n_nodes(); ++a)
           h += u[dim * a] * cell.hoop_gradients[q * cell.n_nodes() + a];
       return h;
+    }
+
+    static SymmetricTensor<2, 3> strain(const CellTable<dim> &cell,
+                                        const unsigned int    q,
+                                        const Vector<double> &u)
+    {
+      const auto in_space =
+        Kinematics::strain(displacement_gradient(cell, q, u));
+      SymmetricTensor<2, 3> E;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j <= i; ++j)
+          E[i][j] = in_space[i][j];
+      if constexpr (Symmetry::has_hoop)
+        E[2][2] = Kinematics::strain(hoop_gradient(cell, q, u));
+      return E;
     }
 
     /// The orthonormal modes phi_m of the cell take the place of all else:

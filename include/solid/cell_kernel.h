@@ -71,6 +71,10 @@ namespace Contact
     virtual std::vector<SymmetricTensor<2, 3>>
     stresses(const CellTable<dim> &cell, const Vector<double> &u) const = 0;
 
+    /// The strain of the kinematics in the quadrature points.
+    virtual std::vector<SymmetricTensor<2, 3>>
+    strains(const CellTable<dim> &cell, const Vector<double> &u) const = 0;
+
     /// The history of the cell at the end of an increment.
     virtual std::vector<double> history_at(const CellTable<dim> &cell,
                                            const Vector<double> &) const

@@ -54,6 +54,12 @@ namespace Contact
     /// empty.
     std::vector<double> history;
 
+    /// The equivalent plastic strain at a point [-].
+    double plastic_strain(const unsigned int q) const
+    {
+      return history.empty() ? 0. : history[q * (history.size() / JxW.size())];
+    }
+
     unsigned int n_nodes() const
     {
       return dofs.size() / dim;

@@ -117,6 +117,30 @@ namespace Contact
 
 
   template<int dim>
+  bool Elasticity<dim>::has_history() const
+  {
+    return std::any_of(laws.begin(), laws.end(), [](const auto &law) {
+      return law.second != nullptr && law.second->n_history() > 0;
+    });
+  }
+
+
+
+  template<int dim>
+  std::vector<std::vector<double>> Elasticity<dim>::plastic_strains() const
+  {
+    std::vector<std::vector<double>> strains(
+      discretization.mesh.triangulation.n_active_cells());
+    for (const auto *part : {&tables.own, &tables.neighbors})
+      for (const CellTable<dim> &cell : *part)
+        for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+          strains[cell.active_index].push_back(cell.plastic_strain(q));
+    return strains;
+  }
+
+
+
+  template<int dim>
   void Elasticity<dim>::accept(const GhostedVector &u)
   {
     for (auto *part : {&tables.own, &tables.neighbors})

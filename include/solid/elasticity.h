@@ -191,6 +191,17 @@ namespace Contact
       return kernels.at(body)->is_small_strain();
     }
 
+    /// The cells of this rank.
+    const std::vector<CellTable<dim>> &cells() const
+    {
+      return tables.own;
+    }
+
+    /// Whether any body may yield, and the equivalent plastic strains [-] of
+    /// the last increment that was accepted, as stresses() has it.
+    bool                             has_history() const;
+    std::vector<std::vector<double>> plastic_strains() const;
+
     /// An increment ends with the displacements @p u: the history of all points
     /// is that of its end. The same stresses and energies under the same @p u.
     void accept(const GhostedVector &u);

@@ -81,21 +81,6 @@ namespace Contact
       };
       States states(const CellTable<dim> &cell, const Vector<double> &u) const;
 
-      static SymmetricTensor<2, 3> strain(const CellTable<dim> &cell,
-                                          const unsigned int    q,
-                                          const Vector<double> &u)
-      {
-        const auto in_space =
-          Kinematics::strain(Integrals::displacement_gradient(cell, q, u));
-        SymmetricTensor<2, 3> E;
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int j = 0; j <= i; ++j)
-            E[i][j] = in_space[i][j];
-        if constexpr (Symmetry::has_hoop)
-          E[2][2] = Kinematics::strain(Integrals::hoop_gradient(cell, q, u));
-        return E;
-      }
-
       const double *history(const CellTable<dim> &cell,
                             const unsigned int    q) const
       {
@@ -130,7 +115,7 @@ namespace Contact
       const unsigned int n_points = cell.JxW.size();
       for (unsigned int q = 0; q < n_points; ++q)
         {
-          states.E[q]      = strain(cell, q, u);
+          states.E[q]      = this->strain(cell, q, u);
           states.volume[q] = law.volume(states.E[q]);
           states.theta[q]  = states.volume[q].value;
         }
@@ -308,7 +293,7 @@ namespace Contact
       std::vector<double> history = cell.history;
       if (law.n_history() > 0)
         for (unsigned int q = 0; q < cell.JxW.size(); ++q)
-          law.advance(strain(cell, q, u), &history[q * law.n_history()]);
+          law.advance(this->strain(cell, q, u), &history[q * law.n_history()]);
       return history;
     }
 
@@ -331,8 +316,8 @@ namespace Contact
         }
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)
         {
-          const auto at_point = law.works(strain(cell, q, u_0),
-                                          strain(cell, q, u_1),
+          const auto at_point = law.works(this->strain(cell, q, u_0),
+                                          this->strain(cell, q, u_1),
                                           history(cell, q));
           works.dissipation += cell.JxW[q] * at_point.dissipation;
           works.path += cell.JxW[q] * at_point.path;

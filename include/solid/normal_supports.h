@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "base/ghosted_vector.h"
 #include "mesh/mesh.h"
 
 namespace Contact

@@ -8,6 +8,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/reference_cell.h>
 
+#include <algorithm>
 #include <set>
 
 namespace Contact
@@ -40,11 +41,33 @@ namespace Contact
   StressRecovery<dim>::vertex_stresses(const Elasticity<dim> &elasticity,
                                        const GhostedVector   &u) const
   {
-    const auto         at_points = elasticity.stresses(u);
+    return vertex_values(elasticity.stresses(u));
+  }
+
+
+
+  // Fits oscillate beside the end of the plastic zone.
+  template<int dim>
+  std::vector<double>
+  StressRecovery<dim>::vertex_strains(const Elasticity<dim> &elasticity) const
+  {
+    auto strains = vertex_values(elasticity.plastic_strains());
+    for (double &strain : strains)
+      strain = std::max(0., strain);
+    return strains;
+  }
+
+
+
+  template<int dim>
+  template<typename Value>
+  std::vector<Value> StressRecovery<dim>::vertex_values(
+    const std::vector<std::vector<Value>> &at_points) const
+  {
     const unsigned int n_vertices =
       discretization.mesh.triangulation.n_vertices();
-    std::vector<SymmetricTensor<2, 3>> at_vertices(n_vertices);
-    std::vector<unsigned int>          n_cells(n_vertices, 0);
+    std::vector<Value>        at_vertices(n_vertices);
+    std::vector<unsigned int> n_cells(n_vertices, 0);
 
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       {
@@ -67,16 +90,17 @@ namespace Contact
 
 
   template<int dim>
-  SymmetricTensor<2, 3> StressRecovery<dim>::at_vertex(
+  template<typename Value>
+  Value StressRecovery<dim>::at_vertex(
     const typename DoFHandler<dim>::active_cell_iterator &cell,
     const unsigned int                                    v,
-    const std::vector<SymmetricTensor<2, 3>>             &at_points) const
+    const std::vector<Value>                             &at_points) const
   {
-    const auto           &fit = fits[cell->active_fe_index()];
-    SymmetricTensor<2, 3> stress;
+    const auto &fit   = fits[cell->active_fe_index()];
+    Value       value = Value();
     for (unsigned int q = 0; q < at_points.size(); ++q)
-      stress += fit(v, q) * at_points[q];
-    return stress;
+      value += fit(v, q) * at_points[q];
+    return value;
   }
 
 
@@ -116,8 +140,9 @@ namespace Contact
 
   // A rank that has a cell at a vertex knows all cells around it.
   template<int dim>
+  template<typename Value>
   void StressRecovery<dim>::gather_named_points(
-    std::vector<SymmetricTensor<2, 3>> &at_vertices) const
+    std::vector<Value> &at_vertices) const
   {
     const MPI_Comm communicator = discretization.communicator;
     if (Utilities::MPI::n_mpi_processes(communicator) == 1)
@@ -132,9 +157,9 @@ namespace Contact
       if (vertex != numbers::invalid_unsigned_int)
         {
           const bool knows = own.count(vertex) > 0;
-          const auto sum   = Utilities::MPI::sum(knows ? at_vertices[vertex]
-                                                     : SymmetricTensor<2, 3>(),
-                                               communicator);
+          const auto sum =
+            Utilities::MPI::sum(knows ? at_vertices[vertex] : Value(),
+                                communicator);
           at_vertices[vertex] =
             sum / Utilities::MPI::sum(knows ? 1. : 0., communicator);
         }

@@ -32,6 +32,9 @@ namespace Contact
     vertex_stresses(const Elasticity<dim> &elasticity,
                     const GhostedVector   &u) const;
 
+    /// The same of the equivalent plastic strain [-].
+    std::vector<double> vertex_strains(const Elasticity<dim> &elasticity) const;
+
     /// The cells around a vertex, and the stress there by them alone.
     using Cells = std::vector<typename DoFHandler<dim>::active_cell_iterator>;
     Cells                 cells_at(const unsigned int vertex) const;
@@ -41,13 +44,18 @@ namespace Contact
                                     const GhostedVector   &u) const;
 
   private:
-    SymmetricTensor<2, 3>
-    at_vertex(const typename DoFHandler<dim>::active_cell_iterator &cell,
-              const unsigned int                                    v,
-              const std::vector<SymmetricTensor<2, 3>> &at_points) const;
+    /// By vertex, of the values in the points by active cell.
+    template<typename Value>
+    std::vector<Value>
+    vertex_values(const std::vector<std::vector<Value>> &at_points) const;
 
-    void
-    gather_named_points(std::vector<SymmetricTensor<2, 3>> &at_vertices) const;
+    template<typename Value>
+    Value at_vertex(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                    const unsigned int                                    v,
+                    const std::vector<Value> &at_points) const;
+
+    template<typename Value>
+    void gather_named_points(std::vector<Value> &at_vertices) const;
 
     const Discretization<dim> &discretization;
 
