@@ -418,7 +418,8 @@ namespace Contact
   // @sect4{ContactProblem::solve_level}
   //
   // All load increments on one mesh. Coarser meshes only yield the start of the
-  // next level: the results of the last mesh are written.
+  // next level: the results of the last mesh are written. What yields does so
+  // for good once an increment is accepted, on this mesh.
   template<int dim>
   void ContactProblem<dim>::solve_level()
   {

@@ -51,6 +51,17 @@ expect_entry() {
 TMPDIR=/proc/none "$contact" "$good" --quiet >/dev/null
 find output -type f -exec cksum {} + | sort >before
 
+# Materials
+body=Block
+expect_entry "is one of small strain" "Solids/Material=$body: elastic-plastic"
+expect_entry "but not elastic-plastic" "Solids/Hardening modulus=$body: 1"
+expect_entry "not allowed for Solids/Kinematics" "Solids/Kinematics=$body: medium"
+expect_entry "but not in" "Solids/Kinematics=$body: small strain"
+expect "no yield stress" "$good" --set "Solids/Material=$body: elastic-plastic" \
+  --set "Solids/Kinematics=small strain"
+expect "does not yield" "$good" --set "Solids/Material=$body: neo-Hookean" \
+  --set "Solids/Yield stress=$body: 1"
+
 # Entries
 printf 'include %s\nsubsection Contact\n  set Slaev = a\nend\n' "$good" >a.prm
 expect "did you mean 'Slave'" a.prm

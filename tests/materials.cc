@@ -116,11 +116,11 @@ namespace
             const auto   works = elasticity.works(u_0, u_1);
             const double work  = 0.5 * (mean * d);
             check_small("balance of the energy",
-                        std::abs(energy(u_1) - energy(u_0) + works.dissipation -
-                                 work - works.path) -
-                          works.error,
-                        1e-12 * energy(u_1));
-            check_small("error of the path", works.error, 1e-4 * energy(u_1));
+                        (std::abs(energy(u_1) - energy(u_0) +
+                                  works.dissipation - work - works.path) -
+                         works.error) /
+                          energy(u_1),
+                        1e-12);
             check("dissipation", yields == (works.dissipation > 0));
           };
           balance(zero, first);
@@ -163,7 +163,7 @@ namespace
     const SymmetricTensor<2, 3> E =
       0.5 * (symmetrize(transpose(F) * F) - unit_symmetric_tensor<3>());
     const auto volume = law.volume(E);
-    const auto S      = law.shear_part(E, nullptr).stress +
+    const auto S      = law.shear_part(E, nullptr, false).stress +
                    law.volume_energy(volume.value).pressure * volume.slope;
     return symmetrize(F * static_cast<Tensor<2, 3>>(S) * transpose(F)) /
            determinant(F);
@@ -228,7 +228,7 @@ namespace
         for (unsigned int step = 0; step < 30; ++step)
           {
             E[1][1] = E[2][2] = across;
-            auto response     = law.shear_part(E, history.data());
+            auto response     = law.shear_part(E, history.data(), true);
             response.stress += K * trace(E) * unit_symmetric_tensor<3>();
             const double slope = response.tangent[1][1][1][1] +
                                  response.tangent[1][1][2][2] + 2 * K;

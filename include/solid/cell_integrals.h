@@ -232,29 +232,37 @@ namespace Contact
           matrix(i, j) = matrix(j, i);
     }
 
-    /// The work of the forces along the straight path from @p u_0 to @p u_1 by
-    /// the rule of Gauss and Lobatto, exact up to the degree 2 n_points - 3,
-    /// minus that by the trapezoidal one.
-    double path_work(const CellTable<dim> &cell,
-                     const Vector<double> &u_0,
-                     const Vector<double> &u_1,
-                     const unsigned int    n_points) const
+    /// The work of the forces by length along the straight path from @p u_0 to
+    /// @p u_1, in the points of the rule of Gauss and Lobatto.
+    std::vector<double> work_rates(const CellTable<dim> &cell,
+                                   const Vector<double> &u_0,
+                                   const Vector<double> &u_1,
+                                   const unsigned int    n_points) const
     {
       Vector<double> d(u_1);
       d -= u_0;
       const QGaussLobatto<1> rule(n_points);
+      std::vector<double>    rates;
       Vector<double>         u(d.size()), forces(d.size());
-      double                 work = 0;
       for (unsigned int k = 0; k < n_points; ++k)
         {
-          const double t = rule.point(k)[0];
-          u              = u_0;
-          u.add(t, d);
+          u = u_0;
+          u.add(rule.point(k)[0], d);
           forces = 0;
           this->forces(cell, u, StressStiffness::with, nullptr, forces);
-          const bool is_end = k == 0 || k + 1 == n_points;
-          work += (rule.weight(k) - (is_end ? 0.5 : 0.)) * (forces * d);
+          rates.push_back(forces * d);
         }
+      return rates;
+    }
+
+    /// The work by that rule, exact for rates of the degree 2 n - 3, minus that
+    /// by the trapezoidal one.
+    static double path_work(const std::vector<double> &rates)
+    {
+      const QGaussLobatto<1> rule(rates.size());
+      double                 work = -0.5 * (rates.front() + rates.back());
+      for (unsigned int k = 0; k < rates.size(); ++k)
+        work += rule.weight(k) * rates[k];
       return work;
     }
   };

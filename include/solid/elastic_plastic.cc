@@ -55,7 +55,7 @@ namespace Contact
   MaterialLaw::Volume
   ElasticPlastic::volume(const SymmetricTensor<2, 3> &E) const
   {
-    return {trace(E), unit_symmetric_tensor<3>(), SymmetricTensor<4, 3>()};
+    return {trace(E), unit_symmetric_tensor<3>()};
   }
 
 
@@ -146,7 +146,8 @@ namespace Contact
 
   MaterialLaw::Response
   ElasticPlastic::shear_part(const SymmetricTensor<2, 3> &E,
-                             const double                *history) const
+                             const double                *history,
+                             const bool                   with_tangent) const
   {
     const Return state   = return_to_surface(E, history);
     const auto   plastic = state.plastic_at_end();
@@ -157,6 +158,8 @@ namespace Contact
     response.stress = 2 * mu * elastic;
     response.energy = mu * (elastic * elastic) + Y.energy +
                       hardening.kinematic / 3 * (plastic * plastic);
+    if (!with_tangent)
+      return response;
     response.tangent = 2 * mu * deviator_tensor<3>();
     if (state.da > 0)
       {

@@ -60,7 +60,8 @@ namespace Contact
     ElasticPlastic(const Material &elastic, const Hardening &hardening);
 
     Response     shear_part(const SymmetricTensor<2, 3> &E,
-                            const double                *history) const override;
+                            const double                *history,
+                            const bool with_tangent) const override;
     Volume       volume(const SymmetricTensor<2, 3> &E) const override;
     VolumeEnergy volume_energy(const double d) const override;
     unsigned int n_history() const override;

@@ -160,7 +160,8 @@ namespace Contact
           const Tensor<2, dim> H = Integrals::displacement_gradient(cell, q, u);
           const double         h = Integrals::hoop_gradient(cell, q, u);
           const auto          &volume = states.volume[q];
-          auto response = law.shear_part(states.E[q], history(cell, q));
+          auto                 response =
+            law.shear_part(states.E[q], history(cell, q), tangent != nullptr);
           response.stress += states.p[q] * volume.slope;
 
           at.JxW = cell.JxW[q];
@@ -181,12 +182,13 @@ namespace Contact
           if (is_large && without)
             {
               const SymmetricTensor<2, 3> rest;
-              response.tangent = law.shear_part(rest, history(cell, q)).tangent;
+              response.tangent =
+                law.shear_part(rest, history(cell, q), true).tangent;
               modulus = law.volume_energy(law.volume(rest).value).modulus;
               at.drop_stresses();
             }
           else if constexpr (is_large)
-            response.tangent += states.p[q] * volume.curvature;
+            response.tangent += states.p[q] * law.volume_curvature(states.E[q]);
           if constexpr (!projected)
             response.tangent +=
               modulus * outer_product(volume.slope, volume.slope);
@@ -259,9 +261,9 @@ namespace Contact
       const States states = this->states(cell, u);
       double       energy = 0;
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)
-        energy +=
-          cell.JxW[q] * (law.shear_part(states.E[q], history(cell, q)).energy +
-                         states.energy[q]);
+        energy += cell.JxW[q] *
+                  (law.shear_part(states.E[q], history(cell, q), false).energy +
+                   states.energy[q]);
       return energy;
     }
 
@@ -278,7 +280,7 @@ namespace Contact
         stresses.push_back(Kinematics::cauchy(
           Integrals::displacement_gradient(cell, q, u),
           Integrals::hoop_gradient(cell, q, u),
-          law.shear_part(states.E[q], history(cell, q)).stress +
+          law.shear_part(states.E[q], history(cell, q), false).stress +
             states.p[q] * states.volume[q].slope));
       return stresses;
     }
@@ -299,7 +301,7 @@ namespace Contact
 
 
 
-    // Without a history by two rules, whose difference is the error.
+    // Without a history by two rules, whose difference is an error bound.
     template<class Kinematics, class Symmetry>
     typename MaterialCells<Kinematics, Symmetry>::Works
     MaterialCells<Kinematics, Symmetry>::works(const CellTable<dim> &cell,
@@ -309,9 +311,10 @@ namespace Contact
       Works works;
       if (law.n_history() == 0)
         {
-          works.path = this->path_work(cell, u_0, u_1, 7);
-          works.error =
-            std::abs(works.path - this->path_work(cell, u_0, u_1, 5));
+          const auto rates = this->work_rates(cell, u_0, u_1, 5);
+          works.path       = this->path_work(rates);
+          works.error      = std::abs(
+            works.path - this->path_work({rates[0], rates[2], rates[4]}));
           return works;
         }
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)

@@ -26,7 +26,8 @@ namespace Contact
   public:
     virtual ~MaterialLaw() = default;
 
-    /// Stress [MPa], its derivative with respect to E, energy by volume.
+    /// Stress [MPa], if it is asked for its derivative with respect to E, and
+    /// the energy by volume.
     struct Response
     {
       SymmetricTensor<2, 3> stress;
@@ -36,16 +37,23 @@ namespace Contact
 
     /// Of the part without U, at the end of the increment.
     virtual Response shear_part(const SymmetricTensor<2, 3> &E,
-                                const double                *history) const = 0;
+                                const double                *history,
+                                const bool with_tangent) const = 0;
 
     /// d(E) [-] and its derivatives.
     struct Volume
     {
       double                value;
       SymmetricTensor<2, 3> slope;
-      SymmetricTensor<4, 3> curvature;
     };
     virtual Volume volume(const SymmetricTensor<2, 3> &E) const = 0;
+
+    /// The second one; zero where d is linear.
+    virtual SymmetricTensor<4, 3>
+    volume_curvature(const SymmetricTensor<2, 3> &) const
+    {
+      return SymmetricTensor<4, 3>();
+    }
 
     /// U(d) and its derivatives [MPa].
     struct VolumeEnergy

@@ -47,18 +47,22 @@ namespace Contact
   //   S = m (I - tr(C)/3 G),
   //   dS/dE = 2/3 m (tr(C)/3 G x G - G x I - I x G + tr(C) (G . G)).
   MaterialLaw::Response NeoHookean::shear_part(const SymmetricTensor<2, 3> &E,
-                                               const double *) const
+                                               const double *,
+                                               const bool with_tangent) const
   {
     const auto   C  = right_cauchy_green(E);
     const auto   G  = invert(C);
     const auto   I  = unit_symmetric_tensor<3>();
     const double tr = trace(C);
     const double m  = mu * std::pow(determinant(C), -1. / 3);
-    return {m * (I - tr / 3 * G),
-            2. / 3 * m *
-              (tr / 3 * outer_product(G, G) - outer_product(G, I) -
-               outer_product(I, G) + tr * inverse_twice(G)),
-            0.5 * (m * tr - 3 * mu)};
+    Response     response;
+    response.stress = m * (I - tr / 3 * G);
+    response.energy = 0.5 * (m * tr - 3 * mu);
+    if (with_tangent)
+      response.tangent = 2. / 3 * m *
+                         (tr / 3 * outer_product(G, G) - outer_product(G, I) -
+                          outer_product(I, G) + tr * inverse_twice(G));
+    return response;
   }
 
 
@@ -67,9 +71,19 @@ namespace Contact
   MaterialLaw::Volume NeoHookean::volume(const SymmetricTensor<2, 3> &E) const
   {
     const auto   C = right_cauchy_green(E);
-    const auto   G = invert(C);
     const double J = std::sqrt(determinant(C));
-    return {J, J * G, J * (outer_product(G, G) - 2 * inverse_twice(G))};
+    return {J, J * invert(C)};
+  }
+
+
+
+  SymmetricTensor<4, 3>
+  NeoHookean::volume_curvature(const SymmetricTensor<2, 3> &E) const
+  {
+    const auto C = right_cauchy_green(E);
+    const auto G = invert(C);
+    return std::sqrt(determinant(C)) *
+           (outer_product(G, G) - 2 * inverse_twice(G));
   }
 
 

@@ -25,9 +25,12 @@ namespace Contact
   public:
     explicit NeoHookean(const Material &elastic);
 
-    Response     shear_part(const SymmetricTensor<2, 3> &E,
-                            const double                *history) const override;
-    Volume       volume(const SymmetricTensor<2, 3> &E) const override;
+    Response shear_part(const SymmetricTensor<2, 3> &E,
+                        const double                *history,
+                        const bool with_tangent) const override;
+    Volume   volume(const SymmetricTensor<2, 3> &E) const override;
+    SymmetricTensor<4, 3>
+    volume_curvature(const SymmetricTensor<2, 3> &E) const override;
     VolumeEnergy volume_energy(const double d) const override;
 
   private:

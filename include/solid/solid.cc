@@ -46,7 +46,7 @@ namespace Contact
         // Forces are cubic in the displacement.
         typename CellKernel<dim>::Works works;
         if (!is_linear())
-          works.path = this->path_work(cell, u_0, u_1, 3);
+          works.path = this->path_work(this->work_rates(cell, u_0, u_1, 3));
         return works;
       }
 

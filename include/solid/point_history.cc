@@ -1,0 +1,116 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The history of the points of class Elasticity, and the works of an increment.
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+#include "solid/elasticity.h"
+
+namespace Contact
+{
+  template<int dim>
+  std::vector<std::vector<double>> Elasticity<dim>::plastic_strains() const
+  {
+    std::vector<std::vector<double>> strains(
+      discretization.mesh.triangulation.n_active_cells());
+    for (const auto *part : {&tables.own, &tables.neighbors})
+      for (const CellTable<dim> &cell : *part)
+        for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+          strains[cell.active_index].push_back(cell.plastic_strain(q));
+    return strains;
+  }
+
+
+
+  template<int dim>
+  void Elasticity<dim>::accept(const GhostedVector &u)
+  {
+    for (auto *part : {&tables.own, &tables.neighbors})
+      for (CellTable<dim> &cell : *part)
+        if (!cell.history.empty())
+          cell.history = cell.kernel->history_at(cell, u.extract(cell.dofs));
+  }
+
+
+
+  // By cell how many numbers follow, and these.
+  template<int dim>
+  CellValues Elasticity<dim>::history() const
+  {
+    const auto ids = cell_ids();
+    CellValues values;
+    for (const CellTable<dim> &cell : tables.own)
+      {
+        if (cell.history.empty())
+          continue;
+        values.cells.push_back(ids[cell.active_index]);
+        values.numbers.push_back(cell.history.size());
+        values.numbers.insert(values.numbers.end(),
+                              cell.history.begin(),
+                              cell.history.end());
+      }
+    return values;
+  }
+
+
+
+  template<int dim>
+  void Elasticity<dim>::restore(const CellValues &history)
+  {
+    std::map<CellId, const double *> of_cell;
+    const double                    *here = history.numbers.data();
+    for (const CellId &cell : history.cells)
+      {
+        of_cell[cell] = here + 1;
+        here += 1 + static_cast<std::size_t>(*here);
+      }
+    const auto ids = cell_ids();
+    for (auto *part : {&tables.own, &tables.neighbors})
+      for (CellTable<dim> &cell : *part)
+        if (const auto found = of_cell.find(ids[cell.active_index]);
+            found != of_cell.end())
+          std::copy_n(found->second, cell.history.size(), cell.history.begin());
+  }
+
+
+
+  template<int dim>
+  std::vector<CellId> Elasticity<dim>::cell_ids() const
+  {
+    std::vector<CellId> ids;
+    for (const auto &cell :
+         discretization.mesh.triangulation.active_cell_iterators())
+      ids.push_back(cell->id());
+    return ids;
+  }
+
+
+
+  template<int dim>
+  typename Elasticity<dim>::Works
+  Elasticity<dim>::works(const GhostedVector &u_0,
+                         const GhostedVector &u_1) const
+  {
+    Works sum;
+    for (const CellTable<dim> &cell : tables.own)
+      {
+        const Works of_cell = cell.kernel->works(cell,
+                                                 u_0.extract(cell.dofs),
+                                                 u_1.extract(cell.dofs));
+        sum.dissipation += of_cell.dissipation;
+        sum.path += of_cell.path;
+        sum.error += of_cell.error;
+      }
+    for (double *work : {&sum.dissipation, &sum.path, &sum.error})
+      *work = Utilities::MPI::sum(*work, discretization.communicator);
+    return sum;
+  }
+
+  template class Elasticity<2>;
+  template class Elasticity<3>;
+} // namespace Contact

@@ -1,0 +1,132 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Bodies that yield, and bodies of rubber.
+
+Proves that
+
+- thick tubes and a hollow sphere under pressure have the displacements and the
+  stresses of Hill, also those that are left when the pressure is taken off, and
+  a tube of rubber those of a neo-Hookean one;
+- Newton's method ends quadratically in increments in which points yield;
+- the tube is the same in other units, and on two processes;
+- no increment dissipates less than nothing, and the energy balance holds;
+- a yield stress of an elastic body changes nothing but a line of the result;
+- bodies of different materials and kinematics touch in one scene.
+
+Usage: materials.py CONTACT PARAMETERS MESHES
+"""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+contact, parameters, meshes = sys.argv[1:4]
+cases = pathlib.Path(parameters).resolve() / "verification"
+failures = []
+
+
+def check(what, good, found=""):
+    print(("ok: " if good else "FAILED: ") + what, found)
+    if not good:
+        failures.append(what)
+
+
+def run(name, case, *options, ranks=1):
+    command = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
+    command += [contact, str(case), "--set", f"Output/Directory={name}"]
+    for option in options:
+        command += ["--set", option]
+    process = subprocess.run(command, capture_output=True, text=True)
+    summary = json.loads(
+        (pathlib.Path(name) / pathlib.Path(case).stem / "summary.json").read_text())
+    check(f"{name}: converged, no violation", process.returncode == 0,
+          f"exit status {process.returncode}")
+    return summary, process.stdout
+
+
+def probes(summary):
+    return {probe["name"]: probe["value"] for probe in summary["probes"]}
+
+
+def difference(a, b):
+    return max(abs(a[name] / b[name] - 1) for name in b)
+
+
+for case in ("thick_tube", "thick_tube_unloaded", "plastic_sphere", "rubber_tube",
+             "prandtl"):
+    summary, text = run(case, cases / f"{case}.prm")
+    works = [i["works"]["plastic_dissipation"] for i in summary["increments"]
+             if i["level"] == summary["increments"][-1]["level"]]
+    check(f"{case}: dissipation grows or stays", works == sorted(works), works)
+    # On the first mesh, whose increments start from nothing better.
+    coarse = text.split("Level 1")[0]
+    for increment in coarse.split("Increment ")[1:]:
+        residuals = [float(r) for r in re.findall(r"residual (\S+)", increment)]
+        print("  residuals", residuals)
+        if len(residuals) > 3 and residuals[-2] < 0.02:
+            check(f"{case}: the last step gains quadratically",
+                  residuals[-1] < 100 * residuals[-2] ** 2)
+        if case != "prandtl":
+            check(f"{case}: at most 8 Newton steps", len(residuals) < 10)
+
+tube = cases / "thick_tube_unloaded.prm"
+base = probes(run("base", tube, "Refinement/Levels=2")[0])
+found = probes(run("ranks", tube, "Refinement/Levels=2", ranks=2)[0])
+check("two processes", difference(found, base) < 1e-6, difference(found, base))
+# Lengths in m, stresses in Pa.
+found = probes(run("units", tube, "Refinement/Levels=2", "Mesh/Scale=1e-3",
+                   "Solids/Young's modulus=Tube: 210000e6",
+                   "Solids/Yield stress=Tube: 240e6",
+                   "Boundary conditions/Pressure=Bore: 170e6",
+                   "Probes/References=", "Probes/Tolerances=")[0])
+scaled = {name: value * (1e-3 if name[0] == "u" else 1e6)
+          for name, value in base.items()}
+check("other units", difference(found, scaled) < 1e-6, difference(found, scaled))
+
+# A check of the stress alone.
+elastic = ("Solids/Material=", "Refinement/Levels=2", "Probes/References=",
+           "Probes/Tolerances=", "Boundary conditions/Histories=")
+checked, text = run("checked", tube, *elastic)
+bare = run("bare", tube, *elastic, "Solids/Yield stress=")[0]
+check("the check changes nothing", probes(checked) == probes(bare))
+share = checked["bodies"]["Tube"]["volume_share_above_yield"]
+# Lame without change of volume: von Mises' stress is sqrt(3) p a^2 b^2/(r^2 (b^2 -
+# a^2)) = Y at r = 127.9 mm.
+radius2 = 3 ** 0.5 * 170 * 1e4 * 4e4 / 3e4 / 240
+exact = (radius2 - 1e4) / 3e4
+check("share above yield", abs(share - exact) < 0.03, (share, exact))
+check("and its line", "above yield in" in text)
+
+# A stamp of metal that yields in a ring of rubber: two materials and kinematics.
+pathlib.Path("mixed.prm").write_text(f"""include {cases}/nested_cylinders.prm
+subsection Solids
+  set Young's modulus = Inner: 1000, Outer: 3
+  set Poisson's ratio = Inner: 0.3, Outer: 0.499
+  set Kinematics = Inner: small strain, Outer: large displacement
+  set Material = Inner: elastic-plastic, Outer: neo-Hookean
+  set Yield stress = Inner: 2
+  set Hardening modulus = Inner: 100
+end
+subsection Boundary conditions
+  set Pressure = Bore: 4
+end
+subsection Solution
+  set Increments = 5
+  set Geometry = automatic
+end
+subsection Refinement
+  set Levels = 2
+end
+subsection Probes
+  set References =
+  set Tolerances =
+end
+""")
+summary, text = run("mixed", "mixed.prm")
+check("the inner tube yields", summary["bodies"]["Inner"]["plastic_strain"] > 1e-3)
+worst = max(i["invariants"]["energy_imbalance"] for i in summary["increments"]
+            if i["level"] == 1)
+check("balance of the energy", worst < 1e-6, worst)
+sys.exit(bool(failures))
