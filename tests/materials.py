@@ -58,18 +58,18 @@ for case in ("thick_tube", "thick_tube_unloaded", "plastic_sphere", "rubber_tube
              "prandtl"):
     summary, text = run(case, cases / f"{case}.prm")
     works = [i["works"]["plastic_dissipation"] for i in summary["increments"]
-             if i["level"] == summary["increments"][-1]["level"]]
+             if i["converged"] and i["level"] == summary["increments"][-1]["level"]]
     check(f"{case}: dissipation grows or stays", works == sorted(works), works)
+    if case == "prandtl":  # at the limit load the tangent has no inverse
+        continue
     # On the first mesh, whose increments start from nothing better.
-    coarse = text.split("Level 1")[0]
-    for increment in coarse.split("Increment ")[1:]:
+    for increment in text.split("Level 1")[0].split("Increment ")[1:]:
         residuals = [float(r) for r in re.findall(r"residual (\S+)", increment)]
         print("  residuals", residuals)
         if len(residuals) > 3 and residuals[-2] < 0.02:
             check(f"{case}: the last step gains quadratically",
                   residuals[-1] < 100 * residuals[-2] ** 2)
-        if case != "prandtl":
-            check(f"{case}: at most 8 Newton steps", len(residuals) < 10)
+        check(f"{case}: at most 8 Newton steps", len(residuals) < 10)
 
 tube = cases / "thick_tube_unloaded.prm"
 base = probes(run("base", tube, "Refinement/Levels=2")[0])
@@ -84,6 +84,28 @@ found = probes(run("units", tube, "Refinement/Levels=2", "Mesh/Scale=1e-3",
 scaled = {name: value * (1e-3 if name[0] == "u" else 1e6)
           for name, value in base.items()}
 check("other units", difference(found, scaled) < 1e-6, difference(found, scaled))
+
+# A disk that is full at the third increment, and the rest from there.
+for ranks, piece in ((1, "bodies_0003.vtu"), (2, "bodies_0003.0000.vtu")):
+    name = f"restart{ranks}"
+    directory = pathlib.Path(name) / tube.stem
+    directory.mkdir(parents=True, exist_ok=True)
+    (directory / f"{piece}.part").symlink_to("/dev/full")
+    options = ["Refinement/Levels=2", "Output/VTU=true", "Output/Directory=" + name]
+    command = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
+    command += [contact, str(tube), "--quiet"]
+    for option in options:
+        command += ["--set", option]
+    status = subprocess.run(command, capture_output=True).returncode
+    check(f"{name}: full disk", status != 0, status)
+    (directory / f"{piece}.part").unlink(missing_ok=True)
+    status = subprocess.run(command + ["--restart"], capture_output=True).returncode
+    summary = json.loads((directory / "summary.json").read_text())
+    found = probes(summary)
+    check(f"{name}: the rest", status == 0 and difference(found, base) < 1e-7,
+          (status, difference(found, base)))
+    check(f"{name}: no increment twice",
+          len([i for i in summary["increments"] if i["level"] == 1]) == 4)
 
 # A check of the stress alone.
 elastic = ("Solids/Material=", "Refinement/Levels=2", "Probes/References=",
