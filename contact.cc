@@ -826,8 +826,12 @@ namespace Contact
             continue;
           }
 
+        // Where bodies yield, points that change one by one would see another
+        // body each time: a shorter increment is the better way.
         if (newton.begins_single_changes())
           {
+            if (!model.elasticity->is_elastic())
+              throw NotConverged("the active set cycles:" + newton.changes());
             ++record.cycles;
             report.screen << "      the active set cycles, now one point at a "
                              "time changes:"

@@ -92,7 +92,7 @@ namespace
     parameters.mesh.refinements               = refinements;
     parameters.element.degree                 = degree;
     parameters.element.centre_node            = "free";
-    parameters.solids.kinematics              = "small strain";
+    parameters.solids.kinematics              = Parameters::Strains::small;
     parameters.solids.youngs_modulus["Block"] = youngs_modulus;
     parameters.solids.poisson["Block"]        = 0.3;
     for (const std::string side :

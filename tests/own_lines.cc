@@ -84,7 +84,7 @@ $EndElements
 )";
     Parameters::All parameters;
     parameters.mesh.file             = "test.msh";
-    parameters.solids.kinematics     = "small strain";
+    parameters.solids.kinematics     = Parameters::Strains::small;
     parameters.solids.youngs_modulus = {{"A", 1000}, {"B", 1000}};
     parameters.solids.poisson        = {{"A", 0.3}, {"B", 0.3}};
     refused("both", "ground", {parameters});

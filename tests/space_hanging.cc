@@ -42,7 +42,7 @@ namespace
     parameters.mesh.file           = "volume.msh";
     parameters.element.degree      = element.degree;
     parameters.element.centre_node = element.centre_node;
-    parameters.solids.kinematics   = "small strain";
+    parameters.solids.kinematics   = Parameters::Strains::small;
     for (const std::string body : {"Low", "Up"})
       {
         parameters.solids.youngs_modulus[body]               = youngs_modulus;

@@ -33,7 +33,7 @@ $Elements
     Parameters::All parameters;
     parameters.mesh.file             = "test.msh";
     parameters.element.degree        = degree;
-    parameters.solids.kinematics     = "large displacement";
+    parameters.solids.kinematics     = Parameters::Strains::large;
     parameters.solids.youngs_modulus = {{"body", 1000}};
     parameters.solids.poisson        = {{"body", 0.3}};
     const Bodies bodies(parameters);

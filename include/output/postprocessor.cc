@@ -136,7 +136,8 @@ namespace Contact
           }
       }
     for (const auto &[name, definition] : parameters.probes.definitions())
-      if (!is_stress(definition.quantity))
+      if (!is_stress(definition.quantity) &&
+          definition.quantity != Parameters::Quantity::plastic_strain)
         record.probes[name] = probe(definition);
   }
 
