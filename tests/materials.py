@@ -11,12 +11,16 @@ Proves that
 - the tube is the same in other units, and on two processes;
 - no increment dissipates less than nothing, and the energy balance holds;
 - a yield stress of an elastic body changes nothing but a line of the result;
+- under a cylinder von Mises' stress is the largest where Hertz' pressure has it
+  (p0 = 1.794 Y at first yield, 0.704 a deep, nu = 0.3; the stresses on the axis
+  are those of Johnson, Contact Mechanics, 1985, equation 4.46);
 - bodies of different materials and kinematics touch in one scene.
 
 Usage: materials.py CONTACT PARAMETERS MESHES
 """
 
 import json
+import math
 import pathlib
 import re
 import subprocess
@@ -122,6 +126,24 @@ check("share above yield", abs(share - exact) < 0.03, (share, exact))
 check("and its line", "above yield in" in text)
 
 # A stamp of metal that yields in a ring of rubber: two materials and kinematics.
+# The block of the benchmark, E of both bodies as there, P = 350 N/mm, R = 50 mm.
+modulus = 1 / (0.91 / 210000 + 0.91 / 70000)
+p0 = math.sqrt(350 * modulus / (math.pi * 50))
+a = 2 * 350 / (math.pi * p0)
+largest, depth = max(
+    (math.sqrt(((x - z)**2 + (z - y)**2 + (y - x)**2) / 2), s)
+    for s in (k / 1000 for k in range(2000))
+    for x, z in ((2 * s - (1 + 2 * s**2) / math.sqrt(1 + s**2),
+                  -1 / math.sqrt(1 + s**2)),)
+    for y in (0.3 * (x + z),))
+summary, text = run("first_yield", cases / "hertz.prm", "Element/Degree=2",
+                    "Mesh/Refinements=2",
+                    "Solids/Yield stress=Cylinder: 100, Block: 100")
+found = summary["bodies"]["Block"]["von_mises"] / p0
+place = float(re.search(r"Block.*up to .* at \(.*, -([0-9.]+)\) mm", text).group(1))
+check("first yield below a cylinder", abs(found / largest - 1) < 0.005 and
+      abs(place / (depth * a) - 1) < 0.05, f"{1 / found} {place / a}")
+
 pathlib.Path("mixed.prm").write_text(f"""include {cases}/nested_cylinders.prm
 subsection Solids
   set Young's modulus = Inner: 1000, Outer: 3
