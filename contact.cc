@@ -519,6 +519,13 @@ namespace Contact
                             parameters.solution.n_increments);
     postprocessor.forget_stresses();
     report.begin_increment(levels.present(), step.increment, step.to);
+    // Slip is the straight way of the obstacle's material between two ends; in
+    // space shear is off its direction by half of the angle.
+    const double largest_turn = numbers::PI / (dim == 2 ? 2 : 9);
+    if (model.interface && model.interface->largest_turn() > largest_turn)
+      throw NotConverged("an obstacle turns by more than " +
+                         std::string(dim == 2 ? "90" : "20") +
+                         " degrees within the increment");
     if (levels.present() > 0 && step.is_whole)
       start_from_coarser_level(step.increment);
 

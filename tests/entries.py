@@ -149,7 +149,8 @@ def platen():
     is guided: all nodes have one displacement, and the reaction is the force."""
     mesh = Mesh()
     mesh.block("A", 6, 2, box(-6, -5, 6, 0), {"bottom": "Base", "top": "Ground"})
-    mesh.block("B", 5, 2, box(-3, 0, 3, 4), {"bottom": "Sole", "top": "Head"})
+    mesh.block("B", 5, 2, box(-3, 0, 3, 4), {"bottom": "Sole", "top": "Head",
+                                             "right": "Side"})
     mesh.write("platen")
     block = Volumes()
     block.block("A", (3, 3, 2), lambda r, s, t: (
@@ -319,6 +320,25 @@ def interference():
               abs(forces[1] - expected) < 1e-9 * expected and
               abs(forces[0] - expected / 2) < 1e-9 * expected and
               abs(forces[3]) < 1e-9 * expected, f"{forces} {expected}")
+    # A clearance: the head goes down by a half of it, then by twice as much.
+    for what, more in (("", plane), (" on a plane", rigid)):
+        head = "Base" if what else "Head"
+        sign = 1 if what else -1
+        scene = {**more, "Solids/Kinematics": "small strain",
+                 "Solids/Young's modulus": "A: 1000" if what else
+                 "A: 1000, B: 3000",
+                 "Solids/Poisson's ratio": "A: 0" if what else "A: 0, B: 0",
+                 "Contact/Interference": "-0.01",
+                 "Boundary conditions/Displacement y": f"{head}: {0.02 * sign}" +
+                 ("" if what else ", Base: 0"),
+                 "Boundary conditions/Histories":
+                 "Displacement y: table(0 0, 0.5 0.25, 1 1)"}
+        status, said, summary = run("clearance", scene)
+        forces = [abs(i["reactions"][head]["y"])
+                  for i in summary.get("increments", [])]
+        expected = 3 * 0.01 / (0.002 if what else 0.003)
+        check("clearance" + what, status == 0 and forces[0] < 1e-9 and
+              abs(forces[1] - expected) < 1e-9 * expected, f"{forces} {said[:300]}")
     status, said, _ = run("interference", {
         **plane, **SOLID, "Solids/Young's modulus": "A: 1, B: 1",
         "Solids/Poisson's ratio": "A: 0, B: 0", "Contact/Tied": "true",
@@ -336,6 +356,12 @@ def tied_slave():
     pair = {"Contact/Slave": "Sole", "Contact/Master": "Ground"}
     plane = {"Contact/Slave": "Sole",
              "Contact/Obstacle": "half plane: 0, 0, 0, 1"}
+    status, said, _ = run("tied_slave", {
+        **scene, **pair, "Contact/Friction coefficient": 0.3,
+        "Mesh/Points": "P: 3, 4", "Boundary conditions/Displacement x": "Base: 0",
+        "Boundary conditions/Tied x": "Side: P"})
+    check("a side that is tied, with friction", status == 2 and
+          "friction would hold it twice" in said, said[:300])
     for what, more, taken in (
             ("slave", {**pair, "Boundary conditions/Tied y": "Sole: P"}, False),
             ("slave on a plane", {**plane, "Boundary conditions/Tied y":

@@ -240,6 +240,19 @@ namespace Contact
 
 
   template<int dim>
+  double ContactInterface<dim>::largest_turn() const
+  {
+    double largest = 0;
+    for (const auto &contact_pair : pairs)
+      if (contact_pair->obstacle)
+        largest =
+          std::max(largest, contact_pair->obstacle->motion().turn.norm());
+    return largest;
+  }
+
+
+
+  template<int dim>
   double ContactInterface<dim>::misfit(const GhostedVector &u) const
   {
     std::vector<ContactPoint<dim>> closest = all_points;

@@ -154,6 +154,9 @@ namespace Contact
     /// have to be paired anew.
     bool move_obstacles(const double from, const double to);
 
+    /// The largest angle by which an obstacle turns in this increment [rad].
+    double largest_turn() const;
+
     /// Whether obstacles move in this increment.
     bool obstacles_move() const
     {

@@ -162,6 +162,15 @@ namespace Contact
     };
     for (const auto &[dof, leader] : discretization.tied())
       {
+        if (const auto found = on_slave.find(dof);
+            found != on_slave.end() && parameters.frictional())
+          throw InputError("the node of the slave '" + parameters.slave +
+                             "' at (" + brief(slave.nodes[found->second].X) +
+                             ") mm is tied: friction would hold it twice",
+                           "Boundary conditions/Tied x, Tied y, Tied z, " +
+                             parameters.section() + "/Friction coefficient",
+                           "name the point in '" + parameters.section() +
+                             "/Excluded points', or remove the tie");
         check(dof, leader);
         check(leader, dof);
       }

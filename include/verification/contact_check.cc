@@ -122,17 +122,32 @@ namespace Contact
 
 
 
+  namespace
+  {
+    /// By how much surfaces may overlap in the mesh before they touch [mm].
+    template<int dim>
+    double clearance(const ContactPair<dim> &contact_pair)
+    {
+      return contact_pair.interference
+               ? std::max(0., -contact_pair.interference->now)
+               : 0.;
+    }
+  } // namespace
+
+
+
   template<int dim>
   void ContactCheck<dim>::check_depth(const ContactPair<dim> &contact_pair,
                                       ContactInvariants      &found) const
   {
     // Where no force has undone an overlap, the bodies passed through each
     // other, or are a press fit of polygons that leave more open than that.
-    const bool              pushes = carries_force(contact_pair);
-    const GhostedVector     none   = u_start.zero();
-    const ContactDepth<dim> now =
+    const bool          pushes = carries_force(contact_pair);
+    const GhostedVector none   = u_start.zero();
+    ContactDepth<dim>   now =
       largest_depth(contact_pair, solution, /*as_drawn=*/!pushes);
-    if (now.depth == 0)
+    now.depth -= clearance(contact_pair);
+    if (now.depth <= 0)
       return;
     double     way     = 0;
     const auto look_at = [&](const Surface<dim> &surface) {
@@ -152,7 +167,9 @@ namespace Contact
                1e-9 * contact_pair.slave.reference_length(now.slave_facet));
     const double overlap =
       pushes && of_obstacle == 0
-        ? largest_depth(contact_pair, none, /*as_drawn=*/false).depth
+        ? std::max(0.,
+                   largest_depth(contact_pair, none, /*as_drawn=*/false).depth -
+                     clearance(contact_pair))
         : 0.;
     if (now.depth - overlap <= allowed)
       return;
@@ -190,7 +207,7 @@ namespace Contact
                                          ContactInvariants      &found) const
   {
     const auto crossing = find_crossing(contact_pair, u_start, solution);
-    if (!crossing)
+    if (!crossing || crossing->depth <= clearance(contact_pair))
       return;
     found.check("depth",
                 crossing->depth,
