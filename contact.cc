@@ -833,7 +833,7 @@ namespace Contact
             continue;
           }
 
-        // Where bodies yield, points that change one by one would see another
+        // In bodies that yield, points that change one by one would see another
         // body each time: a shorter increment is the better way.
         if (newton.begins_single_changes())
           {

@@ -57,10 +57,9 @@ namespace
 
   void set_material(const std::string &material, Parameters::Solids &solids)
   {
-    solids.material.emplace("Body",
-                            Parameters::Choice<Parameters::MaterialModel>(
-                              material));
-    if (material == "neo-Hookean")
+    const Parameters::Choice<Parameters::MaterialModel> model(material);
+    solids.material.emplace("Body", model);
+    if (model == Parameters::MaterialModel::neo_hookean)
       {
         solids.kinematics = Parameters::Strains::large;
         return;
@@ -99,7 +98,7 @@ namespace
           here.solids.check();
           const BodiesIn<dim> bodies(here);
           Elasticity<dim>    &elasticity = *bodies.elasticity;
-          const bool          yields     = material == "elastic-plastic";
+          const bool          yields     = !here.solids.yield_stress.empty();
 
           const GhostedVector zero(bodies.n_dofs());
           const GhostedVector first  = any(bodies, yields ? 0.03 : 0.05);

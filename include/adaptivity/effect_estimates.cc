@@ -74,8 +74,8 @@ namespace Contact
       model.mesh = std::make_unique<Mesh<2>>(*scene.mesh);
       model.discretization =
         std::make_unique<Discretization<2>>(*model.mesh, parameters);
-      model.elasticity =
-        std::make_unique<Elasticity<2>>(*model.discretization, parameters.solids);
+      model.elasticity = std::make_unique<Elasticity<2>>(*model.discretization,
+                                                         parameters.solids);
       std::vector<Parameters::Contact> pairs = parameters.pairs();
       for (Parameters::Contact &of_pair : pairs)
         for (const auto &known : scene.interface->pairs)

@@ -92,8 +92,8 @@ namespace Contact
     {
       using Parameters::GeometryLoop;
       using Parameters::Strains;
-      const All        &scene    = variants.scene;
-      const bool        is_large = !scene.solids.kinematics.all_are(Strains::small);
+      const All &scene    = variants.scene;
+      const bool is_large = !scene.solids.kinematics.all_are(Strains::small);
       const std::string geometry = "Solution/Geometry=";
       const auto        frozen   = [](All &changed) {
         changed.solution.geometry = GeometryLoop::undeformed;

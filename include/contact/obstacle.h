@@ -61,7 +61,7 @@ namespace Contact
       Tensor<1, dim> normal; // outward
       double         radius; // [mm], negative in a hole; 0: flat
 
-      // What the material there has moved in this increment [mm], and in the
+      // The way of the material there in this increment [mm], and in the
       // plane the derivative of its tangential part along the surface [-].
       Tensor<1, dim> motion  = {};
       double         stretch = 0;
@@ -91,7 +91,7 @@ namespace Contact
       return {};
     }
 
-    /// What the material at @p x has moved since the beginning [mm].
+    /// The way of the material at @p x since the beginning [mm].
     virtual Tensor<1, dim> way(const Point<dim> & /*x*/) const
     {
       return {};

@@ -16,7 +16,7 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// What an obstacle exerts on the slave: the forces [N per mm of thickness],
+  /// The load of an obstacle on the slave: the forces [N per mm of thickness],
   /// and their moment about its centre.
   template<int dim>
   struct ObstacleForce

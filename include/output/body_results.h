@@ -24,11 +24,11 @@ namespace Contact
   };
 
   /**
-   * How far a body is from the range of its material. Of a body that may yield,
-   * the shares of its volume and of its surface in contact that have yielded,
-   * or where von Mises' stress is above the yield stress that an elastic body
-   * has as a check; of one of St. Venant and Kirchhoff the largest strain, of
-   * Green and Lagrange, and the largest shortening, 1 - stretch.
+   * The distance of a body from the range of its material. Of one that may
+   * yield, the shares of its volume and of its surface in contact that have
+   * yielded, or where von Mises' stress is above the yield stress that an
+   * elastic body has as a check; of one of St. Venant and Kirchhoff the largest
+   * strain, of Green and Lagrange, and the largest shortening, 1 - stretch.
    */
   template<int dim>
   struct BodyResult

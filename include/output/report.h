@@ -95,7 +95,7 @@ namespace Contact
     /// the standard error.
     void record(const Invariants &found);
 
-    /// How far the bodies are from the range of their materials.
+    /// The distances of the bodies from the range of their materials.
     void record(const std::map<std::string, BodyResult<dim>> &bodies);
 
     /// The strains and rotations; a note if they are beyond the range of the

@@ -238,9 +238,9 @@ namespace Contact
       /// Instead of a master: see Obstacle.
       std::map<Choice<ObstacleShape>, std::vector<double>> obstacle;
 
-      /// How the obstacle moves: 'x', 'y', 'z' [mm] and 'angle' [degrees] by
-      /// histories, see parse_history(); the point that it turns about, and in
-      /// space the direction of the axis there. Empty: those of the shape.
+      /// The motion of the obstacle: 'x', 'y', 'z' [mm] and 'angle' [degrees]
+      /// by histories, see parse_history(); the point that it turns about, and
+      /// in space the direction of the axis there. Empty: those of the shape.
       std::map<std::string, std::string> obstacle_motion;
       std::vector<double>                obstacle_centre, obstacle_axis;
 
@@ -251,7 +251,7 @@ namespace Contact
       /// Points of the slave surface that carry no contact point.
       std::vector<std::string> excluded_points;
 
-      /// How much the surfaces overlap in truth more than in the mesh [mm], a
+      /// The overlap of the surfaces in truth beyond that of the mesh [mm], a
       /// history, see parse_history(). Empty: not at all.
       std::string interference;
 

@@ -17,7 +17,7 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// What the integrals over a cell are made of, with one kinematics and one
+  /// The parts of the integrals over a cell, with one kinematics and one
   /// symmetry, which no quadrature loop has to ask for.
   template<class Kinematics, class Symmetry>
   class CellIntegrals : public CellKernel<Symmetry::dim>
@@ -138,7 +138,7 @@ namespace Contact
         }
     }
 
-    /// What the tangent needs besides.
+    /// The part that the tangent needs besides.
     static void
     add_rows(const CellTable<dim> &cell, const unsigned int q, PointState &at)
     {

@@ -83,7 +83,7 @@ namespace Contact
     }
 
     /**
-     * What an increment from @p u_0 to @p u_1 dissipates, and what that and
+     * The dissipation of an increment from @p u_0 to @p u_1, and what that and
      * the change of the energy are more than its work by the trapezoidal rule,
      * see MaterialLaw::works(); the latter up to an error.
      */

@@ -206,8 +206,8 @@ namespace Contact
     /// is that of its end. The same stresses and energies under the same @p u.
     void accept(const GhostedVector &u);
 
-    /// What an increment from @p u_0 to @p u_1 that has not been accepted yet
-    /// dissipates, and the rest of its work, see CellKernel. Collective.
+    /// The dissipation of an increment from @p u_0 to @p u_1 that has not been
+    /// accepted yet, and the rest of its work, see CellKernel. Collective.
     using Works = typename CellKernel<dim>::Works;
     Works works(const GhostedVector &u_0, const GhostedVector &u_1) const;
 

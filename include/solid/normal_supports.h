@@ -33,8 +33,8 @@ namespace Contact
   template<int dim>
   using PerSupportEntry = std::array<double, dim + 1>;
 
-  /// What the supports prescribe under a load factor: the factors of their
-  /// entries, and formulas of the place and the load factor [mm].
+  /// The motion that supports prescribe under a load factor: the factors of
+  /// their entries, and formulas of the place and the load factor [mm].
   template<int dim>
   struct SupportMotion
   {

@@ -76,8 +76,8 @@ namespace Contact
 
 
 
-  // What is prescribed at the nodes of a group. The owner of a cell knows which
-  // of its nodes hang. Cells differ in the last digits of a place.
+  // The nodes of a group get what is prescribed. The owner of a cell knows
+  // which of its nodes hang. Cells differ in the last digits of a place.
   template<int dim>
   void Discretization<dim>::hold(
     const unsigned int                                        component,
