@@ -512,6 +512,7 @@ namespace Contact
   template<int dim>
   void ContactProblem<dim>::solve_increment(const LoadSteps::Step &step)
   {
+    model.elasticity->heat(step.from, step.to);
     if (model.interface && model.interface->move_obstacles(step.from, step.to))
       pairing.pair(state.solution);
     state.begin(model, step.from, step.to);
@@ -584,6 +585,7 @@ namespace Contact
     state.roll_back(model);
     postprocessor.forget_stresses();
     system->forget_pattern();
+    model.elasticity->heat(step.from, step.from);
     if (model.interface)
       model.interface->move_obstacles(step.from, step.from);
     pairing.pair(state.solution);

@@ -76,6 +76,7 @@ namespace Contact
         std::make_unique<Discretization<2>>(*model.mesh, parameters);
       model.elasticity = std::make_unique<Elasticity<2>>(*model.discretization,
                                                          parameters.solids);
+      model.elasticity->heat(from.start_factor, from.load_factor);
       std::vector<Parameters::Contact> pairs = parameters.pairs();
       for (Parameters::Contact &of_pair : pairs)
         for (const auto &known : scene.interface->pairs)

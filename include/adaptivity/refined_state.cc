@@ -49,6 +49,7 @@ namespace Contact
     state.solution = transferred.back();
     transferred.pop_back();
     duals.swap(transferred);
+    model.elasticity->heat(state.start_factor, state.load_factor);
     model.discretization->prescribe(state.solution, state.load_factor);
     if (coarse.interface)
       transfer_contact(*coarse.interface,

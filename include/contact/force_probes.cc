@@ -10,6 +10,7 @@
 
 #include "base/errors.h"
 #include "base/string_utilities.h"
+#include "solid/followers.h"
 
 namespace Contact
 {
@@ -29,6 +30,42 @@ namespace Contact
     return is_reaction(quantity) || quantity == Quantity::contact_force_x ||
            quantity == Quantity::contact_force_y ||
            quantity == Quantity::contact_force_z;
+  }
+
+
+
+  bool is_of_rigid(const Quantity quantity)
+  {
+    return quantity >= Quantity::reaction_moment_x &&
+           quantity <= Quantity::rotation_z;
+  }
+
+
+
+  template<int dim>
+  double rigid_value(const Quantity           quantity,
+                     const std::string       &boundary,
+                     const ContactModel<dim> &model,
+                     const GhostedVector     &solution,
+                     const double             load_factor)
+  {
+    const Discretization<dim> &discretization = *model.discretization;
+    const auto                &rigid =
+      discretization.rigid_boundary(boundary, "Probes/Probes");
+    const auto motion =
+      rigid.motion(solution, discretization.targets(rigid, load_factor));
+    const unsigned int k =
+      static_cast<unsigned int>(quantity) -
+      static_cast<unsigned int>(Quantity::reaction_moment_x);
+    if (k >= 3)
+      return rigid.rotation(motion)[k - 3];
+    GhostedVector forces = model.elasticity->forces(solution, load_factor);
+    hand_over_from_followers(discretization, forces);
+    return Utilities::MPI::sum(
+      rigid.resultant(motion,
+                      forces,
+                      discretization.dof_handler.locally_owned_dofs())[3 + k],
+      discretization.communicator);
   }
 
 
@@ -143,6 +180,17 @@ namespace Contact
                             const Parameters::Quantity quantity,
                             const std::string         &boundary,
                             const ContactModel<3>     &model);
+
+  template double rigid_value(const Quantity         quantity,
+                              const std::string     &boundary,
+                              const ContactModel<2> &model,
+                              const GhostedVector   &solution,
+                              const double           load_factor);
+  template double rigid_value(const Quantity         quantity,
+                              const std::string     &boundary,
+                              const ContactModel<3> &model,
+                              const GhostedVector   &solution,
+                              const double           load_factor);
 
   template Resultant<2> resultant(const Parameters::Quantity quantity,
                                   const std::string         &boundary,

@@ -21,6 +21,19 @@ namespace Contact
   /// Whether a quantity is the resultant of forces at a boundary.
   bool is_force(const Parameters::Quantity quantity);
 
+  /// Whether a quantity is a rotation of a rigid boundary, or its moment.
+  bool is_of_rigid(const Parameters::Quantity quantity);
+
+  /// The rotation [rad] of a rigid boundary, in large displacement a component
+  /// of the vector of rotation, or the moment about its point that its supports
+  /// exert. Throws InputError if it is none. Collective.
+  template<int dim>
+  double rigid_value(const Parameters::Quantity quantity,
+                     const std::string         &boundary,
+                     const ContactModel<dim>   &model,
+                     const GhostedVector       &solution,
+                     const double               load_factor);
+
   /// Check that supports, or contact, act on a named boundary. Throws
   /// InputError with the name of the @p probe. Collective.
   template<int dim>

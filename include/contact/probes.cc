@@ -47,7 +47,8 @@ namespace Contact
   {
     return !is_displacement(quantity) && !is_contact_traction(quantity) &&
            !is_force(quantity) && !is_energy(quantity) &&
-           !is_of_obstacle(quantity) && quantity != Quantity::plastic_strain;
+           !is_of_obstacle(quantity) && !is_of_rigid(quantity) &&
+           quantity != Quantity::plastic_strain;
   }
 
 

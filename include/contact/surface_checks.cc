@@ -127,7 +127,8 @@ namespace Contact
                   const Discretization<dim>    &discretization,
                   const Parameters::Contact    &parameters)
   {
-    if (discretization.tied().empty())
+    if (discretization.tied().empty() &&
+        discretization.rigid_boundaries().empty())
       return;
     std::map<types::global_dof_index, unsigned int> on_slave;
     std::set<types::global_dof_index>               on_master;
@@ -138,6 +139,17 @@ namespace Contact
     if (master != nullptr)
       for (const SurfaceNode<dim> &node : master->nodes)
         on_master.insert(node.dofs.begin(), node.dofs.end());
+
+    for (const auto &[dof, node] : on_slave)
+      if (discretization.is_rigid(dof))
+        throw InputError(
+          "the node of the slave '" + parameters.slave + "' at (" +
+            brief(slave.nodes[node].X) +
+            ") mm is on a rigid boundary: it would be held twice",
+          "Boundary conditions/Rigid, " + parameters.section() + "/Slave",
+          "take the rigid surface as master, or name the point "
+          "in '" +
+            parameters.section() + "/Excluded points'");
 
     const auto check = [&](const types::global_dof_index own,
                            const types::global_dof_index other) {

@@ -41,6 +41,11 @@ namespace Contact
               check_force(name, probe.quantity, point, model);
               continue;
             }
+          if (is_of_rigid(probe.quantity))
+            {
+              model.discretization->rigid_boundary(point, "Probes/Probes");
+              continue;
+            }
           if (is_of_obstacle(probe.quantity))
             {
               check_obstacle(name,
@@ -313,6 +318,12 @@ namespace Contact
     if (is_force(quantity))
       return resultant(quantity, point, model)
         .value(state.solution, state.load_factor);
+    if (is_of_rigid(quantity))
+      return rigid_value(quantity,
+                         point,
+                         model,
+                         state.solution,
+                         state.load_factor);
     if (is_of_obstacle(quantity))
       return obstacle_value(quantity,
                             point,

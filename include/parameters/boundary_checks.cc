@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "base/string_utilities.h"
+#include "parameters/entry_checks.h"
 #include "parameters/formula.h"
 #include "parameters/parameters.h"
 
@@ -104,6 +105,10 @@ namespace Contact
                        displacement[c]);
           moves_freely(traction[c], "Traction" + in, displacement[c]);
           moves_freely(tied[c], "Tied" + in, displacement[c]);
+          check_disjoint(moment[c],
+                         section + "Moment" + in,
+                         rotation[c],
+                         section + "Rotation" + in);
           check_disjoint(displacement[c],
                          section + "Displacement" + in,
                          displacement_formula[c],
@@ -145,6 +150,25 @@ namespace Contact
                                in_quotes(leader) + ", which is tied itself.",
                              {section + "Tied " + "xyz"[c]},
                              "tie to a point that is not tied");
+      check_rigid();
+    }
+
+
+
+    void Boundary::check_rigid() const
+    {
+      const std::string section = "Boundary conditions/", R = section + "Rigid";
+      check_disjoint(displacement_normal,
+                     section + "Displacement normal",
+                     rigid,
+                     R);
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          const std::string in = std::string(" ") + "xyz"[c];
+          check_disjoint(tied[c], section + "Tied" + in, rigid, R);
+          check_keys(rotation[c], section + "Rotation" + in, rigid, R);
+          check_keys(moment[c], section + "Moment" + in, rigid, R);
+        }
     }
 
 
@@ -159,6 +183,8 @@ namespace Contact
       };
       add("Displacement", displacement);
       entries.emplace_back("Displacement normal", !displacement_normal.empty());
+      add("Rotation", rotation);
+      add("Moment", moment);
       add("Force", force);
       add("Resultant force", resultant_force);
       entries.emplace_back("Pressure", !pressure.empty());
@@ -169,15 +195,20 @@ namespace Contact
 
 
 
-    std::string Boundary::entry_in_z() const
+    std::string Boundary::entry_in_space() const
     {
       if (!displacement_formula[2].empty())
         return "Displacement formula z";
       if (!tied[2].empty())
         return "Tied z";
       for (const auto &[entry, is_set] : entries_with_history())
-        if (entry.back() == 'z' && (is_set || histories.count(entry) > 0))
-          return entry;
+        {
+          const bool turns =
+            entry.rfind("Rotation", 0) == 0 || entry.rfind("Moment", 0) == 0;
+          const bool is_across = turns == (entry.back() != 'z');
+          if (is_across && (is_set || histories.count(entry) > 0))
+            return entry;
+        }
       return "";
     }
   } // namespace Parameters

@@ -172,6 +172,18 @@ namespace Contact
                         "[-, MPa], separated by ';'; the yield stress, linear "
                         "in between and behind the last one constant. At no "
                         "plastic strain it is Yield stress.");
+      prm.add_parameter("Thermal strain",
+                        thermal_strain,
+                        "'body: formula' [-], separated by ';'; the strain in "
+                        "all directions of the body without stress, by heat or "
+                        "swelling; a formula in the load factor t or a table, "
+                        "as those of 'Boundary conditions/Histories', such as "
+                        "'1e-3*t'.",
+                        Patterns::Map(Patterns::Anything(),
+                                      Patterns::Anything(),
+                                      0,
+                                      Patterns::Map::max_int_value,
+                                      ";"));
     }
 
 
@@ -234,12 +246,35 @@ namespace Contact
                        "boundary or point group move in x as the point does, "
                        "as those of a rigid platen with a guide.",
                        "[-]");
+      prm.add_parameter("Rigid",
+                        rigid,
+                        "'boundary: point' [-], separated by ','; a boundary "
+                        "group that moves as a rigid body, and the point of "
+                        "the undeformed mesh that moves with it. Displacement, "
+                        "Force, Rotation and Moment of the boundary are those "
+                        "of this point; without them it moves freely.");
+      add_by_direction(prm,
+                       "Rotation",
+                       rotation,
+                       "'boundary: value' [rad], separated by ','; a rigid "
+                       "boundary of a volume and its rotation at full load, in "
+                       "large displacement a component of the vector of "
+                       "rotation.",
+                       "and plane sections [rad]");
+      add_by_direction(prm,
+                       "Moment",
+                       moment,
+                       "'boundary: value' [N mm], separated by ','; a rigid "
+                       "boundary of a volume and its dead moment at full load.",
+                       "and plane sections [N mm; of these by mm of "
+                       "thickness]");
       add_by_direction(prm,
                        "Force",
                        force,
                        "'point: value' [N per mm of thickness; axisymmetric: N "
                        "on the ring; volumes: N], separated by ','; a point "
-                       "group and its dead force at full load.",
+                       "group or a rigid boundary and its dead force at full "
+                       "load.",
                        per_mm);
       add_by_direction(prm,
                        "Resultant force",

@@ -147,6 +147,10 @@ namespace Contact
       /// Whether all bodies are linear elastic or St. Venant-Kirchhoff's.
       bool is_elastic() const;
 
+      /// Body group -> its free strain in all directions [-], a history, see
+      /// parse_history().
+      std::map<std::string, std::string> thermal_strain;
+
       /// See Elasticity.
       Choice<Dilatation> dilatation = Dilatation::automatic;
 
@@ -184,7 +188,16 @@ namespace Contact
       /// Boundary or point group -> point group: equal displacement.
       ByDirection<std::string> tied;
 
-      /// Point group -> dead force at full load [N per mm of thickness].
+      /// Boundary group that moves as a rigid body -> the point that its
+      /// displacements, forces and moments refer to.
+      std::map<std::string, std::string> rigid;
+
+      /// Such a group -> prescribed rotation [rad], and dead moment [N mm per
+      /// mm of thickness] at full load; in the plane about z.
+      ByDirection<double> rotation, moment;
+
+      /// Point group or rigid boundary -> dead force at full load [N per mm of
+      /// thickness].
       ByDirection<double> force;
 
       /// Boundary group -> dead force at full load [N per mm of thickness],
@@ -216,12 +229,14 @@ namespace Contact
       /// whether each is set.
       std::vector<std::pair<std::string, bool>> entries_with_history() const;
 
-      /// The first entry with values, or a history, in direction z, or nothing.
-      std::string entry_in_z() const;
+      /// The first entry with values, or a history, in a direction that a plane
+      /// mesh does not have, or nothing.
+      std::string entry_in_space() const;
 
     private:
       void add_values(ParameterHandler &prm);
       void add_formulas(ParameterHandler &prm);
+      void check_rigid() const;
     };
 
 

@@ -32,6 +32,12 @@ namespace Contact
       reaction_x,
       reaction_y,
       reaction_z,
+      reaction_moment_x,
+      reaction_moment_y,
+      reaction_moment_z,
+      rotation_x,
+      rotation_y,
+      rotation_z,
       contact_force_x,
       contact_force_y,
       contact_force_z,
@@ -62,6 +68,12 @@ namespace Contact
               {"reaction x", Quantity::reaction_x},
               {"reaction y", Quantity::reaction_y},
               {"reaction z", Quantity::reaction_z},
+              {"reaction moment x", Quantity::reaction_moment_x},
+              {"reaction moment y", Quantity::reaction_moment_y},
+              {"reaction moment z", Quantity::reaction_moment_z},
+              {"rotation x", Quantity::rotation_x},
+              {"rotation y", Quantity::rotation_y},
+              {"rotation z", Quantity::rotation_z},
               {"contact force x", Quantity::contact_force_x},
               {"contact force y", Quantity::contact_force_y},
               {"contact force z", Quantity::contact_force_z},
@@ -102,7 +114,11 @@ namespace Contact
       return component_of(quantity) == 2 || quantity == Quantity::stress_xz ||
              quantity == Quantity::stress_yz ||
              quantity == Quantity::obstacle_moment_x ||
-             quantity == Quantity::obstacle_moment_y;
+             quantity == Quantity::obstacle_moment_y ||
+             quantity == Quantity::reaction_moment_x ||
+             quantity == Quantity::reaction_moment_y ||
+             quantity == Quantity::rotation_x ||
+             quantity == Quantity::rotation_y;
     }
 
     /// The unit of a quantity.
@@ -139,6 +155,13 @@ namespace Contact
                                                                    : "N";
           case Quantity::plastic_strain:
             return "-";
+          case Quantity::rotation_x:
+          case Quantity::rotation_y:
+          case Quantity::rotation_z:
+            return "rad";
+          case Quantity::reaction_moment_x:
+          case Quantity::reaction_moment_y:
+          case Quantity::reaction_moment_z:
           case Quantity::obstacle_moment_x:
           case Quantity::obstacle_moment_y:
           case Quantity::obstacle_moment_z:

@@ -39,6 +39,9 @@ namespace Contact
                            "set a value greater than -1 and less than 0.5");
       check_kinematics();
       check_materials();
+      check_keys(thermal_strain, "Solids/Thermal strain", youngs_modulus, E);
+      for (const auto &[body, history] : thermal_strain)
+        check_history(history, "Solids/Thermal strain");
     }
 
 

@@ -107,9 +107,18 @@ namespace Contact
       return h;
     }
 
+    /// The strain that has a stress, E - e I with the thermal strain e.
     static SymmetricTensor<2, 3> strain(const CellTable<dim> &cell,
                                         const unsigned int    q,
                                         const Vector<double> &u)
+    {
+      return strain(cell, q, u, cell.thermal);
+    }
+
+    static SymmetricTensor<2, 3> strain(const CellTable<dim> &cell,
+                                        const unsigned int    q,
+                                        const Vector<double> &u,
+                                        const double          thermal)
     {
       const auto in_space =
         Kinematics::strain(displacement_gradient(cell, q, u));
@@ -119,7 +128,7 @@ namespace Contact
           E[i][j] = in_space[i][j];
       if constexpr (Symmetry::has_hoop)
         E[2][2] = Kinematics::strain(hoop_gradient(cell, q, u));
-      return E;
+      return E - thermal * unit_symmetric_tensor<3>();
     }
 
     /// The orthonormal modes phi_m of the cell take the place of all else:
@@ -232,38 +241,67 @@ namespace Contact
           matrix(i, j) = matrix(j, i);
     }
 
-    /// The work of the forces by length along the straight path from @p u_0 to
-    /// @p u_1, in the points of the rule of Gauss and Lobatto.
-    std::vector<double> work_rates(const CellTable<dim> &cell,
-                                   const Vector<double> &u_0,
-                                   const Vector<double> &u_1,
-                                   const unsigned int    n_points) const
+    /// Along the straight path from @p u_0 to @p u_1, on which thermal strains
+    /// go straight as well, in the points of the rule of Gauss and Lobatto: the
+    /// work of the forces by length, and minus the trace of the stresses times
+    /// the change of the thermal strain.
+    struct Rates
+    {
+      std::vector<double> work, thermal;
+    };
+    Rates work_rates(const CellTable<dim> &cell,
+                     const Vector<double> &u_0,
+                     const Vector<double> &u_1,
+                     const unsigned int    n_points) const
     {
       Vector<double> d(u_1);
       d -= u_0;
       const QGaussLobatto<1> rule(n_points);
-      std::vector<double>    rates;
+      Rates                  rates;
       Vector<double>         u(d.size()), forces(d.size());
+      const double           change = cell.thermal - cell.thermal_before;
+      CellTable<dim>         copy;
+      const CellTable<dim>  *at = &cell;
+      if (change != 0)
+        {
+          copy = cell;
+          at   = &copy;
+        }
       for (unsigned int k = 0; k < n_points; ++k)
         {
-          u = u_0;
-          u.add(rule.point(k)[0], d);
+          const double s = rule.point(k)[0];
+          u              = u_0;
+          u.add(s, d);
+          if (change != 0)
+            copy.thermal = cell.thermal_before + s * change;
           forces = 0;
-          this->forces(cell, u, StressStiffness::with, nullptr, forces);
-          rates.push_back(forces * d);
+          this->forces(*at, u, StressStiffness::with, nullptr, forces);
+          rates.work.push_back(forces * d);
+          rates.thermal.push_back(
+            change == 0 ? 0. : -change * integral_of_trace(*at, u));
         }
       return rates;
+    }
+
+    /// The integral of the trace of the material stress over the cell.
+    virtual double integral_of_trace(const CellTable<dim> &cell,
+                                     const Vector<double> &u) const = 0;
+
+    /// The integral of rates by that rule.
+    static double integral(const std::vector<double> &rates)
+    {
+      const QGaussLobatto<1> rule(rates.size());
+      double                 sum = 0;
+      for (unsigned int k = 0; k < rates.size(); ++k)
+        sum += rule.weight(k) * rates[k];
+      return sum;
     }
 
     /// The work by that rule, exact for rates of the degree 2 n - 3, minus that
     /// by the trapezoidal one.
     static double path_work(const std::vector<double> &rates)
     {
-      const QGaussLobatto<1> rule(rates.size());
-      double                 work = -0.5 * (rates.front() + rates.back());
-      for (unsigned int k = 0; k < rates.size(); ++k)
-        work += rule.weight(k) * rates[k];
-      return work;
+      return integral(rates) - 0.5 * (rates.front() + rates.back());
     }
   };
 } // namespace Contact

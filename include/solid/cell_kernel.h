@@ -71,7 +71,8 @@ namespace Contact
     virtual std::vector<SymmetricTensor<2, 3>>
     stresses(const CellTable<dim> &cell, const Vector<double> &u) const = 0;
 
-    /// The strain of the kinematics in the quadrature points.
+    /// The strain of the kinematics in the quadrature points, without the
+    /// thermal one.
     virtual std::vector<SymmetricTensor<2, 3>>
     strains(const CellTable<dim> &cell, const Vector<double> &u) const = 0;
 
@@ -85,11 +86,12 @@ namespace Contact
     /**
      * The dissipation of an increment from @p u_0 to @p u_1, and what that and
      * the change of the energy are more than its work by the trapezoidal rule,
-     * see MaterialLaw::works(); the latter up to an error.
+     * see MaterialLaw::works(); the latter up to an error. And the energy that
+     * thermal strains e bring in, minus the integral of tr S over e.
      */
     struct Works
     {
-      double dissipation = 0, path = 0, error = 0;
+      double dissipation = 0, path = 0, error = 0, thermal = 0;
     };
     virtual Works works(const CellTable<dim> &cell,
                         const Vector<double> &u_0,

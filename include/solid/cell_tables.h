@@ -54,6 +54,10 @@ namespace Contact
     /// empty.
     std::vector<double> history;
 
+    /// The thermal strain [-] at the start of the increment and now, by the
+    /// measure of the kinematics.
+    double thermal_before = 0, thermal = 0;
+
     /// The equivalent plastic strain at a point [-].
     double plastic_strain(const unsigned int q) const
     {

@@ -93,6 +93,8 @@ namespace Contact
     const std::string nodal = std::string("Force ") + "xyz"[c];
     for (const auto &[name, force] : boundary.force[c])
       {
+        if (boundary.rigid.count(name) > 0)
+          continue; // it turns with the boundary
         const auto dof =
           discretization
             .vertex_dofs[discretization.mesh.point(name, section + nodal)][c];
@@ -264,7 +266,7 @@ namespace Contact
     double sum = 0;
     for (const auto &[entry, load] : loads)
       sum += load.l1_norm();
-    return sum;
+    return sum + discretization.whole_rigid_load();
   }
 
 

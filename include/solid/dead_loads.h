@@ -37,8 +37,8 @@ namespace Contact
     /// volumes: N].
     GhostedVector at(const double load_factor) const;
 
-    /// The sum of all their magnitudes at their full values, in the same unit:
-    /// what is small against it is small.
+    /// The sum of all their magnitudes at their full values, in the same unit,
+    /// and of those on rigid boundaries: what is small against it is small.
     double whole() const;
 
     /// Whether a nodal force acts on this unknown.

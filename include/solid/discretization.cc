@@ -19,18 +19,38 @@ namespace Contact
 {
   namespace
   {
-    /// The faces of all contact pairs.
+    /// The faces of all contact pairs, and those that are rigid.
     template<int dim>
     std::set<types::boundary_id>
-    faces_of_pairs(const Mesh<dim> &mesh, const Parameters::All &parameters)
+    faces_with_free_centres(const Mesh<dim>       &mesh,
+                            const Parameters::All &parameters)
     {
       std::set<types::boundary_id> faces;
+      for (const auto &[name, point] : parameters.boundary.rigid)
+        {
+          const auto &ids = mesh.boundary(name, "Boundary conditions/Rigid");
+          faces.insert(ids.begin(), ids.end());
+        }
       for (const Parameters::Contact &pair : parameters.pairs())
         for (const std::string &group : {pair.slave, pair.master})
           if (const auto found = mesh.boundaries.find(group);
               found != mesh.boundaries.end())
             faces.insert(found->second.begin(), found->second.end());
       return faces;
+    }
+
+
+
+    template<int dim>
+    std::set<types::material_id>
+    bodies_of_small_strain(const Mesh<dim>          &mesh,
+                           const Parameters::Solids &parameters)
+    {
+      std::set<types::material_id> bodies;
+      for (const auto &[name, body] : mesh.bodies)
+        if (parameters.kinematics.of(name) == Parameters::Strains::small)
+          bodies.insert(body);
+      return bodies;
     }
   } // namespace
 
@@ -47,17 +67,18 @@ namespace Contact
                                    Parameters::CentreNode::serendipity)
     , axisymmetric(parameters.solids.symmetry ==
                    Parameters::Symmetry::axisymmetric)
-    , free_centres(faces_of_pairs(mesh, parameters))
+    , free_centres(faces_with_free_centres(mesh, parameters))
     , mapping(make_mapping<dim>(degree))
     , fe(make_fe<dim>(degree))
     , quadrature(make_quadrature<dim>(degree))
     , dof_handler(mesh.triangulation)
     , boundary(parameters.boundary)
     , normal_supports(mesh, parameters.boundary.displacement_normal)
+    , small_strain(bodies_of_small_strain(mesh, parameters.solids))
   {
-    if (const std::string entry = boundary.entry_in_z();
+    if (const std::string entry = boundary.entry_in_space();
         dim == 2 && !entry.empty())
-      throw InputError("the mesh is plane and has no direction z",
+      throw InputError("the mesh is plane and has no such direction",
                        "Boundary conditions/" + entry,
                        "remove the entry, or take a mesh of volumes");
     if (dim == 3 && axisymmetric)
@@ -119,6 +140,7 @@ namespace Contact
     normal_supports.find_nodes(dof_handler);
     collect_supports();
     collect_ties();
+    collect_rigid();
     make_constraints({});
     distribute_vectors();
   }
@@ -264,6 +286,12 @@ namespace Contact
       {
         constraints.add_line(dof);
         constraints.add_entry(dof, partner, 1.);
+      }
+    for (const auto &line : followers_of_rigid)
+      {
+        constraints.add_line(line.dof);
+        constraints.add_entries(line.dof, line.entries);
+        constraints.set_inhomogeneity(line.dof, line.inhomogeneity);
       }
     if (serendipity)
       bind_centres(*this, constraints);

@@ -20,6 +20,7 @@
 #include "parameters/parameters.h"
 #include "solid/element_spaces.h"
 #include "solid/normal_supports.h"
+#include "solid/rigid_boundaries.h"
 
 namespace Contact
 {
@@ -84,7 +85,8 @@ namespace Contact
     const bool         serendipity;
     const bool         axisymmetric;
 
-    /// The faces that may touch, whose centres serendipity does not bind.
+    /// The faces that may touch or are rigid, whose centres serendipity does
+    /// not bind.
     const std::set<types::boundary_id> free_centres;
 
     const hp::MappingCollection<dim> mapping;
@@ -171,6 +173,41 @@ namespace Contact
         }
     }
 
+    /// Bring rigid boundaries of large displacement, whose leaders a step has
+    /// moved, to where these are. Collective.
+    void settle(GhostedVector &u, const double load_factor) const;
+
+    /// Add the forces of forces and moments on rigid boundaries. At full values
+    /// of the undeformed boundaries, the sum of their magnitudes.
+    void   add_rigid_loads(const GhostedVector &u,
+                           const double         load_factor,
+                           GhostedVector       &load) const;
+    double whole_rigid_load() const;
+
+    /// The boundaries that move as rigid bodies.
+    const std::vector<RigidBoundary<dim>> &rigid_boundaries() const
+    {
+      return rigid;
+    }
+
+    /// One of them, and the motions that are prescribed under a load factor.
+    const RigidBoundary<dim> &rigid_boundary(const std::string &name,
+                                             const std::string &entry) const;
+    typename RigidBoundary<dim>::Targets
+    targets(const RigidBoundary<dim> &boundary, const double load_factor) const;
+
+    /// Whether an unknown is of one of them.
+    bool is_rigid(const types::global_dof_index dof) const
+    {
+      return rigid_dofs.count(dof) > 0;
+    }
+
+    /// Grows whenever constraints couple other unknowns on the same mesh.
+    unsigned int pattern_version() const
+    {
+      return n_patterns;
+    }
+
     /// The largest displacement that a support prescribes now [mm].
     double largest_prescribed() const
     {
@@ -248,6 +285,11 @@ namespace Contact
     void collect_formulas(const unsigned int component);
     void hold_leaders_of_hanging_nodes();
     void collect_ties();
+    void collect_rigid();
+    void choose_rigid_leaders(RigidBoundary<dim> &boundary);
+    void update_rigid_leaders(const GhostedVector &u, const double load_factor);
+    std::vector<typename RigidBoundary<dim>::Line>
+    rigid_lines(const GhostedVector &u, const double load_factor) const;
     void
     make_constraints(const std::map<types::global_dof_index, double> &updates);
 
@@ -258,6 +300,13 @@ namespace Contact
     std::map<types::global_dof_index, Prescribed<dim>>         prescribed;
     std::map<types::global_dof_index, types::global_dof_index> ties;
     std::set<types::global_dof_index>                          leaders;
+    const std::set<types::material_id>                         small_strain;
+    std::vector<RigidBoundary<dim>>                            rigid;
+    std::set<types::global_dof_index>                          rigid_dofs;
+    std::set<types::global_dof_index> rigid_held; // by supports, too
+    std::vector<typename RigidBoundary<dim>::Line>       followers_of_rigid;
+    unsigned int                                         n_patterns = 0;
+    std::array<std::map<std::string, unsigned int>, dim> formula_of_rigid;
     double axis_tolerance       = 0; // round-off of the radii [mm]
     bool   updates_vanish       = true;
     double largest_displacement = 0;

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 
+#include "parameters/formula.h"
+
 namespace Contact
 {
   namespace
@@ -31,6 +33,21 @@ namespace Contact
                                     Parameters::Strains::small,
                                   discretization.axisymmetric);
       return kernels;
+    }
+
+
+
+    template<int dim>
+    std::map<types::material_id, std::function<double(const Point<1> &)>>
+    parse_thermal_strains(const Mesh<dim>          &mesh,
+                          const Parameters::Solids &parameters)
+    {
+      const std::string entry = "Solids/Thermal strain";
+      std::map<types::material_id, std::function<double(const Point<1> &)>>
+        strains;
+      for (const auto &[name, history] : parameters.thermal_strain)
+        strains[mesh.body(name, entry)] = parse_history(history, entry);
+      return strains;
     }
   } // namespace
 
@@ -68,6 +85,7 @@ namespace Contact
     , laws(make_laws(discretization.mesh.bodies, materials, parameters))
     , kernels(make_kernels(discretization, materials, laws, parameters))
     , projected(find_projected(materials, laws, parameters.dilatation))
+    , thermal_strains(parse_thermal_strains(discretization.mesh, parameters))
     , tables(tabulate_cells(discretization, materials, projected))
     , springs(discretization, tables.own)
   {
@@ -83,11 +101,56 @@ namespace Contact
 
 
   template<int dim>
+  GhostedVector Elasticity<dim>::loads(const GhostedVector &u,
+                                       const double         load_factor) const
+  {
+    GhostedVector load = dead_loads.at(load_factor);
+    discretization.add_rigid_loads(u, load_factor, load);
+    return load;
+  }
+
+
+
+  template<int dim>
   bool Elasticity<dim>::is_linear() const
   {
     return std::all_of(kernels.begin(), kernels.end(), [](const auto &kernel) {
       return kernel.second->is_linear();
     });
+  }
+
+
+
+  // With the strain of a stretch 1 + e in large displacement: such a body is
+  // without stress where it is longer by e.
+  template<int dim>
+  void Elasticity<dim>::heat(const double from, const double to)
+  {
+    if (thermal_strains.empty())
+      return;
+    for (auto *part : {&tables.own, &tables.neighbors})
+      for (CellTable<dim> &cell : *part)
+        if (const auto found = thermal_strains.find(cell.body);
+            found != thermal_strains.end())
+          {
+            const auto at = [&](const double load_factor) {
+              const double e = found->second(Point<1>(load_factor));
+              return cell.kernel->is_small_strain() ? e : e + 0.5 * e * e;
+            };
+            cell.thermal_before = from > 0 ? at(from) : 0.;
+            cell.thermal        = at(to);
+          }
+    GhostedVector forces(discretization.distribution);
+    visit_cells(forces.zero(),
+                false,
+                [&](const std::vector<types::global_dof_index> &dofs,
+                    const FullMatrix<double> &,
+                    const Vector<double> &cell_forces) {
+                  forces.add(dofs, cell_forces);
+                });
+    forces.sum_up();
+    present_thermal_forces = forces.l1_norm();
+    ++n_heats;
   }
 
 
@@ -211,13 +274,14 @@ namespace Contact
   {
     const auto &constraints = discretization.constraints;
     const auto [first, end] = discretization.distribution->local_range();
-    const auto load         = dead_loads.at(load_factor);
+    const auto load         = loads(u, load_factor);
     for (auto i = first; i < end; ++i)
       if (load[i] != 0)
         constraints.distribute_local_to_global(i, load[i], rhs);
 
     // Bodies at rest exert nothing.
-    if (matrix == nullptr && springs.held().empty() && u.all_zero())
+    if (matrix == nullptr && springs.held().empty() &&
+        present_thermal_forces == 0 && u.all_zero())
       return VolumeRatio<dim>();
 
     Vector<double>  cell_rhs, none;
@@ -258,7 +322,7 @@ namespace Contact
                   forces.add(dofs, cell_forces);
                 });
     forces.sum_up();
-    forces -= dead_loads.at(load_factor);
+    forces -= loads(u, load_factor);
     return forces;
   }
 

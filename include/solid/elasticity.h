@@ -84,6 +84,10 @@ namespace Contact
     /// The forces on the bodies.
     const DeadLoads<dim> dead_loads;
 
+    /// The forces on the bodies under a load factor: dead ones, and those on
+    /// rigid boundaries.
+    GhostedVector loads(const GhostedVector &u, const double load_factor) const;
+
     /// Add the couplings of the bodies.
     void add_couplings(DynamicSparsityPattern &pattern) const;
 
@@ -197,6 +201,27 @@ namespace Contact
       return tables.own;
     }
 
+    /// An increment changes the thermal strains from those at one load factor
+    /// to those at another; at the start of a run there are none.
+    void heat(const double from, const double to);
+
+    /// Whether a body has a thermal strain that may change, and the forces that
+    /// those of now exert on undeformed bodies, the sum of their magnitudes.
+    bool has_thermal_strain() const
+    {
+      return !thermal_strains.empty();
+    }
+    double thermal_forces() const
+    {
+      return present_thermal_forces;
+    }
+
+    /// Grows whenever they change.
+    unsigned int thermal_version() const
+    {
+      return n_heats;
+    }
+
     /// Whether any body may yield, and the equivalent plastic strains [-] of
     /// the last increment that was accepted, as stresses() has it.
     bool                             has_history() const;
@@ -260,6 +285,10 @@ namespace Contact
                                        kernels;
     const std::set<types::material_id> projected;
 
+    const std::map<types::material_id, std::function<double(const Point<1> &)>>
+                    thermal_strains;
+    double          present_thermal_forces = 0;
+    unsigned int    n_heats                = 0;
     CellTables<dim> tables;
 
   public:

@@ -65,6 +65,9 @@ namespace Contact
                   const Vector<double> &u_1) const override;
 
     private:
+      double integral_of_trace(const CellTable<dim> &cell,
+                               const Vector<double> &u) const override;
+
       using Integrals::n_max;
       using Integrals::n_modes;
       using Integrals::n_shears;
@@ -288,6 +291,23 @@ namespace Contact
 
 
     template<class Kinematics, class Symmetry>
+    double MaterialCells<Kinematics, Symmetry>::integral_of_trace(
+      const CellTable<dim> &cell,
+      const Vector<double> &u) const
+    {
+      const States states = this->states(cell, u);
+      double       sum    = 0;
+      for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+        sum +=
+          cell.JxW[q] *
+          trace(law.shear_part(states.E[q], history(cell, q), false).stress +
+                states.p[q] * states.volume[q].slope);
+      return sum;
+    }
+
+
+
+    template<class Kinematics, class Symmetry>
     std::vector<double> MaterialCells<Kinematics, Symmetry>::history_at(
       const CellTable<dim> &cell,
       const Vector<double> &u) const
@@ -311,19 +331,34 @@ namespace Contact
       Works works;
       if (law.n_history() == 0)
         {
-          const auto rates = this->work_rates(cell, u_0, u_1, 5);
-          works.path       = this->path_work(rates);
-          works.error      = std::abs(
-            works.path - this->path_work({rates[0], rates[2], rates[4]}));
+          const auto rates  = this->work_rates(cell, u_0, u_1, 5);
+          const auto coarse = [](const std::vector<double> &all) {
+            return std::vector<double>{all[0], all[2], all[4]};
+          };
+          works.path    = this->path_work(rates.work);
+          works.thermal = this->integral(rates.thermal);
+          works.error =
+            std::abs(works.path - this->path_work(coarse(rates.work))) +
+            std::abs(works.thermal - this->integral(coarse(rates.thermal)));
           return works;
         }
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)
         {
-          const auto at_point = law.works(this->strain(cell, q, u_0),
-                                          this->strain(cell, q, u_1),
-                                          history(cell, q));
+          const auto at_point =
+            law.works(this->strain(cell, q, u_0, cell.thermal_before),
+                      this->strain(cell, q, u_1),
+                      history(cell, q));
           works.dissipation += cell.JxW[q] * at_point.dissipation;
           works.path += cell.JxW[q] * at_point.path;
+        }
+      const double change = cell.thermal - cell.thermal_before;
+      if (change != 0)
+        {
+          CellTable<dim> start = cell;
+          start.thermal        = cell.thermal_before;
+          works.thermal =
+            -0.5 * change *
+            (integral_of_trace(start, u_0) + integral_of_trace(cell, u_1));
         }
       return works;
     }

@@ -105,8 +105,9 @@ namespace Contact
         sum.dissipation += of_cell.dissipation;
         sum.path += of_cell.path;
         sum.error += of_cell.error;
+        sum.thermal += of_cell.thermal;
       }
-    for (double *work : {&sum.dissipation, &sum.path, &sum.error})
+    for (double *work : {&sum.dissipation, &sum.path, &sum.error, &sum.thermal})
       *work = Utilities::MPI::sum(*work, discretization.communicator);
     return sum;
   }

@@ -25,7 +25,9 @@ namespace Contact
       const Tensor<1, dim> unit = Point<dim>::unit_vector(direction);
       std::map<types::global_dof_index, double> weights;
       const auto add = [&](const NodeDoFs<dim> &node) {
-        const Tensor<1, dim> free = discretization.free_part(node, unit);
+        const Tensor<1, dim> free = discretization.is_rigid(node[0])
+                                      ? Tensor<1, dim>()
+                                      : discretization.free_part(node, unit);
         const Tensor<1, dim> part = of_supports ? unit - free : free;
         for (unsigned int c = 0; c < dim; ++c)
           if (part[c] != 0)

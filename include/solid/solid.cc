@@ -43,10 +43,13 @@ namespace Contact
             const Vector<double> &u_0,
             const Vector<double> &u_1) const override
       {
-        // Forces are cubic in the displacement.
+        // Forces are cubic along the path.
         typename CellKernel<dim>::Works works;
-        if (!is_linear())
-          works.path = this->path_work(this->work_rates(cell, u_0, u_1, 3));
+        if (is_linear() && cell.thermal == cell.thermal_before)
+          return works;
+        const auto rates = this->work_rates(cell, u_0, u_1, 3);
+        works.path       = this->path_work(rates.work);
+        works.thermal    = this->integral(rates.thermal);
         return works;
       }
 
@@ -64,6 +67,18 @@ namespace Contact
                            FullMatrix<double>   &matrix,
                            Vector<double>       &residual) const;
 
+      double integral_of_trace(const CellTable<dim> &cell,
+                               const Vector<double> &u) const override
+      {
+        const AtPoints P_tr_E = dilatations(cell, u);
+        double         sum    = 0;
+        for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+          sum += cell.JxW[q] *
+                 (3 * cell.material->lambda * P_tr_E[q] +
+                  2 * cell.material->mu * trace(Integrals::strain(cell, q, u)));
+        return sum;
+      }
+
       /// P tr E.
       static AtPoints dilatations(const CellTable<dim> &cell,
                                   const Vector<double> &u)
@@ -73,7 +88,8 @@ namespace Contact
           dilatations[q] =
             trace(Kinematics::strain(
               Integrals::displacement_gradient(cell, q, u))) +
-            Kinematics::strain(Integrals::hoop_gradient(cell, q, u));
+            Kinematics::strain(Integrals::hoop_gradient(cell, q, u)) -
+            3 * cell.thermal;
         if (!cell.modes.empty())
           Integrals::project(cell, dilatations);
         return dilatations;
@@ -86,11 +102,13 @@ namespace Contact
                                 const AtPoints       &P_tr_E,
                                 PointState           &at)
       {
-        const Tensor<2, dim> H   = Integrals::displacement_gradient(cell, q, u);
-        const double         h   = Integrals::hoop_gradient(cell, q, u);
-        const auto           E   = Kinematics::strain(H);
-        const double         E33 = Kinematics::strain(h);
-        const double         tr_E = projected ? P_tr_E[q] : trace(E) + E33;
+        const Tensor<2, dim> H = Integrals::displacement_gradient(cell, q, u);
+        const double         h = Integrals::hoop_gradient(cell, q, u);
+        const auto           E =
+          Kinematics::strain(H) - cell.thermal * unit_symmetric_tensor<dim>();
+        const double E33 = Kinematics::strain(h) - cell.thermal;
+        const double tr_E =
+          projected ? P_tr_E[q] : trace(E) + (dim == 2 ? E33 : 0.);
 
         at.JxW = cell.JxW[q];
         at.N_X = Symmetry::has_hoop ? &cell.hoop_gradients[q * cell.n_nodes()]
@@ -235,11 +253,13 @@ namespace Contact
       const AtPoints P_tr_E = dilatations(cell, u);
       double         energy = 0;
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)
-        energy += cell.JxW[q] *
-                  cell.material->stored_energy(
-                    Kinematics::strain(this->displacement_gradient(cell, q, u)),
-                    Kinematics::strain(this->hoop_gradient(cell, q, u)),
-                    P_tr_E[q]);
+        {
+          const auto E = this->strain(cell, q, u);
+          energy +=
+            cell.JxW[q] * cell.material->stored_energy(in_space<dim>(E),
+                                                       dim == 2 ? E[2][2] : 0.,
+                                                       P_tr_E[q]);
+        }
       return energy;
     }
 
@@ -254,13 +274,12 @@ namespace Contact
       const AtPoints                     P_tr_E = dilatations(cell, u);
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)
         {
-          const Tensor<2, dim> H      = this->displacement_gradient(cell, q, u);
-          const double         h      = this->hoop_gradient(cell, q, u);
-          const auto           strain = Kinematics::strain(H);
-          const auto           inner = cell.material->stress(strain, P_tr_E[q]);
+          const Tensor<2, dim> H = this->displacement_gradient(cell, q, u);
+          const double         h = this->hoop_gradient(cell, q, u);
+          const auto           E = this->strain(cell, q, u);
+          const auto inner = cell.material->stress(in_space<dim>(E), P_tr_E[q]);
           SymmetricTensor<2, 3> S;
-          S[2][2] =
-            cell.material->hoop_stress(Kinematics::strain(h), P_tr_E[q]);
+          S[2][2] = cell.material->hoop_stress(E[2][2], P_tr_E[q]);
           for (unsigned int i = 0; i < dim; ++i)
             for (unsigned int j = 0; j <= i; ++j)
               S[i][j] = inner[i][j];

@@ -124,6 +124,8 @@ namespace Contact
             std::string("Boundary conditions/Displacement ") + "xyz"[c];
           for (const auto &[name, value] : boundary.displacement[c])
             {
+              if (boundary.rigid.count(name) > 0)
+                continue;
               Prescribed<dim> everywhere;
               everywhere.parts[c] = value;
               hold(c, entry, name, [&](const Point<dim> &) {
@@ -167,6 +169,11 @@ namespace Contact
             throw InputError(error.what(),
                              entry,
                              "the mesh is plane: write a formula without z");
+          }
+        if (boundary.rigid.count(name) > 0)
+          {
+            formula_of_rigid[c][name] = formulas.size() - 1;
+            continue;
           }
         hold(c, entry, name, [&](const Point<dim> &X) {
           Prescribed<dim> here;
@@ -328,10 +335,28 @@ namespace Contact
           updates[line.pivot] = line.motion(u, motion);
           vanish              = vanish && updates[line.pivot] == 0;
         }
+    bool is_fixed = true;
+    if (!rigid.empty())
+      {
+        update_rigid_leaders(u, load_factor);
+        followers_of_rigid = rigid_lines(u, load_factor);
+        for (const auto &line : followers_of_rigid)
+          vanish = vanish && line.inhomogeneity == 0;
+        for (const RigidBoundary<dim> &boundary : rigid)
+          {
+            const auto targets = this->targets(boundary, load_factor);
+            for (unsigned int k = 0; k < 6; ++k)
+              largest_displacement =
+                std::max(largest_displacement,
+                         std::abs(targets.value[k]) *
+                           (k < 3 ? 1. : boundary.extent()));
+            is_fixed = is_fixed && !boundary.is_large;
+          }
+      }
     vanish =
       Utilities::MPI::min(static_cast<unsigned int>(vanish), communicator) > 0;
 
-    if (!(vanish && updates_vanish))
+    if (!(vanish && updates_vanish && is_fixed))
       make_constraints(updates);
     updates_vanish = vanish;
   }
@@ -361,6 +386,8 @@ namespace Contact
     for (const auto &line : normal_supports.lines())
       if (u.holds(line.pivot))
         u[line.pivot] += line.motion(u, motion);
+    for (const auto &line : rigid_lines(u, load_factor))
+      u[line.dof] += line.inhomogeneity;
     constrain_update(u, load_factor);
   }
 
@@ -379,6 +406,8 @@ namespace Contact
     for (const auto &line : normal_supports.lines())
       if (u.holds(line.pivot))
         motion[line.pivot] = line.motion(u, prescription);
+    for (const auto &line : rigid_lines(u, load_factor))
+      motion[line.dof] = line.inhomogeneity;
     return motion;
   }
 
@@ -399,6 +428,8 @@ namespace Contact
     for (const auto &line : normal_supports.lines())
       if (u.holds(line.pivot))
         largest = std::max(largest, std::abs(line.motion(u, motion)));
+    for (const auto &line : rigid_lines(u, load_factor))
+      largest = std::max(largest, std::abs(line.inhomogeneity));
     return Utilities::MPI::max(largest, communicator);
   }
 
@@ -418,6 +449,8 @@ namespace Contact
   {
     if (!constraints.is_constrained(dof))
       return false;
+    if (is_rigid(dof))
+      return true;
     if (const auto *line = normal_supports.line(dof))
       return line->prescribed.is_moved();
     const auto value = prescribed.find(dof);
@@ -460,7 +493,7 @@ namespace Contact
   template<int dim>
   bool Discretization<dim>::is_tied(const types::global_dof_index dof) const
   {
-    return ties.count(dof) > 0 || leaders.count(dof) > 0;
+    return ties.count(dof) > 0 || leaders.count(dof) > 0 || is_rigid(dof);
   }
 
   template class Discretization<2>;

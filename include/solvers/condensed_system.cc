@@ -93,7 +93,8 @@ namespace Contact
     const bool misses_cells = on_any_rank(add_eliminable());
     const bool misses_partners =
       on_any_rank(couplings.add_missing(elimination));
-    if (!misses_cells && !misses_partners)
+    if (!misses_cells && !misses_partners &&
+        pattern_version == discretization.pattern_version())
       return;
     TimerOutput::Scope scope(timer, "setup");
     if (misses_cells)
@@ -145,6 +146,10 @@ namespace Contact
         rows.add_indices(touched.begin(), touched.end());
         for (const auto &[dof, leader] : discretization.tied())
           rows.add_index(leader);
+        for (const RigidBoundary<dim> &rigid :
+             discretization.rigid_boundaries())
+          for (const auto leader : rigid.leaders())
+            rows.add_index(leader);
         rows.compress();
       }
 
@@ -221,6 +226,7 @@ namespace Contact
     matrix.reinit(owned, owned, pattern, discretization.communicator);
     tangents_are_known = false;
     has_pattern        = true;
+    pattern_version    = discretization.pattern_version();
   }
 
 
@@ -282,7 +288,7 @@ namespace Contact
                                       const double         load_factor) const
   {
     const auto   &base = discretization.constraints;
-    const auto    load = elasticity.dead_loads.at(load_factor);
+    const auto    load = elasticity.loads(solution, load_factor);
     GhostedVector forces(discretization.distribution);
     for (const auto i : owned)
       if (load[i] != 0)
@@ -347,8 +353,25 @@ namespace Contact
     assembled_lines = signature;
     if (!tangents_serve)
       assemble_tangents(solution);
-    else if (is_new)
-      restore_interface_rows();
+    else
+      {
+        if (thermal_version != elasticity.thermal_version())
+          {
+            interface_forces.clear();
+            elasticity.visit_cells(solution,
+                                   /*with_tangent=*/false,
+                                   interface_cells,
+                                   [&](const Dofs &dofs,
+                                       const FullMatrix<double> &,
+                                       const Vector<double> &forces) {
+                                     add_interface_forces(dofs,
+                                                          forces,
+                                                          solution);
+                                   });
+          }
+        if (is_new)
+          restore_interface_rows();
+      }
 
     // With what the eliminated unknowns are to move by themselves: -K h.
     GhostedVector  moved_forces(discretization.distribution);
@@ -446,6 +469,22 @@ namespace Contact
 
 
 
+  // What is left of the forces of the next cell without its tangent.
+  template<int dim>
+  void CondensedSystem<dim>::add_interface_forces(const Dofs           &dofs,
+                                                  const Vector<double> &forces,
+                                                  const GhostedVector &solution)
+  {
+    Vector<double> u, constant(dofs.size());
+    solution.extract(dofs, u);
+    interface_tangents[interface_forces.size()].vmult(constant, u);
+    constant.sadd(-1, 1, forces);
+    interface_forces.push_back(constant);
+    thermal_version = elasticity.thermal_version();
+  }
+
+
+
   // All cells: of those that see the active set the tangents, of the others
   // their sum. While springs hold a body in space its stresses do not turn with
   // it: they would be stronger than the springs, and the matrix not definite.
@@ -471,19 +510,14 @@ namespace Contact
     matrix.compress(VectorOperation::add);
     interface_tangents.clear();
     interface_forces.clear();
-    Vector<double> u, constant;
     elasticity.visit_cells(solution,
                            stress_stiffness,
                            interface_cells,
                            [&](const Dofs               &dofs,
                                const FullMatrix<double> &tangent,
                                const Vector<double>     &forces) {
-                             solution.extract(dofs, u);
-                             constant.reinit(dofs.size());
-                             tangent.vmult(constant, u);
-                             constant.sadd(-1, 1, forces);
                              interface_tangents.push_back(tangent);
-                             interface_forces.push_back(constant);
+                             add_interface_forces(dofs, forces, solution);
                            });
 
     // Bound centres are in no cell.

@@ -90,6 +90,9 @@ namespace Contact
     bool assemble(const GhostedVector &solution,
                   const bool           keep_tangents,
                   GhostedVector       &rhs);
+    void add_interface_forces(const Dofs           &dofs,
+                              const Vector<double> &forces,
+                              const GhostedVector  &solution);
     void assemble_tangents(const GhostedVector &solution);
     void add_interface(const FullMatrix<double> &tangent,
                        const Dofs               &dofs,
@@ -128,6 +131,8 @@ namespace Contact
     std::vector<FullMatrix<double>>  interface_tangents; // by interface cell
     std::vector<Vector<double>>      interface_forces;   // f(u) - K u
     bool                             has_pattern        = false;
+    unsigned int                     pattern_version    = 0; // of constraints
+    unsigned int                     thermal_version    = 0;
     bool                             tangents_are_known = false;
     unsigned int                     tangent_version    = 0;
 

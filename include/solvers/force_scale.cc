@@ -78,7 +78,8 @@ namespace Contact
     if (way > 0)
       acting = std::max(acting, reactions(solution, load_factor));
 
-    const double dead = elasticity.dead_loads.whole();
+    const double dead =
+      elasticity.dead_loads.whole() + elasticity.thermal_forces();
     const double round_off =
       std::numeric_limits<double>::epsilon() * modulus * (coordinate + way) *
       std::sqrt(static_cast<double>(discretization.dof_handler.n_dofs()));
@@ -121,7 +122,7 @@ namespace Contact
     const GhostedVector forces = elasticity.forces(solution, load_factor);
     double              sum    = 0;
     for (const auto dof : discretization.dof_handler.locally_owned_dofs())
-      if (discretization.is_fixed(dof) ||
+      if (discretization.is_fixed(dof) || discretization.is_rigid(dof) ||
           discretization.normal_supports.line(dof) != nullptr)
         sum += std::abs(forces[dof]);
     return Utilities::MPI::sum(sum, discretization.communicator);

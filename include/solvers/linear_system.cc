@@ -82,6 +82,7 @@ namespace Contact
                                           : StatusSearch::later,
                        rhs);
         state.solution += rhs;
+        model.discretization->settle(state.solution, state.load_factor);
         model.discretization->constrain_update(state.solution,
                                                state.load_factor);
         if (!settled)
@@ -221,6 +222,7 @@ namespace Contact
                        state.solution.begin(),
                        state.solution.begin(),
                        std::plus<>());
+        model.discretization->settle(state.solution, state.load_factor);
         model.discretization->constrain_update(state.solution,
                                                state.load_factor);
         return n;

@@ -195,6 +195,49 @@ namespace Contact
 
 
 
+    /// Rigid boundaries: all pieces move as the first one there, which does not
+    /// move where they are prescribed to.
+    template<int dim>
+    void resist_by_rigid_boundaries(const Discretization<dim> &discretization,
+                                    ResistedMotions<dim>      &motions)
+    {
+      const Mesh<dim> &mesh     = discretization.mesh;
+      const auto      &places   = mesh.triangulation.get_vertices();
+      const auto      &boundary = discretization.boundary;
+      for (const auto &[name, point] : boundary.rigid)
+        {
+          const auto         vertices = mesh.coarse_vertices(name);
+          const Point<dim>   P        = places[mesh.points.at(point)];
+          const unsigned int piece =
+            mesh.pieces.of_coarse_vertex(*vertices.begin());
+          for (const unsigned int vertex : vertices)
+            if (const auto other = mesh.pieces.of_coarse_vertex(vertex);
+                other != piece)
+              for (unsigned int c = 0; c < dim; ++c)
+                motions.resist({{piece, places[vertex], 1},
+                                {other, places[vertex], -1}},
+                               Point<dim>::unit_vector(c));
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              if (boundary.displacement[c].count(name) +
+                    boundary.displacement_formula[c].count(name) >
+                  0)
+                motions.resist({{piece, P, 1}}, Point<dim>::unit_vector(c));
+              if (boundary.rotation[c].count(name) == 0)
+                continue;
+              const double size =
+                P.distance(places[*vertices.begin()]) +
+                places[*vertices.begin()].distance(places[*vertices.rbegin()]);
+              const Point<dim> beside =
+                P + size * Point<dim>::unit_vector((c + 1) % 3);
+              motions.resist({{piece, beside, 1}, {piece, P, -1}},
+                             Point<dim>::unit_vector((c + 2) % 3));
+            }
+        }
+    }
+
+
+
     using PieceOfNode = std::map<types::global_dof_index, unsigned int>;
 
     /// The points in contact.
@@ -378,6 +421,7 @@ namespace Contact
     ResistedMotions<dim> motions(discretization.mesh.pieces);
     resist_by_supports(discretization, motions);
     resist_by_joints(discretization, motions);
+    resist_by_rigid_boundaries(discretization, motions);
     if (interface != nullptr)
       resist_by_contact(*interface,
                         pieces_of_nodes(discretization, *interface),
@@ -395,6 +439,7 @@ namespace Contact
     ResistedMotions<dim> motions(discretization.mesh.pieces);
     resist_by_supports(discretization, motions);
     resist_by_joints(discretization, motions);
+    resist_by_rigid_boundaries(discretization, motions);
     if (interface != nullptr)
       resist_where_contact_may_be(*interface,
                                   pieces_of_nodes(discretization, *interface),

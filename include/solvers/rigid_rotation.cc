@@ -177,6 +177,7 @@ namespace Contact
     {
       const auto &joints = discretization.mesh.pieces.joints();
       return !discretization.tied().empty() ||
+             !discretization.rigid_boundaries().empty() ||
              std::any_of(joints.begin(), joints.end(), [&](const auto &joint) {
                return joint.piece == piece || joint.other == piece;
              });

@@ -34,8 +34,10 @@ namespace Contact
 
   void SaddlePointSystem::update_pattern(const bool pairing_has_changed)
   {
-    if (!pattern.empty() && !pairing_has_changed)
+    if (!pattern.empty() && !pairing_has_changed &&
+        pattern_version == discretization.pattern_version())
       return;
+    pattern_version = discretization.pattern_version();
     TimerOutput::Scope scope(timer, "setup");
 
     const auto n_unknowns = discretization.dof_handler.n_dofs() +
@@ -199,6 +201,7 @@ namespace Contact
                                                const double last_residual) const
   {
     if (!solver.is_factorized() || discretization.update_is_prescribed() ||
+        pattern_version != discretization.pattern_version() ||
         factorized_version != elasticity.tangent_version() ||
         (interface && factorized_statuses != interface->signature()))
       return false;
@@ -219,6 +222,7 @@ namespace Contact
     const StressStiffness       stress_stiffness,
     GhostedVector              &rhs)
   {
+    update_pattern(/*pairing_has_changed=*/false);
     {
       TimerOutput::Scope scope(timer, "assembly");
       matrix = 0;

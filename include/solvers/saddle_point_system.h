@@ -133,6 +133,7 @@ namespace Contact
     // The state that the matrix was factorized in.
     std::vector<signed char> factorized_statuses;
     unsigned int             factorized_version = 0;
+    unsigned int             pattern_version    = 0; // of constraints
   };
 } // namespace Contact
 

@@ -48,7 +48,8 @@ namespace Contact
             {"stabilization", stabilization_work},
             {"path", path_work},
             {"dissipation", dissipation},
-            {"plastic_dissipation", plastic_work}};
+            {"plastic_dissipation", plastic_work},
+            {"thermal", thermal_work}};
   }
 
 
@@ -189,7 +190,9 @@ namespace Contact
     reactions.sum_up();
     residual.sum_up();
 
-    end.external = elasticity.dead_loads.at(load_factor);
+    for (const RigidBoundary<dim> &boundary : discretization.rigid_boundaries())
+      add_rigid(boundary, load_factor, left, reactions, found);
+    end.external = elasticity.loads(end.displacement, load_factor);
     end.external += reactions;
     add_up(reactions, found);
     judge_balance(residual.l2_norm(), slack, hold_forces != nullptr, found);
@@ -237,6 +240,32 @@ namespace Contact
 
 
 
+  // What a rigid boundary exerts beside its forces and moments, at P.
+  template<int dim>
+  void InvariantCheck<dim>::add_rigid(const RigidBoundary<dim> &boundary,
+                                      const double              load_factor,
+                                      const GhostedVector      &left,
+                                      GhostedVector            &reactions,
+                                      Invariants               &found) const
+  {
+    for (const auto &node : boundary.nodes)
+      for (const auto dof : node.dofs)
+        reactions[dof] = left[dof];
+    const auto resultant =
+      boundary.resultant(boundary.motion(end.displacement,
+                                         discretization.targets(boundary,
+                                                                load_factor)),
+                         left,
+                         discretization.dof_handler.locally_owned_dofs());
+    for (unsigned int k = 0; k < 6; ++k)
+      if (k < dim || (k >= 3 && (dim == 3 || k == 5)))
+        found.reactions[boundary.name][(k < 3 ? "" : "moment ") +
+                                       std::string(1, "xyz"[k % 3])] =
+          Utilities::MPI::sum(resultant[k], discretization.communicator);
+  }
+
+
+
   // Each rank adds up the reactions of its own unknowns.
   template<int dim>
   void InvariantCheck<dim>::add_up(const GhostedVector &reactions,
@@ -277,7 +306,7 @@ namespace Contact
     const double sum           = external + contact + friction + stabilization;
 
     typename Elasticity<dim>::Works of_bodies;
-    if (!elasticity.is_elastic())
+    if (!elasticity.is_elastic() || elasticity.has_thermal_strain())
       of_bodies = elasticity.works(start.displacement, end.displacement);
     else if (!elasticity.is_linear())
       of_bodies.path = 2. / 3 * (work_at_middle(d) - sum);
@@ -289,13 +318,15 @@ namespace Contact
     end.stabilization_work += stabilization;
     end.path_work += path;
     end.plastic_work += of_bodies.dissipation;
+    end.thermal_work += of_bodies.thermal;
 
     const double change =
       end.strain_energy - start.strain_energy + of_bodies.dissipation;
-    const double missing = std::abs(change - sum - path);
+    const double missing = std::abs(change - sum - path - of_bodies.thermal);
     const double scale   = std::abs(change) + std::abs(external) +
                          std::abs(contact) + std::abs(friction) +
-                         std::abs(stabilization) + std::abs(path);
+                         std::abs(stabilization) + std::abs(path) +
+                         std::abs(of_bodies.thermal);
     // In increments that do nothing round-off is no more than that of all
     // works.
     const double works = end.strain_energy + std::abs(end.external_work);

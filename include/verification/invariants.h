@@ -38,6 +38,7 @@ namespace Contact
     double path_work          = 0;
     double dissipation        = 0;
     double plastic_work       = 0; // dissipated
+    double thermal_work       = 0; // of thermal strains
   };
 
 
@@ -137,7 +138,8 @@ namespace Contact
       void serialize(Archive &archive, const unsigned int)
       {
         archive &strain_energy &external_work &contact_work &friction_work
-          &stabilization_work &path_work &dissipation &plastic_work &obstacles;
+          &stabilization_work &path_work &dissipation &plastic_work
+            &thermal_work &obstacles;
       }
     };
 
@@ -181,6 +183,11 @@ namespace Contact
                        const bool   is_held,
                        Invariants  &found) const;
     void add_up(const GhostedVector &reactions, Invariants &found) const;
+    void add_rigid(const RigidBoundary<dim> &boundary,
+                   const double              load_factor,
+                   const GhostedVector      &left,
+                   GhostedVector            &reactions,
+                   Invariants               &found) const;
     void check_energy(const Slack &slack, Invariants &found);
 
     /// The works of pressures and shears in the motion of the obstacles.

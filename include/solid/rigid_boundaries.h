@@ -1,0 +1,161 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_rigid_boundaries_h
+#define contact_rigid_boundaries_h
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/base/tensor.h>
+#include <deal.II/base/types.h>
+
+#include <array>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/ghosted_vector.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * A boundary that moves as a rigid body, in the plane as part of space:
+   *   u = U + (R - I) (X - P),
+   * U the displacement of its point P and R a rotation; of small strain I and a
+   * spin. A variation is linear in six numbers, the motions of the boundary,
+   *   delta u = delta U + omega x r,   r = R (X - P), or X - P.
+   * As many unknowns of its nodes as motions are free lead, and all others
+   * follow them: no unknowns are added. Of large displacements the followers go
+   * with the next update to where the leaders are, on the present tangent.
+   *
+   * Forces and moments are forces on three nodes (in the plane two) with this
+   * resultant about P, where it is now.
+   */
+  template<int dim>
+  class RigidBoundary
+  {
+  public:
+    using Dof = types::global_dof_index;
+
+    /// Displacements of P [mm], then rotations about x, y, z [rad]; of forces,
+    /// force [N] and moment [N mm].
+    using PerMotion = std::array<double, 6>;
+
+    struct Node
+    {
+      std::array<Dof, dim> dofs;
+      Tensor<1, 3>         arm; // X - P [mm]
+    };
+
+    /// update of u_dof = sum of c_k times the updates of u_k + inhomogeneity.
+    struct Line
+    {
+      Dof                                 dof;
+      std::vector<std::pair<Dof, double>> entries;
+      double                              inhomogeneity = 0;
+    };
+
+    /// The motions that are prescribed.
+    struct Targets
+    {
+      std::array<bool, 6> is_prescribed{};
+      PerMotion           value{};
+    };
+
+    struct Motion
+    {
+      Tensor<1, 3> U;
+      Tensor<2, 3> R;
+    };
+
+    /// Rings move along their axis alone. The leaders are no choice yet.
+    RigidBoundary(const std::string       &name,
+                  const std::vector<Node> &nodes,
+                  const bool               is_large,
+                  const bool               is_ring);
+
+    const std::string       name;
+    const std::vector<Node> nodes;
+    const bool              is_large;
+
+    /// Choose the leaders in a motion; unknowns that supports hold come first.
+    /// Returns those of these that are no leaders, because they follow from
+    /// others and what is prescribed.
+    std::vector<Dof> choose_leaders(const Motion        &motion,
+                                    const Targets       &targets,
+                                    const std::set<Dof> &held);
+
+    /// Whether the leaders tell the motion no longer well.
+    bool needs_leaders(const Motion &motion, const Targets &targets) const;
+
+    std::vector<Dof> leaders() const;
+
+    /// The motion that the leaders among @p u and the @p targets tell.
+    Motion motion(const GhostedVector &u, const Targets &targets) const;
+
+    /// All unknowns but those of @p held follow the leaders.
+    std::vector<Line> lines(const GhostedVector &u,
+                            const Targets       &targets,
+                            const std::set<Dof> &held) const;
+
+    /// The vector of rotation of a motion, or its spin [rad].
+    Tensor<1, 3> rotation(const Motion &motion) const;
+
+    /// The displacement of a node in a motion [mm].
+    Tensor<1, 3> displacement(const Motion &motion, const Node &node) const
+    {
+      return motion.U + motion.R * node.arm - node.arm;
+    }
+
+    /// The nodal forces of a force and a moment about P.
+    std::vector<std::pair<Dof, double>>
+    nodal_forces(const Motion &motion, const PerMotion &resultant) const;
+
+    /// The force and the moment about P of nodal forces, those of the @p owned
+    /// unknowns.
+    PerMotion resultant(const Motion        &motion,
+                        const GhostedVector &forces,
+                        const IndexSet      &owned) const;
+
+    /// The largest distance of a node from P [mm].
+    double extent() const;
+
+  private:
+    using Row = Tensor<1, 6>;
+    struct Leader
+    {
+      unsigned int node, component;
+    };
+
+    Dof dof(const Leader &leader) const
+    {
+      return nodes[leader.node].dofs[leader.component];
+    }
+
+    /// How an unknown varies with the motions.
+    Row row(const Motion &motion, const Leader &unknown) const;
+
+    /// What does not vary: the motions that are prescribed or missing.
+    std::vector<Row> fixed_rows(const Motion  &motion,
+                                const Targets &targets) const;
+
+    /// The motions by the leaders: their columns come last.
+    Tensor<2, 6> inverse(const Motion &motion, const Targets &targets) const;
+
+    /// Impose the targets.
+    void prescribe(const Targets &targets, Motion &motion) const;
+
+    /// Where three nodes say that the boundary is, in large displacement.
+    Motion guess(const GhostedVector &u) const;
+
+    std::array<bool, 6>       is_missing{};
+    std::vector<unsigned int> frame; // three nodes, in the plane two
+    std::vector<Leader>       all_leaders;
+  };
+} // namespace Contact
+
+#endif
