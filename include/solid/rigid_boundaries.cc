@@ -259,25 +259,24 @@ namespace Contact
 
 
   template<int dim>
-  bool RigidBoundary<dim>::needs_leaders(const Motion  &motion,
-                                         const Targets &targets) const
+  double RigidBoundary<dim>::quality(const Motion  &motion,
+                                     const Targets &targets) const
   {
-    const double     well   = 0.2; // of the length of a row
     const double     length = extent();
     std::vector<Row> basis;
-    bool             tell = true;
-    const auto       add  = [&](Row row) {
+    double           smallest = 1;
+    const auto       add      = [&](Row row) {
       for (unsigned int k = 3; k < 6; ++k)
         row[k] /= length;
       const Row rest = beside(basis, row);
-      tell           = tell && rest.norm() > well * row.norm();
+      smallest       = std::min(rest.norm() / row.norm(), smallest);
       basis.push_back(rest / rest.norm());
     };
     for (const Row &row : fixed_rows(motion, targets))
       add(row);
     for (const Leader &leader : all_leaders)
       add(row(motion, leader));
-    return !tell;
+    return smallest;
   }
 
 
@@ -375,16 +374,17 @@ namespace Contact
 
 
   // Newton's method, without which the leaders and the targets would be met but
-  // to the first order. Leaders that supports hold too far from each other have
-  // no motion: then they are not where it says, and no increment ends there.
+  // to the first order. Where a step has moved leaders too far for any motion,
+  // three nodes tell it.
   template<int dim>
   typename RigidBoundary<dim>::Motion
   RigidBoundary<dim>::motion(const GhostedVector &u,
                              const Targets       &targets) const
   {
-    const unsigned int max_steps = is_large ? 20 : 1;
-    Motion             motion    = guess(u);
-    prescribe(targets, motion);
+    const unsigned int max_steps = 20;
+    Motion             first     = guess(u);
+    prescribe(targets, first);
+    Motion motion = first;
     for (unsigned int step = 0; step < max_steps; ++step)
       {
         const Tensor<2, 6> A = inverse(motion, targets);
@@ -405,10 +405,11 @@ namespace Contact
         motion.R =
           is_large ? rotation_by(omega) * motion.R : motion.R + spin(omega);
         prescribe(targets, motion);
-        if (rest.norm() <= few_digits * (extent() + motion.U.norm()))
-          break;
+        if (!is_large ||
+            rest.norm() <= few_digits * (extent() + motion.U.norm()))
+          return motion;
       }
-    return motion;
+    return first;
   }
 
 
@@ -450,8 +451,8 @@ namespace Contact
             const double way = moved[c] - u[line.dof];
             if (std::abs(way) >
                 few_digits * (std::abs(u[line.dof]) + motion.U.norm() +
-                       (motion.R * nodes[n].arm - nodes[n].arm).norm() +
-                       (is_large ? length : 0.)))
+                              (motion.R * nodes[n].arm - nodes[n].arm).norm() +
+                              (is_large ? length : 0.)))
               line.inhomogeneity = way;
             lines.push_back(line);
           }

@@ -89,8 +89,9 @@ namespace Contact
                                     const Targets       &targets,
                                     const std::set<Dof> &held);
 
-    /// Whether the leaders tell the motion no longer well.
-    bool needs_leaders(const Motion &motion, const Targets &targets) const;
+    /// How well the leaders tell a motion: the smallest part [-] of what one of
+    /// them adds to the others.
+    double quality(const Motion &motion, const Targets &targets) const;
 
     std::vector<Dof> leaders() const;
 

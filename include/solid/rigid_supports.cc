@@ -212,10 +212,15 @@ namespace Contact
       {
         if (!boundary.is_large)
           continue;
-        const auto targets = this->targets(boundary, load_factor);
-        auto       motion  = boundary.motion(u, targets);
-        if (Utilities::MPI::max(static_cast<unsigned int>(
-                                  boundary.needs_leaders(motion, targets)),
+        const auto         targets = this->targets(boundary, load_factor);
+        auto               motion  = boundary.motion(u, targets);
+        const double       enough  = 0.6;
+        RigidBoundary<dim> other(boundary);
+        other.choose_leaders(motion, targets, rigid_held);
+        const bool is_better = std::isfinite(motion.R.norm()) &&
+                               boundary.quality(motion, targets) <
+                                 enough * other.quality(motion, targets);
+        if (Utilities::MPI::max(static_cast<unsigned int>(is_better),
                                 communicator) == 0)
           continue;
         motion.R = Utilities::MPI::broadcast(communicator, motion.R);
@@ -249,9 +254,14 @@ namespace Contact
   {
     for (const RigidBoundary<dim> &boundary : rigid)
       if (boundary.is_large)
-        for (const auto &line :
-             boundary.lines(u, targets(boundary, load_factor), rigid_held))
-          u[line.dof] += line.inhomogeneity;
+        {
+          const auto motion =
+            boundary.motion(u, targets(boundary, load_factor));
+          for (const auto &node : boundary.nodes)
+            for (unsigned int c = 0; c < dim; ++c)
+              if (rigid_held.count(node.dofs[c]) == 0)
+                u[node.dofs[c]] = boundary.displacement(motion, node)[c];
+        }
   }
 
 
