@@ -78,7 +78,9 @@ namespace Contact
   {
     if (const std::string entry = boundary.entry_in_space();
         dim == 2 && !entry.empty())
-      throw InputError("the mesh is plane and has no such direction",
+      throw InputError(entry.back() == 'z'
+                         ? "the mesh is plane and has no direction z"
+                         : "the mesh is plane and turns about z alone",
                        "Boundary conditions/" + entry,
                        "remove the entry, or take a mesh of volumes");
     if (dim == 3 && axisymmetric)
