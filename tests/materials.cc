@@ -7,17 +7,18 @@
 // with the full and with the projected dilatation:
 //  - the tangent is the derivative of the forces, also while points yield, that
 //    have yielded before;
-//  - forces are the derivative of the energy (neo-Hookean);
+//  - forces are the derivative of the energy (rubber);
 //  - what is stored and dissipated is the work of the forces, in increments of
 //    any size; an accepted increment leaves forces and energy as they are;
-//  - uniaxial, equibiaxial stretch and simple shear of a neo-Hookean material,
+//  - uniaxial, equibiaxial stretch and simple shear of a neo-Hookean material
+//    and of that of Mooney and Rivlin,
 //    and cyclic uniaxial yielding with each kind of hardening are exact.
 
 #include <cmath>
 
 #include "derivatives.h"
 #include "solid/elastic_plastic.h"
-#include "solid/neo_hookean.h"
+#include "solid/mooney_rivlin.h"
 #include "volume_mesh.h"
 
 using namespace Tests;
@@ -55,11 +56,17 @@ namespace
 
 
 
+  constexpr double C01 = 60; // of a shear modulus of 357
+
+
+
   void set_material(const std::string &material, Parameters::Solids &solids)
   {
     const Parameters::Choice<Parameters::MaterialModel> model(material);
     solids.material.emplace("Body", model);
-    if (model == Parameters::MaterialModel::neo_hookean)
+    if (model == Parameters::MaterialModel::mooney_rivlin)
+      solids.mooney_rivlin_constant["Body"] = C01;
+    if (model != Parameters::MaterialModel::elastic_plastic)
       {
         solids.kinematics = Parameters::Strains::large;
         return;
@@ -88,7 +95,8 @@ namespace
   template<int dim>
   void check_bodies(const std::string &what, Parameters::All parameters)
   {
-    for (const std::string material : {"elastic-plastic", "neo-Hookean"})
+    for (const std::string material :
+         {"elastic-plastic", "neo-Hookean", "Mooney-Rivlin"})
       for (const std::string dilatation : {"full", "B-bar"})
         {
           headline(what + ", " + material + ", " + dilatation);
@@ -153,12 +161,9 @@ namespace
 
 
 
-  // F of diagonal stretches, and the Cauchy stress by its principal values
-  //   J sigma_i = mu J^(-2/3) (l_i^2 - tr(C)/3) + K/2 (J^2 - 1).
-  SymmetricTensor<2, 3> neo_hookean_stress(const Tensor<2, 3> &F)
+  SymmetricTensor<2, 3> cauchy_stress(const MaterialLaw  &law,
+                                      const Tensor<2, 3> &F)
   {
-    const Material              elastic(1000, 0.4);
-    const NeoHookean            law(elastic);
     const SymmetricTensor<2, 3> E =
       0.5 * (symmetrize(transpose(F) * F) - unit_symmetric_tensor<3>());
     const auto volume = law.volume(E);
@@ -170,11 +175,16 @@ namespace
 
 
 
-  void neo_hookean()
+  // F of diagonal stretches, and the Cauchy stress by its principal values
+  //   J sigma_i = 2 C10 J^(-2/3) (l_i^2 - I_1/3)
+  //               + 2 C01 J^(-4/3) (l_i^2 (I_1 - l_i^2) - 2/3 I_2)
+  //               + K/2 (J^2 - 1).
+  void rubber(const std::string &name, const MaterialLaw &law, const double C01)
   {
-    headline("neo-Hookean, closed forms");
+    headline(name + ", closed forms");
     const Material elastic(1000, 0.4);
     const double   mu = elastic.mu, K = elastic.lambda + 2. / 3 * mu;
+    const double   C10 = mu / 2 - C01;
     for (const auto &l : {Point<3>(1.7, 0.8, 0.8),
                           Point<3>(1.4, 1.4, 0.5),
                           Point<3>(0.4, 1, 1)})
@@ -182,26 +192,37 @@ namespace
         Tensor<2, 3> F;
         for (unsigned int i = 0; i < 3; ++i)
           F[i][i] = l[i];
-        const double J     = l[0] * l[1] * l[2];
-        const auto   sig   = neo_hookean_stress(F);
-        double       error = 0;
+        const double J   = l[0] * l[1] * l[2];
+        const double I_1 = l.norm_square();
+        const double I_2 =
+          J * J * (1 / (l[0] * l[0]) + 1 / (l[1] * l[1]) + 1 / (l[2] * l[2]));
+        const auto sig   = cauchy_stress(law, F);
+        double     error = 0;
         for (unsigned int i = 0; i < 3; ++i)
-          error = std::max(error,
-                           std::abs(sig[i][i] -
-                                    (mu * std::pow(J, -2. / 3) *
-                                       (l[i] * l[i] - l.norm_square() / 3) +
-                                     K / 2 * (J * J - 1)) /
-                                      J));
+          {
+            const double square = l[i] * l[i];
+            error =
+              std::max(error,
+                       std::abs(
+                         sig[i][i] -
+                         (2 * C10 * std::pow(J, -2. / 3) * (square - I_1 / 3) +
+                          2 * C01 * std::pow(J, -4. / 3) *
+                            (square * (I_1 - square) - 2. / 3 * I_2) +
+                          K / 2 * (J * J - 1)) /
+                           J));
+          }
         check_small("stretch", error / mu, 1e-13);
       }
-    // Simple shear: sigma_xy = mu g, sigma_xx - sigma_yy = mu g^2.
+    // Simple shear: sigma_xy = mu g, sigma_xx - sigma_zz = 2 C10 g^2, sigma_yy
+    // - sigma_zz = -2 C01 g^2.
     const double g = 1.3;
     Tensor<2, 3> F = static_cast<Tensor<2, 3>>(unit_symmetric_tensor<3>());
     F[0][1]        = g;
-    const auto sig = neo_hookean_stress(F);
+    const auto sig = cauchy_stress(law, F);
     check_small("simple shear",
                 std::abs(sig[0][1] / (mu * g) - 1) +
-                  std::abs((sig[0][0] - sig[1][1]) / (mu * g * g) - 1) +
+                  std::abs(sig[0][0] - sig[2][2] - 2 * C10 * g * g) / mu +
+                  std::abs(sig[1][1] - sig[2][2] + 2 * C01 * g * g) / mu +
                   std::abs(trace(sig)) / mu,
                 1e-13);
   }
@@ -261,7 +282,9 @@ int main()
       check_bodies<2>("rings" + name, rings);
     }
   check_bodies<3>("space, degree 1", space(1));
-  neo_hookean();
+  const Material elastic(1000, 0.4);
+  rubber("neo-Hookean", NeoHookean(elastic), 0);
+  rubber("Mooney-Rivlin", MooneyRivlin(elastic, C01), C01);
   headline("yielding to and fro");
   cyclic("perfectly plastic", {10});
   cyclic("linear", {10, 50});

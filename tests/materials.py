@@ -14,6 +14,8 @@ Proves that
 - under a cylinder von Mises' stress is the largest where Hertz' pressure has it
   (p0 = 1.794 Y at first yield, 0.704 a deep, nu = 0.3; the stresses on the axis
   are those of Johnson, Contact Mechanics, 1985, equation 4.46);
+- a block of the material of Mooney and Rivlin in uniaxial, biaxial and plane
+  stretch has the stress of the closed form;
 - bodies of different materials and kinematics touch in one scene.
 
 Usage: materials.py CONTACT PARAMETERS MESHES
@@ -25,6 +27,8 @@ import pathlib
 import re
 import subprocess
 import sys
+
+from volume_scenes import Volumes
 
 contact, parameters, meshes = sys.argv[1:4]
 cases = pathlib.Path(parameters).resolve() / "verification"
@@ -173,4 +177,45 @@ check("the inner tube yields", summary["bodies"]["Inner"]["plastic_strain"] > 1e
 worst = max(i["invariants"]["energy_imbalance"] for i in summary["increments"]
             if i["level"] == 1)
 check("balance of the energy", worst < 1e-6, worst)
+
+# A unit cube on three planes of symmetry, stretched along one or two of its
+# axes: with the stretches l that come about, one of them in a free direction,
+# sigma_x - sigma_z = 2/J (C10 J^(-2/3) (l_x^2 - l_z^2)
+#                          + C01 J^(-4/3) l_y^2 (l_x^2 - l_z^2)).
+block = Volumes()
+block.block("A", (1, 2, 1), lambda r, s, t: (r, s, t))
+block.write("cube")
+C10, C01, poisson = 0.4, 0.1, 0.49
+for name, held in (("uniaxial", ""), ("biaxial", ", A_y1: 0.5"),
+                   ("plane", ", A_y1: 0")):
+    pathlib.Path(f"cube_{name}.prm").write_text(f"""subsection Mesh
+  set File = cube.msh
+end
+subsection Solids
+  set Young's modulus = A: {4 * (1 + poisson) * (C10 + C01)}
+  set Poisson's ratio = A: {poisson}
+  set Material = A: Mooney-Rivlin
+  set Mooney-Rivlin constant = A: {C01}
+end
+subsection Boundary conditions
+  set Displacement x = A_x0: 0, A_x1: 0.5
+  set Displacement y = A_y0: 0{held}
+  set Displacement z = A_z0: 0
+end
+subsection Solution
+  set Increments = 4
+end
+subsection Probes
+  set Probes = x: displacement x, A_111; y: displacement y, A_111; \\
+               z: displacement z, A_111; sx: stress xx, A_111; \\
+               sz: stress zz, A_111
+end
+""")
+    found = probes(run(name, f"cube_{name}.prm")[0])
+    l = [1 + found[c] for c in "xyz"]
+    J = math.prod(l)
+    exact = 2 / J * (l[0]**2 - l[2]**2) * (C10 * J**(-2 / 3) +
+                                           C01 * J**(-4 / 3) * l[1]**2)
+    check(f"Mooney-Rivlin, {name} stretch", abs(found["sz"]) < 1e-6 * exact and
+          abs((found["sx"] - found["sz"]) / exact - 1) < 1e-9, (found, exact))
 sys.exit(bool(failures))

@@ -149,6 +149,7 @@ namespace Contact
                       const Discretization<dim> &discretization)
     {
       const auto &kinematics = parameters.solids.kinematics;
+      const bool  has_modes  = !parameters.solids.incompatible_modes.empty();
       return {
         {"kinematics",
          kinematics.name() +
@@ -160,13 +161,15 @@ namespace Contact
                                      : "Solids/Kinematics"},
         {"element",
          parameters.element.degree == 1
-           ? "linear"
+           ? std::string("linear") +
+               (has_modes ? ", with incompatible modes" : "")
            : "quadratic, " +
                std::to_string(
                  nodes_of_element<dim>(discretization.serendipity)) +
                " nodes",
          std::to_string(discretization.dof_handler.n_dofs()) + " displacements",
-         "Element/Degree"}};
+         has_modes ? "Element/Degree, Solids/Incompatible modes"
+                   : "Element/Degree"}};
     }
 
 

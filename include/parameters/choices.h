@@ -59,14 +59,16 @@ namespace Contact
     {
       elastic,
       elastic_plastic,
-      neo_hookean
+      neo_hookean,
+      mooney_rivlin
     };
 
     inline NamedValues<MaterialModel> named_values(const MaterialModel)
     {
       return {{"elastic", MaterialModel::elastic},
               {"elastic-plastic", MaterialModel::elastic_plastic},
-              {"neo-Hookean", MaterialModel::neo_hookean}};
+              {"neo-Hookean", MaterialModel::neo_hookean},
+              {"Mooney-Rivlin", MaterialModel::mooney_rivlin}};
     }
 
 

@@ -36,6 +36,10 @@ namespace Contact
       probes.check(solids.symmetry);
 
       check_theory();
+      if (element.degree > 1 && !solids.incompatible_modes.empty())
+        throw EntryError("Cells of degree 2 bend without incompatible modes.",
+                         {"Solids/Incompatible modes", "Element/Degree"},
+                         "remove the modes, or set 'Degree = 1'");
       if (solution.geometry == GeometryLoop::undeformed &&
           !solids.kinematics.all_are(Strains::small))
         throw EntryError("Large displacements are not those of undeformed "

@@ -128,6 +128,12 @@ namespace Contact
         "B-bar: its mean, in quadrangles of degree 2 its linear "
         "part, against locking, automatic: B-bar for bodies "
         "with nu > 5/11 or plasticity. Triangles of degree 1 lock either way.");
+      prm.add_parameter("Incompatible modes",
+                        incompatible_modes,
+                        "Elastic bodies of quadrangles or hexahedra of degree "
+                        "1 [-], separated by ','; strains that the modes of "
+                        "their cells add let them bend, which they are too "
+                        "stiff for otherwise. They take the place of B-bar.");
       add_materials(prm);
       prm.leave_subsection();
     }
@@ -143,7 +149,13 @@ namespace Contact
                         "Kirchhoff's, and so are bodies without an entry; "
                         "elastic-plastic: of von Mises, in small strain; "
                         "neo-Hookean: in large displacement, with modulus and "
-                        "ratio at zero strain.");
+                        "ratio at zero strain; Mooney-Rivlin: the same with "
+                        "the constant below.");
+      prm.add_parameter("Mooney-Rivlin constant",
+                        mooney_rivlin_constant,
+                        "'body: C01' [MPa], separated by ','; that of the "
+                        "second invariant. C10, of the first one, is half the "
+                        "shear modulus minus C01; both >= 0.");
       prm.add_parameter("Yield stress",
                         yield_stress,
                         "'body: stress' [MPa], separated by ','; where an "

@@ -151,8 +151,15 @@ namespace Contact
       /// parse_history().
       std::map<std::string, std::string> thermal_strain;
 
+      /// Body group -> constant of the second invariant [MPa], see
+      /// MooneyRivlin.
+      std::map<std::string, double> mooney_rivlin_constant;
+
       /// See Elasticity.
       Choice<Dilatation> dilatation = Dilatation::automatic;
+
+      /// Bodies whose cells bend, see EnhancedCells.
+      std::vector<std::string> incompatible_modes;
 
       void add_parameters(ParameterHandler &prm);
       void check() const;
@@ -161,6 +168,7 @@ namespace Contact
       void add_materials(ParameterHandler &prm);
       void check_kinematics() const;
       void check_materials() const;
+      void check_modes() const;
       void check_hardening(const std::string &body) const;
     };
 

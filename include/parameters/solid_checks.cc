@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "base/string_utilities.h"
 #include "parameters/entry_checks.h"
 #include "parameters/parameters.h"
 
@@ -42,6 +43,39 @@ namespace Contact
       check_keys(thermal_strain, "Solids/Thermal strain", youngs_modulus, E);
       for (const auto &[body, history] : thermal_strain)
         check_history(history, "Solids/Thermal strain");
+      check_modes();
+    }
+
+
+
+    void Solids::check_modes() const
+    {
+      const std::string entry = "Solids/Incompatible modes";
+      for (const std::string &body : incompatible_modes)
+        {
+          if (youngs_modulus.count(body) == 0)
+            throw EntryError("There is no body " + in_quotes(body) + ".",
+                             {entry, "Solids/Young's modulus"},
+                             "name bodies that have a material");
+          if (model_of(body) != MaterialModel::elastic)
+            throw EntryError("There are no incompatible modes of the " +
+                               material.at(body).name() + ' ' +
+                               in_quotes(body) + ".",
+                             {entry, "Solids/Material"},
+                             "remove it from " + entry +
+                               ", where B-bar or degree 2 serve instead");
+          if (thermal_strain.count(body) > 0)
+            throw EntryError("There are no incompatible modes of the body " +
+                               in_quotes(body) + " with a thermal strain.",
+                             {entry, "Solids/Thermal strain"},
+                             "remove it from " + entry +
+                               ", or take degree 2");
+          if (dilatation == Dilatation::B_bar)
+            throw EntryError("Cells with incompatible modes have no B-bar.",
+                             {entry, "Solids/Dilatation"},
+                             "set 'Dilatation = automatic', which leaves them "
+                             "out");
+        }
     }
 
 
@@ -76,7 +110,12 @@ namespace Contact
     void Solids::check_materials() const
     {
       const std::string E = "Solids/Young's modulus", M = "Solids/Material",
-                        Y = "Solids/Yield stress";
+                        Y  = "Solids/Yield stress",
+                        C  = "Solids/Mooney-Rivlin constant";
+      const auto is_rubber = [](const MaterialModel model) {
+        return model == MaterialModel::neo_hookean ||
+               model == MaterialModel::mooney_rivlin;
+      };
       check_keys(material, M, youngs_modulus, E);
       check_keys(yield_stress, Y, youngs_modulus, E);
       const auto check_constants = [&](const auto        &constants,
@@ -98,19 +137,34 @@ namespace Contact
       for (const auto &[body, stress] : yield_stress)
         {
           check_positive(stress, Y);
-          if (model_of(body) == MaterialModel::neo_hookean)
-            throw EntryError("The neo-Hookean " + in_quotes(body) +
-                               " does not yield.",
+          if (is_rubber(model_of(body)))
+            throw EntryError("The " + material.at(body).name() + ' ' +
+                               in_quotes(body) + " does not yield.",
                              {Y, M},
                              "remove it from " + Y);
+        }
+      for (const auto &[body, constant] : mooney_rivlin_constant)
+        {
+          if (model_of(body) != MaterialModel::mooney_rivlin)
+            throw EntryError(in_quotes(body) + " is in " + C +
+                               ", but not Mooney-Rivlin.",
+                             {C, M},
+                             "add '" + body + ": Mooney-Rivlin' to " + M +
+                               ", or remove it from " + C);
+          const double half =
+            youngs_modulus.at(body) / (4 * (1 + poisson.at(body)));
+          if (!(constant >= 0 && constant <= half))
+            throw EntryError("C01 of " + in_quotes(body) +
+                               " is not between 0 and half the shear modulus.",
+                             {C, "Solids/Young's modulus"},
+                             "set 0 (neo-Hookean) to " + brief(half) + " MPa");
         }
       for (const auto &[body, model] : material)
         {
           if (model == MaterialModel::elastic)
             continue;
-          const Choice<Strains> wanted = model == MaterialModel::neo_hookean
-                                           ? Strains::large
-                                           : Strains::small;
+          const Choice<Strains> wanted =
+            is_rubber(model) ? Strains::large : Strains::small;
           if (kinematics.of(body) != wanted)
             throw EntryError("The material " + model.name() + " of " +
                                in_quotes(body) + " is one of " + wanted.name() +
@@ -121,6 +175,12 @@ namespace Contact
                                wanted.name() + ", ...' with all bodies");
           if (model == MaterialModel::elastic_plastic)
             check_hardening(body);
+          if (model == MaterialModel::mooney_rivlin &&
+              mooney_rivlin_constant.count(body) == 0)
+            throw EntryError("The Mooney-Rivlin " + in_quotes(body) +
+                               " has no constant.",
+                             {C, M},
+                             "add '" + body + ": <C01>' to " + C);
         }
     }
 

@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "solid/elastic_plastic.h"
+#include "solid/mooney_rivlin.h"
 #include "solid/neo_hookean.h"
 
 namespace Contact
@@ -97,6 +98,11 @@ namespace Contact
             case Parameters::MaterialModel::neo_hookean:
               laws[body] = std::make_unique<NeoHookean>(elastic);
               break;
+            case Parameters::MaterialModel::mooney_rivlin:
+              laws[body] = std::make_unique<MooneyRivlin>(
+                elastic,
+                parameters.mooney_rivlin_constant.at(name));
+              break;
           }
       }
     return laws;
@@ -108,12 +114,14 @@ namespace Contact
   std::set<types::material_id> find_projected(
     const std::map<types::material_id, Material>                     &materials,
     const std::map<types::material_id, std::unique_ptr<MaterialLaw>> &laws,
-    const Parameters::Dilatation dilatation)
+    const Parameters::Dilatation        dilatation,
+    const std::set<types::material_id> &enhanced)
   {
     std::set<types::material_id> projected;
     for (const auto &[body, material] : materials)
       if (dilatation == Parameters::Dilatation::B_bar ||
           (dilatation == Parameters::Dilatation::automatic &&
+           enhanced.count(body) == 0 &&
            (material.lambda > 10 * material.mu ||
             (laws.at(body) && laws.at(body)->n_history() > 0))))
         projected.insert(body);

@@ -35,11 +35,12 @@ namespace Contact
             const Parameters::Solids                        &parameters);
 
   /// The bodies whose dilatation is projected: those that are, or become,
-  /// nearly incompressible.
+  /// nearly incompressible, unless their strains are @p enhanced.
   std::set<types::material_id> find_projected(
     const std::map<types::material_id, Material>                     &materials,
     const std::map<types::material_id, std::unique_ptr<MaterialLaw>> &laws,
-    const Parameters::Dilatation dilatation);
+    const Parameters::Dilatation        dilatation,
+    const std::set<types::material_id> &enhanced);
 } // namespace Contact
 
 #endif

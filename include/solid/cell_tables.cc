@@ -12,6 +12,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/errors.h"
+#include "base/string_utilities.h"
 #include "solid/followers.h"
 
 namespace Contact
@@ -55,6 +57,71 @@ namespace Contact
           for (auto &mode : modes)
             mode[m] /= norm;
         }
+      return modes;
+    }
+
+
+
+    /// See EnhancedCells. Modified Gram and Schmidt again.
+    template<int dim>
+    auto stress_modes(const Quadrature<dim> &quadrature,
+                      const CellTable<dim>  &cell)
+    {
+      const unsigned int n = quadrature.size();
+      std::vector<std::array<SymmetricTensor<2, 3>, dim * dim>> modes(n);
+
+      // Linear in each coordinate: the value in the centre is the mean.
+      std::vector<Tensor<2, dim>> J;
+      Tensor<2, dim>              J_0;
+      for (const Tensor<2, dim> &map : cell.gradient_maps)
+        {
+          J.push_back(invert(transpose(map)));
+          J_0 += J.back() / n;
+        }
+      const Tensor<2, dim> map_0 = invert(transpose(J_0));
+
+      const auto product = [&](const unsigned int m, const unsigned int k) {
+        double sum = 0;
+        for (unsigned int q = 0; q < n; ++q)
+          sum +=
+            cell.JxW[q] * (modes[q][m] * cell.material->stress(modes[q][k]));
+        return sum;
+      };
+      unsigned int m = 0;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = i; j < dim; ++j)
+          for (const unsigned int k : std::set<unsigned int>{i, j})
+            {
+              SymmetricTensor<2, dim> unit;
+              unit[i][j] = 1;
+              const auto strain =
+                symmetrize(map_0 * Tensor<2, dim>(unit) * transpose(map_0));
+              SymmetricTensor<2, 3> mean;
+              for (unsigned int q = 0; q < n; ++q)
+                {
+                  for (unsigned int d = 0; d < dim; ++d)
+                    for (unsigned int e = d; e < dim; ++e)
+                      modes[q][m][d][e] = (quadrature.point(q)[k] - 0.5) /
+                                          determinant(J[q]) * strain[d][e];
+                  mean += cell.JxW[q] * modes[q][m];
+                }
+              mean /= std::accumulate(cell.JxW.begin(), cell.JxW.end(), 0.);
+              for (auto &mode : modes)
+                mode[m] -= mean;
+              for (unsigned int l = 0; l < m; ++l)
+                {
+                  const double part = product(m, l);
+                  for (auto &mode : modes)
+                    mode[m] -= part * mode[l];
+                }
+              const double norm = std::sqrt(product(m, m));
+              for (auto &mode : modes)
+                mode[m] /= norm;
+              ++m;
+            }
+      for (auto &mode : modes)
+        for (auto &strain : mode)
+          strain = cell.material->stress(strain);
       return modes;
     }
 
@@ -128,7 +195,8 @@ namespace Contact
   CellTables<dim>
   tabulate_cells(const Discretization<dim>                    &discretization,
                  const std::map<types::material_id, Material> &materials,
-                 const std::set<types::material_id>           &projected)
+                 const std::set<types::material_id>           &projected,
+                 const std::set<types::material_id>           &enhanced)
   {
     hp::FEValues<dim> hp_fe_values(
       discretization.mapping,
@@ -172,6 +240,20 @@ namespace Contact
               ? dim + 1
               : 1);
 
+        if (enhanced.count(cell.body) > 0)
+          {
+            if (!dof_cell->reference_cell().is_hyper_cube())
+              throw InputError("there are no incompatible modes of triangles, "
+                               "one is at " +
+                                 brief(cell.centre),
+                               "Solids/Incompatible modes",
+                               "mesh '" +
+                                 discretization.mesh.body_name(cell.body) +
+                                 "' with quadrangles alone, or set 'Degree = "
+                                 "2'");
+            cell.stress_modes = stress_modes(fe_values.get_quadrature(), cell);
+          }
+
         tabulate_nodes(dof_cell, fe_values, discretization, tables, cell);
         (dof_cell->is_locally_owned() ? tables.own : tables.neighbors)
           .push_back(std::move(cell));
@@ -184,9 +266,11 @@ namespace Contact
   template CellTables<2>
   tabulate_cells(const Discretization<2> &,
                  const std::map<types::material_id, Material> &,
+                 const std::set<types::material_id> &,
                  const std::set<types::material_id> &);
   template CellTables<3>
   tabulate_cells(const Discretization<3> &,
                  const std::map<types::material_id, Material> &,
+                 const std::set<types::material_id> &,
                  const std::set<types::material_id> &);
 } // namespace Contact

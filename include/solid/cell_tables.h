@@ -50,6 +50,10 @@ namespace Contact
     /// phi_m phi_n = delta_mn, by point. Else empty.
     std::vector<std::array<double, dim + 1>> modes;
 
+    /// Stresses of the strains that the cell adds, by point, see
+    /// EnhancedCells. Else empty.
+    std::vector<std::array<SymmetricTensor<2, 3>, dim * dim>> stress_modes;
+
     /// Of its points at the start of the increment, see MaterialLaw. Else
     /// empty.
     std::vector<double> history;
@@ -101,14 +105,15 @@ namespace Contact
   };
 
   /// Tabulate the cells. Those of bodies that are @p projected get modes: dim +
-  /// 1 in quadrangles and hexahedra of degree 2, one in others. The tables
-  /// point to
-  /// @p materials, which have to outlive them.
+  /// 1 in quadrangles and hexahedra of degree 2, one in others; those of @p
+  /// enhanced ones stress modes. Throws InputError if a triangle is enhanced.
+  /// The tables point to @p materials, which have to outlive them.
   template<int dim>
   CellTables<dim>
   tabulate_cells(const Discretization<dim>                    &discretization,
                  const std::map<types::material_id, Material> &materials,
-                 const std::set<types::material_id>           &projected);
+                 const std::set<types::material_id>           &projected,
+                 const std::set<types::material_id>           &enhanced);
 } // namespace Contact
 
 #endif

@@ -12,6 +12,7 @@
 #include <array>
 
 #include "parameters/formula.h"
+#include "solid/enhanced_cells.h"
 
 namespace Contact
 {
@@ -22,16 +23,24 @@ namespace Contact
       const Discretization<dim>                    &discretization,
       const std::map<types::material_id, Material> &materials,
       const std::map<types::material_id, std::unique_ptr<MaterialLaw>> &laws,
-      const Parameters::Solids &parameters)
+      const Parameters::Solids           &parameters,
+      const std::set<types::material_id> &enhanced)
     {
       std::map<types::material_id, std::unique_ptr<CellKernel<dim>>> kernels;
       for (const auto &[name, body] : discretization.mesh.bodies)
-        kernels[body] =
-          CellKernel<dim>::create(materials.at(body),
-                                  laws.at(body).get(),
-                                  parameters.kinematics.of(name) ==
-                                    Parameters::Strains::small,
-                                  discretization.axisymmetric);
+        {
+          kernels[body] =
+            CellKernel<dim>::create(materials.at(body),
+                                    laws.at(body).get(),
+                                    parameters.kinematics.of(name) ==
+                                      Parameters::Strains::small,
+                                    discretization.axisymmetric);
+          if (enhanced.count(body) > 0)
+            kernels[body] =
+              make_enhanced_cells<dim>(materials.at(body),
+                                       std::move(kernels[body]),
+                                       discretization.axisymmetric);
+        }
       return kernels;
     }
 
@@ -48,6 +57,18 @@ namespace Contact
       for (const auto &[name, history] : parameters.thermal_strain)
         strains[mesh.body(name, entry)] = parse_history(history, entry);
       return strains;
+    }
+
+
+
+    template<int dim>
+    std::set<types::material_id>
+    find_enhanced(const Mesh<dim> &mesh, const Parameters::Solids &parameters)
+    {
+      std::set<types::material_id> enhanced;
+      for (const std::string &name : parameters.incompatible_modes)
+        enhanced.insert(mesh.body(name, "Solids/Incompatible modes"));
+      return enhanced;
     }
   } // namespace
 
@@ -83,10 +104,13 @@ namespace Contact
     , discretization(discretization)
     , materials(find_materials(discretization.mesh, parameters))
     , laws(make_laws(discretization.mesh.bodies, materials, parameters))
-    , kernels(make_kernels(discretization, materials, laws, parameters))
-    , projected(find_projected(materials, laws, parameters.dilatation))
+    , enhanced(find_enhanced(discretization.mesh, parameters))
+    , kernels(
+        make_kernels(discretization, materials, laws, parameters, enhanced))
+    , projected(
+        find_projected(materials, laws, parameters.dilatation, enhanced))
     , thermal_strains(parse_thermal_strains(discretization.mesh, parameters))
-    , tables(tabulate_cells(discretization, materials, projected))
+    , tables(tabulate_cells(discretization, materials, projected, enhanced))
     , springs(discretization, tables.own)
   {
     for (auto *part : {&tables.own, &tables.neighbors})

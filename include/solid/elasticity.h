@@ -281,6 +281,7 @@ namespace Contact
     const Discretization<dim>                   &discretization;
     const std::map<types::material_id, Material> materials;
     const std::map<types::material_id, std::unique_ptr<MaterialLaw>> laws;
+    const std::set<types::material_id>                               enhanced;
     const std::map<types::material_id, std::unique_ptr<CellKernel<dim>>>
                                        kernels;
     const std::set<types::material_id> projected;

@@ -11,22 +11,6 @@ namespace Contact
 {
   namespace
   {
-    /// -d(C^-1)/dE/2, symmetric in each pair: the double contraction with X is
-    /// C^-1 X C^-1.
-    SymmetricTensor<4, 3> inverse_twice(const SymmetricTensor<2, 3> &inverse)
-    {
-      SymmetricTensor<4, 3> product;
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = i; j < 3; ++j)
-          for (unsigned int k = 0; k < 3; ++k)
-            for (unsigned int l = k; l < 3; ++l)
-              product[i][j][k][l] = 0.5 * (inverse[i][k] * inverse[j][l] +
-                                           inverse[i][l] * inverse[j][k]);
-      return product;
-    }
-
-
-
     SymmetricTensor<2, 3> right_cauchy_green(const SymmetricTensor<2, 3> &E)
     {
       return 2 * E + unit_symmetric_tensor<3>();
@@ -35,8 +19,28 @@ namespace Contact
 
 
 
+  SymmetricTensor<4, 3> inverse_twice(const SymmetricTensor<2, 3> &G)
+  {
+    SymmetricTensor<4, 3> product;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = i; j < 3; ++j)
+        for (unsigned int k = 0; k < 3; ++k)
+          for (unsigned int l = k; l < 3; ++l)
+            product[i][j][k][l] = 0.5 * (G[i][k] * G[j][l] + G[i][l] * G[j][k]);
+    return product;
+  }
+
+
+
   NeoHookean::NeoHookean(const Material &elastic)
-    : mu(elastic.mu)
+    : NeoHookean(elastic, elastic.mu)
+  {
+  }
+
+
+
+  NeoHookean::NeoHookean(const Material &elastic, const double mu)
+    : mu(mu)
     , bulk_modulus(elastic.lambda + 2. / 3 * elastic.mu)
   {
   }

@@ -13,6 +13,12 @@ namespace Contact
 {
   using namespace dealii;
 
+  /// -d(C^-1)/dE/2 by the inverse G = C^-1, symmetric in each pair: the double
+  /// contraction with X is G X G.
+  SymmetricTensor<4, 3> inverse_twice(const SymmetricTensor<2, 3> &G);
+
+
+
   /**
    * The neo-Hookean material, of any compressibility: with C = 2 E + I,
    * J = det(C)^(1/2), shear modulus mu and bulk modulus K at zero strain
@@ -24,6 +30,9 @@ namespace Contact
   {
   public:
     explicit NeoHookean(const Material &elastic);
+
+    /// With another shear modulus [MPa], of a material that has more.
+    NeoHookean(const Material &elastic, const double mu);
 
     Response shear_part(const SymmetricTensor<2, 3> &E,
                         const double                *history,
