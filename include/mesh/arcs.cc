@@ -41,8 +41,36 @@ namespace Contact
 
 
 
-  ArcManifold::ArcManifold(const std::vector<Arc> &arcs)
+  Point<2> Parabola::at(const double s) const
+  {
+    return p + s * (q - p) +
+           4 * s * (1 - s) * ((middle - p + (middle - q)) / 2);
+  }
+
+
+
+  // Along q - p x(s) is s + b s (1 - s), |b| < 1.
+  std::optional<double> Parabola::coordinate(const Point<2> &x) const
+  {
+    const Tensor<1, 2> chord  = q - p;
+    const double       square = chord.norm_square();
+    const double       t      = (x - p) * chord / square;
+    if (t < -Arc::tolerance || t > 1 + Arc::tolerance)
+      return {};
+    const double b    = 2 * ((middle - p + (middle - q)) * chord) / square;
+    const double root = (1 + b) * (1 + b) - 4 * b * t;
+    const double s    = 2 * t / (1 + b + std::sqrt(std::max(0., root)));
+    if (at(s).distance_square(x) > Arc::tolerance * Arc::tolerance * square)
+      return {};
+    return s;
+  }
+
+
+
+  ArcManifold::ArcManifold(const std::vector<Arc>      &arcs,
+                           const std::vector<Parabola> &parabolas)
     : arcs(arcs)
+    , parabolas(parabolas)
   {
   }
 
@@ -50,7 +78,7 @@ namespace Contact
 
   std::unique_ptr<Manifold<2>> ArcManifold::clone() const
   {
-    return std::make_unique<ArcManifold>(arcs);
+    return std::make_unique<ArcManifold>(arcs, parabolas);
   }
 
 
@@ -92,6 +120,10 @@ namespace Contact
             const Tensor<1, 2> ray = mean - best->center;
             return best->center + best->radius / ray.norm() * ray;
           }
+        for (const Parabola &parabola : parabolas)
+          if (const auto s = parabola.coordinate(p))
+            if (const auto t = parabola.coordinate(q))
+              return parabola.at(weights[ends[0]] * *s + weights[ends[1]] * *t);
       }
     return mean;
   }

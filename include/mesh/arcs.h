@@ -11,6 +11,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Contact
@@ -46,9 +47,28 @@ namespace Contact
 
 
   /**
+   * A boundary that is a parabola through the ends of an edge and a third point
+   * [mm], half way in its coordinate s:
+   *   x(s) = p + s (q - p) + 4 s (1 - s) (middle - (p + q)/2),   0 <= s <= 1.
+   * The middle is within the middle half along q - p: s grows along the edge.
+   */
+  struct Parabola
+  {
+    Point<2> p, q, middle;
+
+    Point<2> at(const double s) const;
+
+    /// The coordinate of a point, or nothing if it is elsewhere.
+    std::optional<double> coordinate(const Point<2> &x) const;
+  };
+
+
+
+  /**
    * A straight manifold, except between two points of the same piece of an
    * arc: there it answers with the point of the circle (the weighted mean is
-   * moved radially).
+   * moved radially). Between two points of a parabola it answers with that of
+   * the mean coordinate.
    *
    * It serves quadrangles and triangles alike. The 6-node triangle on an arc
    * is why it has to be straight everywhere else: MappingFE asks for one
@@ -61,7 +81,8 @@ namespace Contact
   class ArcManifold : public Manifold<2>
   {
   public:
-    explicit ArcManifold(const std::vector<Arc> &arcs);
+    explicit ArcManifold(const std::vector<Arc>      &arcs,
+                         const std::vector<Parabola> &parabolas = {});
 
     std::unique_ptr<Manifold<2>> clone() const override;
 
@@ -70,7 +91,8 @@ namespace Contact
                   const ArrayView<const double>   &weights) const override;
 
   private:
-    const std::vector<Arc> arcs;
+    const std::vector<Arc>      arcs;
+    const std::vector<Parabola> parabolas;
   };
 } // namespace Contact
 

@@ -91,19 +91,44 @@ namespace Contact
 
 
     template<int dim>
+    Point<dim> place_of(const long node, const MshFile &msh)
+    {
+      Point<dim> p;
+      for (unsigned int d = 0; d < dim; ++d)
+        p[d] = msh.nodes.at(node)[d];
+      return p;
+    }
+
+
+
+    template<int dim>
     std::vector<Point<dim>> vertex_points(const MshFile  &msh,
                                           const Vertices &vertices)
     {
       std::vector<Point<dim>> points;
       for (const auto &vertex : vertices)
-        {
-          const Point<3> &p = msh.nodes.at(vertex.first);
-          Point<dim>      q;
-          for (unsigned int d = 0; d < dim; ++d)
-            q[d] = p[d];
-          points.push_back(q);
-        }
+        points.push_back(place_of<dim>(vertex.first, msh));
       return points;
+    }
+
+
+
+    /// The vertices are in the order of the nodes. Lines may be of no cell.
+    template<int dim>
+    void find_mid_sides(const MshFile   &msh,
+                        const Vertices  &vertices,
+                        CoarseMesh<dim> &coarse)
+    {
+      for (const auto &[nodes, middle] : msh.mid_sides)
+        {
+          Face side;
+          for (const long node : nodes)
+            if (const auto vertex = vertices.find(node);
+                vertex != vertices.end())
+              side.push_back(vertex->second);
+          if (side.size() == nodes.size())
+            coarse.mid_sides[side] = place_of<dim>(middle, msh);
+        }
     }
 
 
@@ -480,6 +505,7 @@ namespace Contact
     number_boundaries(msh, vertices, faces, coarse);
     if constexpr (dim == 3)
       number_curves(msh, vertices, faces, coarse);
+    find_mid_sides(msh, vertices, coarse);
     coarse.points = find_points(msh, vertices);
     return coarse;
   }

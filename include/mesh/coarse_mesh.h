@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/mid_sides.h"
 #include "mesh/msh_file.h"
 
 namespace Contact
@@ -30,6 +31,7 @@ namespace Contact
     std::vector<Point<dim>>    vertices;
     std::vector<CellData<dim>> cells; // corners in gmsh's order, right-handed
     SubCellData                faces; // and curves in space, with ids
+    MidSides<dim>              mid_sides; // of elements of second order
 
     std::map<std::string, std::set<types::boundary_id>> boundaries;
     std::map<std::string, std::set<types::boundary_id>> curves; // in space

@@ -83,11 +83,12 @@ namespace Contact
     /// Put the vertices where they belong; one that two bodies share can not
     /// move with both.
     template<int dim>
-    void place_vertices(const std::vector<CellData<dim>> &cells,
-                        const Placement<dim>             &placement,
-                        const MshFile                    &msh,
-                        std::vector<Point<dim>>          &points)
+    void place_vertices(const Placement<dim> &placement,
+                        const MshFile        &msh,
+                        CoarseMesh<dim>      &coarse)
     {
+      const auto                     &cells  = coarse.cells;
+      auto                           &points = coarse.vertices;
       std::vector<types::material_id> body(points.size(),
                                            numbers::invalid_material_id);
       for (const auto &cell : cells)
@@ -102,6 +103,8 @@ namespace Contact
                              "move both alike in entry 'Mesh/Move', or none");
       for (unsigned int v = 0; v < points.size(); ++v)
         points[v] = placement(points[v], body[v]);
+      for (auto &[side, middle] : coarse.mid_sides)
+        middle = placement(middle, body[side[0]]);
 
       // Products of two areas are the largest and smallest numbers of the
       // geometry.
@@ -207,13 +210,19 @@ namespace Contact
     points                 = coarse.points;
     with_inner_faces       = coarse.with_inner_faces;
     name_points(parameters, coarse.vertices, points);
-    place_vertices(coarse.cells, placement, msh, coarse.vertices);
+    place_vertices(placement, msh, coarse);
     order_cells(coarse.cells);
     triangulation.create_triangulation(coarse.vertices,
                                        coarse.cells,
                                        coarse.faces);
     pieces.find(triangulation);
-    make_round(parameters, placement, *this);
+    if (!parameters.mid_side_nodes)
+      coarse.mid_sides.clear();
+    else if (coarse.mid_sides.empty())
+      throw InputError("the mesh has no elements of second order",
+                       "entry 'Mesh/Mid-side nodes'",
+                       "mesh with gmsh -order 2, or remove the entry");
+    make_round(parameters, placement, coarse.mid_sides, *this);
     refine(parameters.refinements);
   }
 

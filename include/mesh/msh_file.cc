@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/string_utilities.h"
+#include "mesh/mid_sides.h"
 
 
 namespace Contact
@@ -144,6 +145,7 @@ namespace Contact
       // gmsh lists the corners first.
       for (unsigned int i = type.n_corners; i < type.n_nodes; ++i)
         middle_nodes.emplace(nodes[i], number);
+      add_mid_sides(type.dimension, type.n_corners, nodes, msh.mid_sides);
       nodes.resize(type.n_corners);
       auto sorted = nodes;
       std::sort(sorted.begin(), sorted.end());

@@ -180,6 +180,10 @@ namespace Contact
     /// Node number -> coordinates.
     std::map<long, Point<3>> nodes;
 
+    /// Corners of an edge or, of volumes, of a face, in ascending order -> the
+    /// node on its middle.
+    std::map<std::vector<long>, long> mid_sides;
+
     /// By dimension: points, lines, surfaces, volumes. All nodes exist. An
     /// element which the file repeats, as format 2.2 does for each of its
     /// groups, stands here once.

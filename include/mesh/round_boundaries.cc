@@ -8,8 +8,11 @@
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 
 #include "base/errors.h"
 #include "base/string_utilities.h"
@@ -50,6 +53,40 @@ namespace Contact
 
 
 
+    template<class Side, int dim>
+    auto find_middle(const Side &side, const MidSides<dim> &mid_sides)
+    {
+      std::vector<unsigned int> vertices;
+      for (const unsigned int v : side->vertex_indices())
+        vertices.push_back(side->vertex_index(v));
+      std::sort(vertices.begin(), vertices.end());
+      return mid_sides.find(vertices);
+    }
+
+
+
+    /// How far the mid-side node of a line is from its middle; zero where that
+    /// is within the digits of the file. The coordinate along a parabola grows
+    /// as long as its node is in the middle half.
+    template<class Line, int dim>
+    Tensor<1, dim> bulge_of(const Line &line, const MidSides<dim> &mid_sides)
+    {
+      const auto middle = find_middle(line, mid_sides);
+      if (middle == mid_sides.end())
+        return Tensor<1, dim>();
+      const Tensor<1, dim> chord = line->vertex(1) - line->vertex(0),
+                           bulge = middle->second - line->center();
+      if (!(4 * std::abs(bulge * chord) < chord.norm_square()))
+        throw InputError("the mid-side node at " + to_string(middle->second) +
+                           " is not in the middle half of its side",
+                         "entry 'Mesh/Mid-side nodes'",
+                         "mesh anew, or remove the entry");
+      return bulge.norm() < Arc::tolerance * chord.norm() ? Tensor<1, dim>()
+                                                          : bulge;
+    }
+
+
+
     using SurfaceIn =
       std::function<RoundSurface(const std::vector<double> &numbers,
                                  const types::material_id   body)>;
@@ -84,12 +121,48 @@ namespace Contact
                 }
         }
     }
+
+
+
+    void make_sides_curved(const MidSides<3>  &mid_sides,
+                           Mesh<3>            &mesh,
+                           types::manifold_id &n_manifolds)
+    {
+      for (const auto &cell : mesh.triangulation.active_cell_iterators())
+        for (const auto &face : cell->face_iterators())
+          {
+            if (face->manifold_id() != numbers::flat_manifold_id)
+              continue;
+            std::array<Point<3>, 4>     corners;
+            std::array<Tensor<1, 3>, 4> bulges;
+            std::optional<Point<3>>     centre;
+            double                      largest = 0;
+            for (unsigned int i = 0; i < 4; ++i)
+              {
+                corners[i] = face->vertex(i);
+                bulges[i]  = bulge_of(face->line(i), mid_sides);
+                largest    = std::max(largest, bulges[i].norm());
+              }
+            if (largest == 0)
+              continue;
+            if (const auto found = find_middle(face, mid_sides);
+                found != mid_sides.end())
+              centre = found->second;
+            mesh.triangulation
+              .set_manifold(++n_manifolds, CurvedFace(corners, bulges, centre));
+            face->set_manifold_id(n_manifolds);
+            for (unsigned int i = 0; i < 4; ++i)
+              if (bulges[i].norm() > 0)
+                face->line(i)->set_manifold_id(n_manifolds);
+          }
+    }
   } // namespace
 
 
 
   void make_round(const Parameters::Mesh &parameters,
                   const Placement<2>     &placement,
+                  const MidSides<2>      &mid_sides,
                   Mesh<2>                &mesh)
   {
     for (const auto *surfaces : {&parameters.spheres,
@@ -123,19 +196,30 @@ namespace Contact
         for (const auto &[body, arc] : of_body)
           arcs.push_back(arc);
       }
-    if (arcs.empty())
+    std::vector<Parabola> parabolas;
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      for (const auto &face : cell->face_iterators())
+        if (face->manifold_id() != arc_id)
+          if (const auto bulge = bulge_of(face, mid_sides); bulge.norm() > 0)
+            {
+              parabolas.push_back(
+                {face->vertex(0), face->vertex(1), face->center() + bulge});
+              face->set_manifold_id(arc_id);
+            }
+    if (arcs.empty() && parabolas.empty())
       return;
 
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
       if (cell->reference_cell() == ReferenceCells::Triangle)
         cell->set_all_manifold_ids(arc_id);
-    mesh.triangulation.set_manifold(arc_id, ArcManifold(arcs));
+    mesh.triangulation.set_manifold(arc_id, ArcManifold(arcs, parabolas));
   }
 
 
 
   void make_round(const Parameters::Mesh &parameters,
                   const Placement<3>     &placement,
+                  const MidSides<3>      &mid_sides,
                   Mesh<3>                &mesh)
   {
     if (!parameters.arcs.empty())
@@ -144,6 +228,7 @@ namespace Contact
                        "use Mesh/Cylinders, Spheres, Cones or Tori");
     const double       scale       = placement.scale;
     types::manifold_id n_manifolds = 0;
+    make_sides_curved(mid_sides, mesh, n_manifolds);
     const auto place = [&](const auto &n, const types::material_id body) {
       return placement(Point<3>(n[0], n[1], n[2]), body);
     };

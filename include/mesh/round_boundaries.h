@@ -7,6 +7,7 @@
 #define contact_round_boundaries_h
 
 #include "mesh/mesh.h"
+#include "mesh/mid_sides.h"
 #include "mesh/placement.h"
 
 namespace Contact
@@ -17,13 +18,17 @@ namespace Contact
    * Make the boundaries that the parameters name round, whose faces are
    * straight: arcs of circles, in space parts of spheres, cylinders, cones and
    * tori. A surface belongs to the body that it bounds, and moves with it.
-   * Throws InputError if a vertex is not on its surface.
+   * All other sides of cells go through their @p mid_sides, if there are any.
+   * Throws InputError if a vertex is not on its surface, or a mid-side node is
+   * too far from the middle.
    */
   void make_round(const Parameters::Mesh &parameters,
                   const Placement<2>     &placement,
+                  const MidSides<2>      &mid_sides,
                   Mesh<2>                &mesh);
   void make_round(const Parameters::Mesh &parameters,
                   const Placement<3>     &placement,
+                  const MidSides<3>      &mid_sides,
                   Mesh<3>                &mesh);
 } // namespace Contact
 

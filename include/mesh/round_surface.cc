@@ -7,6 +7,9 @@
 
 #include <cmath>
 
+#include "base/errors.h"
+#include "base/string_utilities.h"
+
 namespace Contact
 {
   namespace
@@ -23,6 +26,13 @@ namespace Contact
       double       height;
       Tensor<1, 3> ray;
     };
+
+
+
+    /// Of Newton's method on a curved face, whose coordinates are of the unit
+    /// square: quadratic but for round-off.
+    constexpr unsigned int max_steps = 50;
+    constexpr double       accuracy  = 1e-13;
 
 
 
@@ -111,5 +121,101 @@ namespace Contact
     for (unsigned int i = 0; i < weights.size(); ++i)
       mean += weights[i] * surrounding_points[i];
     return surface.closest(mean);
+  }
+
+
+
+  CurvedFace::CurvedFace(const std::array<Point<3>, 4>     &corners,
+                         const std::array<Tensor<1, 3>, 4> &bulges,
+                         const std::optional<Point<3>>     &centre)
+    : corners(corners)
+    , bulges(bulges)
+    , centre(centre)
+  {
+    if (centre)
+      bubble = *centre - push_forward(Point<2>(0.5, 0.5));
+  }
+
+
+
+  std::unique_ptr<Manifold<3>> CurvedFace::clone() const
+  {
+    return std::make_unique<CurvedFace>(corners, bulges, centre);
+  }
+
+
+
+  // Lines 0 and 1 are where xi_0 is 0 and 1, lines 2 and 3 where xi_1 is.
+  Point<3> CurvedFace::push_forward(const Point<2> &xi) const
+  {
+    Point<3> x(16 * xi[0] * (1 - xi[0]) * xi[1] * (1 - xi[1]) * bubble);
+    for (unsigned int v = 0; v < 4; ++v)
+      x += (v % 2 == 0 ? 1 - xi[0] : xi[0]) * (v < 2 ? 1 - xi[1] : xi[1]) *
+           corners[v];
+    for (unsigned int l = 0; l < 4; ++l)
+      {
+        const double across = xi[l / 2], along = xi[1 - l / 2];
+        x += 4 * (l % 2 == 0 ? 1 - across : across) * along * (1 - along) *
+             bulges[l];
+      }
+    return x;
+  }
+
+
+
+  DerivativeForm<1, 2, 3>
+  CurvedFace::push_forward_gradient(const Point<2> &xi) const
+  {
+    std::array<Tensor<1, 3>, 2> by;
+    for (unsigned int i = 0; i < 2; ++i)
+      by[i] = 16 * (1 - 2 * xi[i]) * xi[1 - i] * (1 - xi[1 - i]) * bubble;
+    for (unsigned int v = 0; v < 4; ++v)
+      {
+        const double sign_0 = v % 2 == 0 ? -1 : 1, sign_1 = v < 2 ? -1 : 1;
+        by[0] += sign_0 * (v < 2 ? 1 - xi[1] : xi[1]) * corners[v];
+        by[1] += sign_1 * (v % 2 == 0 ? 1 - xi[0] : xi[0]) * corners[v];
+      }
+    for (unsigned int l = 0; l < 4; ++l)
+      {
+        const double across = xi[l / 2], along = xi[1 - l / 2];
+        by[l / 2] += (l % 2 == 0 ? -4 : 4) * along * (1 - along) * bulges[l];
+        by[1 - l / 2] +=
+          4 * (l % 2 == 0 ? 1 - across : across) * (1 - 2 * along) * bulges[l];
+      }
+    DerivativeForm<1, 2, 3> gradient;
+    for (unsigned int d = 0; d < 3; ++d)
+      for (unsigned int i = 0; i < 2; ++i)
+        gradient[d][i] = by[i][d];
+    return gradient;
+  }
+
+
+
+  Point<2> CurvedFace::pull_back(const Point<3> &p) const
+  {
+    Point<2> xi(0.5, 0.5);
+    for (unsigned int step = 0; step < max_steps; ++step)
+      {
+        const auto         gradient = push_forward_gradient(xi);
+        const Tensor<1, 3> r        = p - push_forward(xi);
+        Tensor<1, 2>       rhs;
+        Tensor<2, 2>       matrix;
+        for (unsigned int i = 0; i < 2; ++i)
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              rhs[i] += gradient[d][i] * r[d];
+              for (unsigned int j = 0; j < 2; ++j)
+                matrix[i][j] += gradient[d][i] * gradient[d][j];
+            }
+        const Tensor<1, 2> change = invert(matrix) * rhs;
+        xi += change;
+        if (change.norm() < accuracy)
+          return xi;
+      }
+    throw InputError("a face with mid-side nodes is too much bent: no place "
+                     "on it for the point " +
+                       brief(p),
+                     "entry 'Mesh/Mid-side nodes'",
+                     "make the mesh finer there");
   }
 } // namespace Contact

@@ -226,8 +226,9 @@ namespace Contact
                            const Parameters::Contact &contact_pair,
                            std::vector<std::string>  &notes)
     {
-      if (parameters.element.degree == 1 && parameters.mesh.refinements == 0 &&
-          !parameters.has_levels())
+      if (parameters.mesh.mid_side_nodes ||
+          (parameters.element.degree == 1 && parameters.mesh.refinements == 0 &&
+           !parameters.has_levels()))
         return;
       for (const std::string &name : {contact_pair.slave, contact_pair.master})
         {

@@ -25,6 +25,12 @@ namespace Contact
                         refinements,
                         "How often the mesh is refined globally [-].",
                         Patterns::Integer(0));
+      prm.add_parameter("Mid-side nodes",
+                        mid_side_nodes,
+                        "Whether sides of cells are curved as the mid-side "
+                        "nodes of elements of second order are placed [-]; "
+                        "boundaries that an entry below calls round are as it "
+                        "says. Without, all others are straight.");
       prm.add_parameter("Arcs",
                         arcs,
                         "Boundary groups that are arcs of circles: 'group: "

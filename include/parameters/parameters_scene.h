@@ -61,6 +61,10 @@ namespace Contact
       std::string  file;
       unsigned int refinements = 0;
 
+      /// Whether sides of cells go through the mid-side nodes of elements of
+      /// second order, see make_round().
+      bool mid_side_nodes = false;
+
       /// Boundary group -> {centre x, centre y, radius} [mm].
       std::map<std::string, std::vector<double>> arcs;
 

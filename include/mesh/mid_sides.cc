@@ -1,0 +1,59 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "mesh/mid_sides.h"
+
+#include <algorithm>
+
+namespace Contact
+{
+  namespace
+  {
+    /// The corners of the edges and faces of a hexahedron, in the order of the
+    /// nodes on their middles.
+    const std::vector<std::vector<unsigned int>> hexahedron_sides = {
+      {0, 1},
+      {0, 3},
+      {0, 4},
+      {1, 2},
+      {1, 5},
+      {2, 3},
+      {2, 6},
+      {3, 7},
+      {4, 5},
+      {4, 7},
+      {5, 6},
+      {6, 7},
+      {0, 1, 2, 3},
+      {0, 1, 4, 5},
+      {0, 3, 4, 7},
+      {1, 2, 5, 6},
+      {2, 3, 6, 7},
+      {4, 5, 6, 7}};
+  } // namespace
+
+
+
+  // Behind the corners stand those of the edges, then those of faces.
+  void add_mid_sides(const unsigned int                 dimension,
+                     const unsigned int                 n_corners,
+                     const std::vector<long>           &nodes,
+                     std::map<std::vector<long>, long> &mid_sides)
+  {
+    const unsigned int n_sides =
+      dimension == 3 ? hexahedron_sides.size() : dimension * n_corners / 2;
+    for (unsigned int s = 0; s < n_sides && n_corners + s < nodes.size(); ++s)
+      {
+        std::vector<long> corners;
+        if (dimension == 3)
+          for (const unsigned int corner : hexahedron_sides[s])
+            corners.push_back(nodes[corner]);
+        else
+          corners = {nodes[s], nodes[(s + 1) % n_corners]};
+        std::sort(corners.begin(), corners.end());
+        mid_sides[corners] = nodes[n_corners + s];
+      }
+  }
+} // namespace Contact
