@@ -182,6 +182,7 @@ namespace Contact
     {
       std::vector<GhostedVector>                  solutions;
       std::vector<std::vector<SurfaceState<dim>>> surfaces;
+      std::vector<std::vector<double>>            motions;
       Vector<float>                               indicators; // see GoalErrors
     };
 
@@ -472,8 +473,12 @@ namespace Contact
           {
             here.solutions.push_back(state.solution);
             if (model.interface)
-              here.surfaces.push_back(
-                save_surfaces(*model.interface, state.solution));
+              {
+                here.surfaces.push_back(
+                  save_surfaces(*model.interface, state.solution));
+                here.motions.push_back(
+                  model.interface->motions(state.solution));
+              }
           }
       }
     coarser = std::move(here);
@@ -513,7 +518,8 @@ namespace Contact
   void ContactProblem<dim>::solve_increment(const LoadSteps::Step &step)
   {
     model.elasticity->heat(step.from, step.to);
-    if (model.interface && model.interface->move_obstacles(step.from, step.to))
+    if (model.interface &&
+        model.interface->move_obstacles(step.from, step.to, state.solution))
       pairing.pair(state.solution);
     state.begin(model, step.from, step.to);
     pairing.begin_increment((step.to - step.from) *
@@ -537,10 +543,15 @@ namespace Contact
     else
       model.discretization->constrain_update(state.solution, state.load_factor);
     if (model.interface) // supports alone do not change
-      stabilization.stabilize_free_pieces(model.interface.get());
+      {
+        stabilization.stabilize_free_pieces(model.interface.get());
+        model.interface->begin_to_touch(state.solution);
+      }
     stabilization.begin_increment();
 
     solve_with_stabilization();
+    if (model.interface)
+      model.interface->place_obstacles(state.solution, /*keeps_place=*/true);
 
     // No equation determines the place of a body that has lost its contact: it
     // could have gone anywhere on the way.
@@ -560,6 +571,10 @@ namespace Contact
   {
     const GhostedVector &u = coarser.solutions[increment - 1];
     std::copy(u.begin(), u.end(), state.solution.begin());
+    if (model.interface)
+      for (unsigned int k = 0; k < model.interface->free_motions().size(); ++k)
+        state.solution[model.interface->motion_index(k)] =
+          coarser.motions[increment - 1][k];
     pairing.pair(state.solution);
     if (model.interface)
       restore_surfaces(coarser.surfaces[increment - 1],
@@ -587,7 +602,7 @@ namespace Contact
     system->forget_pattern();
     model.elasticity->heat(step.from, step.from);
     if (model.interface)
-      model.interface->move_obstacles(step.from, step.from);
+      model.interface->move_obstacles(step.from, step.from, state.solution);
     pairing.pair(state.solution);
 
     stabilization.stabilize_free_pieces(nullptr);

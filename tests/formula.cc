@@ -201,7 +201,7 @@ namespace
     report_probe({"displacement y", ""});
     report_probe({"displacement y", "", "Q"});
     report_probe({"displacement y", "P", ""});
-    report_probe({"rotation z", "P", "Q"});
+    report_probe({"torsion z", "P", "Q"});
   }
 
 

@@ -38,6 +38,7 @@ namespace Contact
           tangential_number.push_back(contact_pair->law.is_frictionless()
                                         ? numbers::invalid_unsigned_int
                                         : n_tangential++);
+        make_free_motions(*contact_pair, of_pair);
         pairs.push_back(std::move(contact_pair));
       }
     find_corners();
@@ -158,7 +159,8 @@ namespace Contact
   template<int dim>
   unsigned int ContactInterface<dim>::n_multipliers() const
   {
-    return n_normal_multipliers() + (dim - 1) * n_tangential;
+    return n_normal_multipliers() + (dim - 1) * n_tangential +
+           all_motions.size();
   }
 
 
@@ -209,7 +211,9 @@ namespace Contact
   bool ContactInterface<dim>::pair(const GhostedVector &u,
                                    const PairingMode   &mode)
   {
-    bool changed = false;
+    bool changed      = equations_changed;
+    equations_changed = false;
+    place_obstacles(u, /*keeps_place=*/false);
     for (const auto &contact_pair : pairs)
       changed =
         contact_pair->pair({all_points.data() + contact_pair->first_point,
@@ -218,23 +222,6 @@ namespace Contact
                            mode) ||
         changed;
     return changed;
-  }
-
-
-
-  template<int dim>
-  bool ContactInterface<dim>::move_obstacles(const double from, const double to)
-  {
-    bool moves = false;
-    for (const auto &contact_pair : pairs)
-      {
-        if (contact_pair->obstacle)
-          moves = contact_pair->obstacle->move(from, to) || moves;
-        if (auto *interference = contact_pair->interference.get())
-          interference->now = interference->at(Point<1>(to));
-      }
-    obstacles_are_moving = moves && from != to;
-    return moves;
   }
 
 
@@ -293,6 +280,10 @@ namespace Contact
         if (contact_pair->master)
           look(*contact_pair->master);
       }
+    for (unsigned int k = 0; k < all_motions.size(); ++k)
+      change = std::max(change,
+                        all_motions[k]->lever *
+                          std::abs(u[motion_index(k)] - from[motion_index(k)]));
     return change;
   }
 
@@ -317,6 +308,15 @@ namespace Contact
         }
 
     ContactState<dim> state{};
+    for (unsigned int k = 0; k < point.motions.size(); ++k)
+      {
+        const MotionAt<dim> &at = point.motions[k];
+        const Tensor<1, dim> way =
+          (motion(point, k, solution) - at.paired) * at.way;
+        dr -= way;
+        for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
+          r -= point.C[a] * way;
+      }
     state.gap = point.normal * r;
     if (const auto *interference = contact_pair(point).interference.get())
       for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
@@ -372,6 +372,8 @@ namespace Contact
           for (unsigned int t = 0; t < dim - 1; ++t)
             square += std::pow(stiffness[k] * rhs[tangential_index(k, t)], 2);
       }
+    for (unsigned int k = 0; k < all_motions.size(); ++k)
+      square += std::pow(rhs[motion_index(k)] / all_motions[k]->lever, 2);
     return std::sqrt(square);
   }
 
@@ -400,6 +402,10 @@ namespace Contact
       for (unsigned int t = 0; t < dim - 1; ++t)
         for (unsigned int k = 0; k < point.n_multipliers; ++k)
           unknowns.push_back(tangential_index(point.multipliers[k], t));
+    const unsigned int first = contact_pair(point).first_motion;
+    for (unsigned int k = 0; k < point.motions.size(); ++k)
+      if (!all_motions[first + k]->stays)
+        unknowns.push_back(motion_index(first + k));
     const unsigned int n_own = dim * point.n_nodes;
     for (const auto dof : point.change.dofs)
       if (std::find(unknowns.begin(), unknowns.begin() + n_own, dof) ==

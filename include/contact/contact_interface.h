@@ -125,7 +125,7 @@ namespace Contact
     /// Whether a master has ends without points of their own.
     bool lacks_ends_of_masters() const;
 
-    /// All of them, and those of the normal direction.
+    /// All of them, with free motions, and those of the normal direction.
     unsigned int n_multipliers() const;
     unsigned int n_normal_multipliers() const;
 
@@ -150,9 +150,65 @@ namespace Contact
     bool pair(const GhostedVector &u, const PairingMode &mode = {});
 
     /// An increment moves the obstacles from where they are at one load factor
-    /// to another, and changes the interferences. Returns whether the points
-    /// have to be paired anew.
-    bool move_obstacles(const double from, const double to);
+    /// and in @p start to another, and changes the interferences and the forces
+    /// of free motions. Returns whether the points have to be paired anew.
+    bool move_obstacles(const double         from,
+                        const double         to,
+                        const GhostedVector &start = {});
+
+    /// The obstacles are where they are in @p solution. With @p keeps_place the
+    /// pairing stays that of before.
+    void place_obstacles(const GhostedVector &solution, const bool keeps_place);
+
+    /// All motions that follow from forces, contact pair by contact pair, and
+    /// their indices in the solution, behind all multipliers.
+    const std::vector<FreeMotion *> &free_motions() const
+    {
+      return all_motions;
+    }
+
+    types::global_dof_index motion_index(const unsigned int motion) const
+    {
+      return discretization.dof_handler.n_dofs() + n_multipliers() -
+             all_motions.size() + motion;
+    }
+
+    /// A motion of the pair of @p point in a solution [mm, rad]; one without
+    /// multipliers leaves it where the point was paired.
+    double motion(const ContactPoint<dim> &point,
+                  const unsigned int       number,
+                  const GhostedVector     &solution) const
+    {
+      return solution.size() > discretization.dof_handler.n_dofs()
+               ? solution[motion_index(contact_pair(point).first_motion +
+                                       number)]
+               : point.motions[number].paired;
+    }
+
+    /// All of them in a solution [mm, rad]; zero without multipliers.
+    std::vector<double> motions(const GhostedVector &solution) const;
+
+    /// What pressures and shears exert along each free motion [N, of turns N
+    /// mm; in the plane per mm of thickness]. Without @p moving_bound the
+    /// multipliers, which know how slip turns in a step.
+    std::vector<double>
+    motion_forces(const GhostedVector       &solution,
+                  const GhostedVector       &u_start,
+                  const std::optional<bool> &moving_bound) const;
+
+    /// Obstacles that forces move and that touch nothing move until they
+    /// touch: a guess of the active set, as activate_nearest().
+    void begin_to_touch(const GhostedVector &u);
+
+    /// A spring in the tangent, and there alone, for motions that nothing
+    /// resists: next to nothing beside the bodies [N/mm, of turns N mm].
+    double motion_spring(const FreeMotion &motion) const;
+
+    /// A step goes this @p way because of a @p missing force. Throws
+    /// NotConverged if it is the spring that takes a tenth of it.
+    void check_motion(const FreeMotion &motion,
+                      const double      way,
+                      const double      missing) const;
 
     /// The largest angle by which an obstacle turns in this increment [rad].
     double largest_turn() const;
@@ -312,14 +368,23 @@ namespace Contact
     /// Points that stick and are held in a corner slip in no direction.
     void release_in_corners();
 
+    void make_free_motions(ContactPair<dim>          &contact_pair,
+                           const Parameters::Contact &parameters);
+    bool touches(const ContactPair<dim> &contact_pair) const;
+    void activate_nearest(const unsigned int   first,
+                          const unsigned int   n,
+                          const GhostedVector &u);
+
     /// The points of other obstacles with the same node, by point.
     void find_corners();
 
 
     std::vector<ContactPoint<dim>>                    all_points;
     std::map<unsigned int, std::vector<unsigned int>> in_corner;
-    GhostedVector support_motion; // of this increment
-    bool          obstacles_are_moving = false;
+    GhostedVector             support_motion; // of this increment
+    bool                      obstacles_are_moving = false;
+    std::vector<FreeMotion *> all_motions;
+    bool equations_changed = false; // since the last pairing: of motions
 
     /// Of each normal multiplier the number of its tangential one.
     std::vector<unsigned int> tangential_number;
@@ -358,6 +423,8 @@ namespace Contact
     std::vector<signed char> codes     = signature();
     Vector<double>           of_points = bounds();
     std::vector<Point<dim>>  places;
+    for (unsigned int k = 0; k < all_motions.size(); ++k)
+      archive &solution[motion_index(k)];
     for (const ContactPoint<dim> &point : all_points)
       places.push_back(contact_pair(point).place(point));
     // Which of all points comes next: the closest to its place, up to

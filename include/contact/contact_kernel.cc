@@ -14,6 +14,80 @@
 
 namespace Contact
 {
+  namespace
+  {
+    /// Call @p visit with the place of each free motion among the unknowns of a
+    /// point, with what makes of a row over these its entry there, and with the
+    /// number of the motion: that the master moves is that the nodes of the
+    /// slave move the other way.
+    template<int dim, typename Visit>
+    void for_free_motions(const ContactInterface<dim> &interface,
+                          const ContactPoint<dim>     &point,
+                          const Visit                 &visit)
+    {
+      const unsigned int first = interface.contact_pair(point).first_motion;
+      unsigned int       place =
+        dim * point.n_nodes +
+        (interface.has_friction(point) ? dim : 1) * point.n_multipliers;
+      for (unsigned int k = 0; k < point.motions.size(); ++k)
+        if (!interface.free_motions()[first + k]->stays)
+          visit(
+            place++,
+            [&](const auto &row) {
+              double sum = 0;
+              for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
+                for (unsigned int i = 0; i < dim; ++i)
+                  sum -= point.motions[k].way[i] * row(dim * a + i);
+              return sum;
+            },
+            first + k);
+    }
+
+
+
+    /// In the plane an obstacle under a moment takes the loads with it as it
+    /// turns, and its moment changes with their arms.
+    void add_turning_loads(const ContactInterface<2> &interface,
+                           const ContactPoint<2>     &point,
+                           const Vector<double>      &residual,
+                           FullMatrix<double>        &matrix)
+    {
+      const auto turned = [&](const unsigned int k) {
+        return k % 2 == 0 ? -residual[k + 1] : residual[k - 1];
+      };
+      for_free_motions(
+        interface,
+        point,
+        [&](const unsigned int j, const auto &, const unsigned int motion) {
+          if (interface.free_motions()[motion]->name != "angle")
+            return;
+          for (unsigned int k = 0; k < 2 * point.n_slave_nodes; ++k)
+            {
+              matrix(k, j) += turned(k);
+              matrix(j, k) += turned(k);
+            }
+          for_free_motions(interface,
+                           point,
+                           [&](const unsigned int i,
+                               const auto        &node_by_way,
+                               const unsigned int) {
+                             matrix(i, j) += node_by_way(turned);
+                             if (i != j)
+                               matrix(j, i) += node_by_way(turned);
+                           });
+        });
+    }
+
+    void add_turning_loads(const ContactInterface<3> &,
+                           const ContactPoint<3> &,
+                           const Vector<double> &,
+                           FullMatrix<double> &)
+    {
+    }
+  } // namespace
+
+
+
   /// The motion of the pairing of a contact point with the bodies: derivatives
   /// with respect to its unknowns, by their place in Rows::unknowns.
   template<int dim>
@@ -268,6 +342,19 @@ namespace Contact
 
     if (linearization.moving_geometry && !interface.contact_pair(point).tied)
       add_motion(point, motion(point, solution, u_start), rows);
+    for_free_motions(interface,
+                     point,
+                     [&](const unsigned int j,
+                         const auto        &node_by_way,
+                         const unsigned int) {
+                       rows.p_trial[j] = node_by_way(rows.p_trial);
+                       rows.load_p[j]  = node_by_way(rows.load_p);
+                       for (unsigned int t = 0; t < dim - 1; ++t)
+                         {
+                           rows.q_trial[t][j] = node_by_way(rows.q_trial[t]);
+                           rows.load_q[t][j]  = node_by_way(rows.load_q[t]);
+                         }
+                     });
   }
 
 
@@ -331,7 +418,27 @@ namespace Contact
       point.status.kind != Status::open || !point.change.dofs.empty();
     if (linearization.moving_geometry && !interface.contact_pair(point).tied &&
         acts)
-      add_motion(point, motion(point, solution, u_start), t, matrix, residual);
+      {
+        add_motion(point,
+                   motion(point, solution, u_start),
+                   t,
+                   matrix,
+                   residual);
+        for_free_motions(
+          interface,
+          point,
+          [&](const unsigned int j,
+              const auto        &node_by_way,
+              const unsigned int) {
+            for (unsigned int i = 0; i < n; ++i)
+              matrix(i, j) =
+                node_by_way([&](const unsigned int k) { return matrix(i, k); });
+            for (unsigned int i = 0; i < n; ++i)
+              matrix(j, i) =
+                node_by_way([&](const unsigned int k) { return matrix(k, i); });
+          });
+        add_turning_loads(interface, point, residual, matrix);
+      }
   }
 
 
@@ -366,6 +473,16 @@ namespace Contact
                                                  rows.unknowns,
                                                  *matrix,
                                                  whole);
+      }
+    for (unsigned int k = 0; k < interface.free_motions().size(); ++k)
+      {
+        const FreeMotion &motion = *interface.free_motions()[k];
+        const auto        index  = interface.motion_index(k);
+        if (!motion.stays)
+          rhs[index] += motion.force;
+        if (matrix != nullptr)
+          matrix->diag_element(index) +=
+            motion.stays ? 1 : interface.motion_spring(motion);
       }
   }
 

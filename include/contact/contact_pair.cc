@@ -51,7 +51,7 @@ namespace Contact
       auto shape = Obstacle<dim>::create(parameters.obstacle.begin()->first,
                                          parameters.obstacle.begin()->second);
       if (parameters.obstacle_motion.empty() &&
-          parameters.obstacle_centre.empty())
+          parameters.obstacle_centre.empty() && !parameters.has_free_motion())
         return shape;
       return std::make_unique<MovingObstacle<dim>>(std::move(shape),
                                                    parameters);
@@ -317,7 +317,13 @@ namespace Contact
                               const GhostedVector                &u,
                               const PairingMode                  &mode) const
   {
-    return tied ? pair_all(points, u.zero(), {}) : pair_all(points, u, mode);
+    if (!tied)
+      return pair_all(points, u, mode);
+    const bool changed = pair_all(points, u.zero(), {});
+    if (!free_motions.empty())
+      for (ContactPoint<dim> &point : points)
+        point.motions = {{-point.normal, 0}};
+    return changed;
   }
 
 

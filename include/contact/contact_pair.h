@@ -13,6 +13,7 @@
 
 #include "contact/contact_points.h"
 #include "contact/face_mortar.h"
+#include "contact/free_motion.h"
 #include "contact/mortar.h"
 #include "contact/obstacle.h"
 #include "solid/elasticity.h"
@@ -66,6 +67,11 @@ namespace Contact
       double                                  now = 0;
     };
     const std::unique_ptr<Interference> interference; // none: not at all
+
+    /// Motions that follow from forces, and the number of the first one among
+    /// those of all contact pairs.
+    std::vector<std::unique_ptr<FreeMotion>> free_motions;
+    unsigned int                             first_motion = 0;
 
     /// The c of all points, by the stiffness E/h of their slave edges [-].
     const double augmentation_parameter;

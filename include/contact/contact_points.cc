@@ -391,6 +391,7 @@ namespace Contact
     point.projection_curvature = -projection.radius * projection.normal;
     point.projection_motion    = projection.motion;
     point.projection_stretch   = projection.stretch;
+    point.motions              = projection.motions;
     point.tangential_row_is_void =
       tangential_row_is_void(point, discretization);
   }

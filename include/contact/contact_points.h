@@ -158,6 +158,10 @@ namespace Contact
     Tensor<1, dim> projection_motion;
     double         projection_stretch = 0;
 
+    // What the free motions of the contact pair, see FreeMotion, do with the
+    // master here.
+    std::vector<MotionAt<dim>> motions;
+
     // Over a vertex of the master the projection stays there.
     bool projection_is_clipped = false;
 

@@ -57,21 +57,35 @@ namespace Contact
   template<int dim>
   void ContactInterface<dim>::activate_nearest(const GhostedVector &u)
   {
-    if (count().active > 0)
-      return;
+    if (count().active == 0)
+      activate_nearest(0, all_points.size(), u);
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::activate_nearest(const unsigned int   first,
+                                               const unsigned int   n,
+                                               const GhostedVector &u)
+  {
+    const ArrayView<ContactPoint<dim>> points(all_points.data() + first, n);
     double smallest = std::numeric_limits<double>::max();
-    for (const ContactPoint<dim> &point : all_points)
+    for (const ContactPoint<dim> &point : points)
       if (point.facing)
         smallest = std::min(smallest, state(point, u, u).gap);
     const auto close = [&](const bool corners) {
-      for (ContactPoint<dim> &point : all_points)
+      bool is_active = false;
+      for (ContactPoint<dim> &point : points)
         if (point.facing && point.is_master_corner == corners &&
             state(point, u, u).gap - smallest <=
               0.01 * contact_pair(point).edge_length(point))
-          point.status.kind = can_stick(point) ? Status::stick : Status::slip;
+          {
+            point.status.kind = can_stick(point) ? Status::stick : Status::slip;
+            is_active         = true;
+          }
+      return is_active;
     };
-    close(false);
-    if (count().active == 0)
+    if (!close(false))
       close(true);
     release_in_corners();
   }

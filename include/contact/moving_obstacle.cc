@@ -42,6 +42,20 @@ namespace Contact
     {
       return angle * axis;
     }
+
+    /// The way of a point per angle.
+    Tensor<1, 2> turned(const Tensor<1, 3> &, const Tensor<1, 2> &arm)
+    {
+      return Tensor<1, 2>({-arm[1], arm[0]});
+    }
+
+    Tensor<1, 3> turned(const Tensor<1, 3> &axis, const Tensor<1, 3> &arm)
+    {
+      return cross_product_3d(axis, arm);
+    }
+
+
+
     /// Throws InputError where a motion is none of this dimension.
     template<int dim>
     void check(const Parameters::Contact &parameters)
@@ -56,10 +70,13 @@ namespace Contact
       const auto &axis   = parameters.obstacle_axis;
       const auto &centre = parameters.obstacle_centre;
       const auto  shape  = parameters.obstacle.begin()->first;
-      if (dim == 2 && motion.count("z") > 0)
-        refuse("the mesh is plane and has no direction z",
-               "Obstacle motion",
-               "remove it, or take a mesh of volumes");
+      for (const auto &[entry, of_entry] :
+           {std::make_pair("Obstacle motion", motion),
+            std::make_pair("Obstacle force", parameters.obstacle_force)})
+        if (dim == 2 && of_entry.count("z") > 0)
+          refuse("the mesh is plane and has no direction z",
+                 entry,
+                 "remove it, or take a mesh of volumes");
       if (!centre.empty() && centre.size() != dim)
         refuse("this is no point",
                "Obstacle centre",
@@ -69,8 +86,10 @@ namespace Contact
         refuse("this is no direction in space",
                "Obstacle axis",
                "write x, y, z; in the plane there is none");
-      if (dim == 3 && motion.count("angle") > 0 && axis.empty() &&
-          shape != ObstacleShape::cylinder && shape != ObstacleShape::profile)
+      if (dim == 3 &&
+          (motion.count("angle") > 0 || !parameters.obstacle_moment.empty()) &&
+          axis.empty() && shape != ObstacleShape::cylinder &&
+          shape != ObstacleShape::profile)
         refuse("the obstacle turns about no axis",
                "Obstacle axis",
                "set the direction of the axis");
@@ -85,7 +104,7 @@ namespace Contact
     std::unique_ptr<const Obstacle<dim>> shape_,
     const Parameters::Contact           &parameters)
     : shape(std::move(shape_))
-    , moves(!parameters.obstacle_motion.empty())
+    , moves(!parameters.obstacle_motion.empty() || parameters.has_free_motion())
     , pivot(shape->centre())
     , axis({0, 0, 1})
   {
@@ -102,8 +121,13 @@ namespace Contact
         shifts[i] = history(std::string(1, "xyz"[i]));
         if (!parameters.obstacle_centre.empty())
           pivot[i] = parameters.obstacle_centre[i];
+        if (parameters.obstacle_force.count(std::string(1, "xyz"[i])) > 0)
+          components.push_back(i);
       }
     angle = history("angle");
+    if (!parameters.obstacle_moment.empty())
+      components.push_back(dim);
+    placed.resize(components.size());
 
     const auto &[name, numbers] = *parameters.obstacle.begin();
     if (name == Parameters::ObstacleShape::cylinder)
@@ -112,14 +136,15 @@ namespace Contact
       for (unsigned int i = 0; i < 3; ++i)
         axis[i] = parameters.obstacle_axis[i];
     axis /= axis.norm();
-    first = start = end = placement(0);
+    first = start = end = reached = placement(0, placed);
   }
 
 
 
   template<int dim>
   typename MovingObstacle<dim>::Placement
-  MovingObstacle<dim>::placement(const double load_factor) const
+  MovingObstacle<dim>::placement(const double               load_factor,
+                                 const std::vector<double> &free) const
   {
     const auto value = [&](const History &history) {
       return history ? history(Point<1>(load_factor)) : 0.;
@@ -128,7 +153,12 @@ namespace Contact
     placed.centre = pivot;
     for (unsigned int i = 0; i < dim; ++i)
       placed.shift[i] = value(shifts[i]);
-    placed.angle    = value(angle) * numbers::PI / 180;
+    placed.angle = value(angle) * numbers::PI / 180;
+    for (unsigned int k = 0; k < components.size(); ++k)
+      if (components[k] < dim)
+        placed.shift[components[k]] += free[k];
+      else
+        placed.angle += free[k];
     placed.rotation = rotation(axis, placed.angle, pivot);
     return placed;
   }
@@ -136,11 +166,27 @@ namespace Contact
 
 
   template<int dim>
-  bool MovingObstacle<dim>::move(const double from, const double to)
+  bool MovingObstacle<dim>::move(const double               from,
+                                 const double               to,
+                                 const std::vector<double> &free)
   {
-    start = placement(from);
-    end   = placement(to);
+    load_factor = to;
+    start       = placement(from, free);
+    place(free, /*keeps_place=*/false);
     return moves;
+  }
+
+
+
+  template<int dim>
+  void MovingObstacle<dim>::place(const std::vector<double> &free,
+                                  const bool                 keeps_place)
+  {
+    reached = placement(load_factor, free);
+    if (keeps_place)
+      return;
+    end    = reached;
+    placed = free;
   }
 
 
@@ -155,6 +201,15 @@ namespace Contact
     closest.normal           = end.rotation * closest.normal;
     closest.motion           = closest.x - start.at(X);
     closest.stretch          = 1 - std::cos(end.angle - start.angle);
+    for (unsigned int k = 0; k < components.size(); ++k)
+      {
+        Tensor<1, dim> way;
+        if (components[k] < dim)
+          way[components[k]] = 1;
+        else
+          way = turned(axis, closest.x - centre());
+        closest.motions.push_back({way, placed[k]});
+      }
     return closest;
   }
 
@@ -163,8 +218,19 @@ namespace Contact
   template<int dim>
   typename Obstacle<dim>::Motion MovingObstacle<dim>::motion() const
   {
-    return {end.shift - start.shift,
-            turn_about(axis, end.angle - start.angle, pivot)};
+    return {reached.shift - start.shift,
+            turn_about(axis, reached.angle - start.angle, pivot)};
+  }
+
+  template<int dim>
+  std::optional<typename Obstacle<dim>::Travel>
+  MovingObstacle<dim>::travel() const
+  {
+    if (!moves)
+      return {};
+    return typename Obstacle<dim>::Travel{reached.shift - first.shift,
+                                          (reached.angle - first.angle) * 180 /
+                                            numbers::PI};
   }
 
   template class MovingObstacle<2>;

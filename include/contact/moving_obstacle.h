@@ -25,7 +25,7 @@ namespace Contact
    * by x - x_start there, a chord, so that what sticks to it has no slip
    * however far it turns, and along the surface of a plane, where the obstacle
    * turns by the angle beta in the increment, that changes with the slope 1 -
-   * cos beta.
+   * cos beta. Components of d and alpha that are free are unknowns.
    */
   template<int dim>
   class MovingObstacle : public Obstacle<dim>
@@ -42,9 +42,16 @@ namespace Contact
       return end.at(pivot);
     }
 
-    bool move(const double from, const double to) override;
+    bool move(const double               from,
+              const double               to,
+              const std::vector<double> &free) override;
+
+    void place(const std::vector<double> &free,
+               const bool                 keeps_place) override;
 
     typename Obstacle<dim>::Motion motion() const override;
+
+    std::optional<typename Obstacle<dim>::Travel> travel() const override;
 
     Tensor<1, dim> way(const Point<dim> &x) const override
     {
@@ -70,7 +77,8 @@ namespace Contact
       }
     };
 
-    Placement placement(const double load_factor) const;
+    Placement placement(const double               load_factor,
+                        const std::vector<double> &free) const;
 
     using History = std::function<double(const Point<1> &)>;
 
@@ -80,7 +88,10 @@ namespace Contact
     Tensor<1, 3>                               axis;
     std::array<History, dim>                   shifts; // empty: none
     History                                    angle;
-    Placement                                  first, start, end;
+    std::vector<unsigned int>                  components; // free; dim: angle
+    double                                     load_factor = 0;
+    std::vector<double>                        placed; // free motions of end
+    Placement                                  first, start, end, reached;
   };
 } // namespace Contact
 

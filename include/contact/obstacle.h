@@ -9,6 +9,7 @@
 #include <deal.II/base/point.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "parameters/choices.h"
@@ -31,6 +32,17 @@ namespace Contact
   {
     return cross_product_3d(arm, force);
   }
+
+
+
+  /// What a motion that follows from a force does at a point of the master: the
+  /// way per unit of it, and how far it was when this was found [mm, rad].
+  template<int dim>
+  struct MotionAt
+  {
+    Tensor<1, dim> way;
+    double         paired = 0;
+  };
 
 
 
@@ -65,6 +77,8 @@ namespace Contact
       // plane the derivative of its tangential part along the surface [-].
       Tensor<1, dim> motion  = {};
       double         stretch = 0;
+
+      std::vector<MotionAt<dim>> motions = {};
     };
 
     virtual ClosestPoint closest_point(const Point<dim> &x) const = 0;
@@ -72,11 +86,21 @@ namespace Contact
     /// The point that it turns about, and its moments are about [mm].
     virtual Point<dim> centre() const = 0;
 
-    /// An increment from a load factor to another moves it. Returns whether it
-    /// does.
-    virtual bool move(const double /*from*/, const double /*to*/)
+    /// An increment from a load factor to another moves it, and begins with
+    /// these motions that follow from forces [mm, rad]. Returns whether it
+    /// moves.
+    virtual bool move(const double /*from*/,
+                      const double /*to*/,
+                      const std::vector<double> & /*free*/)
     {
       return false;
+    }
+
+    /// The increment has come to these motions. With @p keeps_place closest
+    /// points and centre stay those of before.
+    virtual void place(const std::vector<double> & /*free*/,
+                       const bool /*keeps_place*/)
+    {
     }
 
     /// The motion of this increment: of the centre [mm], and the turn.
@@ -87,6 +111,19 @@ namespace Contact
     };
 
     virtual Motion motion() const
+    {
+      return {};
+    }
+
+    /// The way of the centre [mm] and the angle [degrees] since the beginning,
+    /// of one that can move.
+    struct Travel
+    {
+      Tensor<1, dim> shift;
+      double         angle;
+    };
+
+    virtual std::optional<Travel> travel() const
     {
       return {};
     }

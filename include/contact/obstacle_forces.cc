@@ -49,13 +49,32 @@ namespace Contact
                   const GhostedVector         &u_start,
                   const bool                   moving_bound)
   {
+    if (!contact_pair.obstacle)
+      {
+        const unsigned int k = contact_pair.first_motion;
+        return {{"preload",
+                 interface.motion_forces(solution, u_start, moving_bound)[k]},
+                {"shortening", interface.motions(solution)[k]}};
+      }
     const auto parts =
       obstacle_forces(interface, contact_pair, solution, u_start, moving_bound);
-    const Tensor<1, dim> force  = parts[0].force + parts[1].force;
-    const Moment<dim>    moment = parts[0].moment + parts[1].moment;
-    if (interface.discretization.axisymmetric)
-      return {{"obstacle_force_y", force[1]}};
+    const Tensor<1, dim>          force  = parts[0].force + parts[1].force;
+    const Moment<dim>             moment = parts[0].moment + parts[1].moment;
     std::map<std::string, double> values;
+    const auto                    travel = contact_pair.obstacle->travel();
+    if (interface.discretization.axisymmetric)
+      {
+        values["obstacle_force_y"] = force[1];
+        if (travel)
+          values["obstacle_motion_y"] = travel->shift[1];
+        return values;
+      }
+    if (travel)
+      {
+        for (unsigned int i = 0; i < dim; ++i)
+          values[std::string("obstacle_motion_") + "xyz"[i]] = travel->shift[i];
+        values["obstacle_turn"] = travel->angle;
+      }
     for (unsigned int i = 0; i < dim; ++i)
       values[std::string("obstacle_force_") + "xyz"[i]] = force[i];
     for (unsigned int i = 0; i < Moment<dim>::dimension; ++i)
@@ -66,35 +85,53 @@ namespace Contact
 
 
 
+  namespace
+  {
+    bool is_of_cut(const Quantity quantity)
+    {
+      return quantity == Quantity::preload || quantity == Quantity::shortening;
+    }
+  } // namespace
+
+
+
   bool is_of_obstacle(const Quantity quantity)
   {
-    return Choice<Quantity>(quantity).name().compare(0, 8, "obstacle") == 0;
+    return is_of_cut(quantity) ||
+           Choice<Quantity>(quantity).name().compare(0, 8, "obstacle") == 0;
   }
 
 
 
   namespace
   {
-    /// The contact pair of a section if it has an obstacle, or nothing.
-    template<int dim>
-    const ContactPair<dim> *
-    pair_with_obstacle_of(const std::string           &section,
-                          const ContactInterface<dim> *interface)
-    {
-      if (interface != nullptr)
-        for (const auto &contact_pair : interface->pairs)
-          if (contact_pair->obstacle && contact_pair->section() == section)
-            return contact_pair.get();
-      return nullptr;
-    }
-
-
-
     std::string key_of(const Quantity quantity)
     {
       std::string key = Choice<Quantity>(quantity).name();
       std::replace(key.begin(), key.end(), ' ', '_');
       return key;
+    }
+
+
+
+    /// The contact pair of a section if it has what exerts this, an obstacle
+    /// (that moves) or a cut, or nothing.
+    template<int dim>
+    const ContactPair<dim> *pair_of(const std::string           &section,
+                                    const Quantity               quantity,
+                                    const ContactInterface<dim> *interface)
+    {
+      const bool is_way = quantity == Quantity::obstacle_turn ||
+                          key_of(quantity).find("motion") != std::string::npos;
+      if (interface != nullptr)
+        for (const auto &contact_pair : interface->pairs)
+          if (contact_pair->section() == section &&
+              (is_of_cut(quantity)
+                 ? contact_pair->tied && !contact_pair->free_motions.empty()
+                 : contact_pair->obstacle &&
+                     (!is_way || contact_pair->obstacle->travel())))
+            return contact_pair.get();
+      return nullptr;
     }
   } // namespace
 
@@ -109,7 +146,7 @@ namespace Contact
                         const bool                   moving_bound)
   {
     return obstacle_values(*interface,
-                           *pair_with_obstacle_of(section, interface),
+                           *pair_of(section, quantity, interface),
                            solution,
                            u_start,
                            moving_bound)
@@ -124,16 +161,21 @@ namespace Contact
                       const std::string           &section,
                       const ContactInterface<dim> *interface)
   {
-    const bool of_rings = interface != nullptr &&
-                          interface->discretization.axisymmetric &&
-                          quantity != Quantity::obstacle_force_y;
-    if (of_rings || pair_with_obstacle_of(section, interface) == nullptr)
+    const bool of_rings =
+      interface != nullptr && interface->discretization.axisymmetric &&
+      !is_of_cut(quantity) && quantity != Quantity::obstacle_force_y &&
+      quantity != Quantity::obstacle_motion_y;
+    if (of_rings || pair_of(section, quantity, interface) == nullptr)
       throw InputError("there is no " + Choice<Quantity>(quantity).name() +
                          " of '" + section + "'",
                        "Probes/Probes, '" + probe + "'",
-                       of_rings ? "of rings there is 'obstacle force y'"
-                                : "name the section of a contact pair with an "
-                                  "obstacle, 'Contact' or 'Contact NAME'");
+                       of_rings ? "of rings there are 'obstacle force y' and "
+                                  "'obstacle motion y'"
+                       : is_of_cut(quantity)
+                         ? "name the section of a contact pair with a preload"
+                         : "name the section of a contact pair with an "
+                           "obstacle (that moves), 'Contact' or 'Contact "
+                           "NAME'");
   }
 
   template std::array<ObstacleForce<2>, 2>

@@ -54,7 +54,9 @@ namespace Contact
                   const bool                   moving_bound);
 
   /// Of both together, by names: "obstacle_force_x", in the plane
-  /// "obstacle_moment_z". Of rings the force along the axis alone.
+  /// "obstacle_moment_z"; of one that can move "obstacle_motion_x" and
+  /// "obstacle_turn" [mm, degrees]. Of rings those along the axis alone. Of a
+  /// cut "preload" and "shortening".
   template<int dim>
   std::map<std::string, double>
   obstacle_values(const ContactInterface<dim> &interface,
@@ -63,7 +65,7 @@ namespace Contact
                   const GhostedVector         &u_start,
                   const bool                   moving_bound);
 
-  /// Whether a quantity is what an obstacle exerts.
+  /// Whether a quantity is what an obstacle or a cut exerts, or how it moves.
   bool is_of_obstacle(const Parameters::Quantity quantity);
 
   /// That of the contact pair whose section is @p section [N per mm of

@@ -131,7 +131,7 @@ namespace Contact
           {
             auto &values = record.contact[contact_pair->name];
             values       = results(*contact_pair).by_name(dim);
-            if (contact_pair->obstacle)
+            if (contact_pair->obstacle || !contact_pair->free_motions.empty())
               values.merge(
                 obstacle_values(*model.interface,
                                 *contact_pair,

@@ -84,16 +84,78 @@ namespace Contact
 
 
 
+    // A motion is given, or what it exerts.
+    void Contact::check_obstacle_force() const
+    {
+      const std::vector<std::string> entries = {section() + "/Obstacle force",
+                                                section() + "/Obstacle moment"};
+      auto                           exerted = obstacle_force;
+      for (const auto &[name, history] : exerted)
+        if (name != "x" && name != "y" && name != "z")
+          throw EntryError(in_quotes(name) + " is no force.",
+                           {entries[0]},
+                           "there are 'x', 'y' and in space 'z'; the moment "
+                           "has the entry " +
+                             in_quotes(entries[1]));
+      if (!obstacle_moment.empty())
+        exerted["angle"] = obstacle_moment;
+      for (const auto &[name, history] : exerted)
+        {
+          const std::string &entry = entries[name == "angle"];
+          check_history(history, entry);
+          if (obstacle.empty())
+            throw EntryError("There is no obstacle to exert it.",
+                             {entry, section() + "/Obstacle"},
+                             "set the obstacle, or load the master");
+          if (obstacle_motion.count(name) > 0)
+            throw EntryError("The motion " + in_quotes(name) +
+                               " of the obstacle is given, and what it exerts.",
+                             {entry, section() + "/Obstacle motion"},
+                             "leave one of the two");
+          if (tied)
+            throw EntryError("A body is glued to an obstacle that moves.",
+                             {entry, section() + "/Tied"},
+                             "load the body instead");
+        }
+    }
+
+
+
+    void Contact::check_preload() const
+    {
+      const std::string entry = section() + "/Preload";
+      if (preload.empty())
+        {
+          if (preload_end < 1)
+            throw EntryError("There is no preload that could end.",
+                             {entry + " end", entry},
+                             "set the preload, or remove its end");
+          return;
+        }
+      check_history(preload, entry);
+      if (!tied || master.empty())
+        throw EntryError("There is no cut with a preload.",
+                         {entry, section() + "/Tied"},
+                         "set slave and master, the two sides of the cut, and "
+                         "'Tied = true'");
+    }
+
+
+
     // Rings have no other rigid motion than that along their axis.
     void All::check_obstacles() const
     {
       for (const Contact &contact_pair : pairs())
         if (solids.symmetry == Symmetry::axisymmetric &&
-            contact_pair.obstacle_motion.size() >
-              contact_pair.obstacle_motion.count("y"))
+            (contact_pair.obstacle_motion.size() +
+                 contact_pair.obstacle_force.size() >
+               contact_pair.obstacle_motion.count("y") +
+                 contact_pair.obstacle_force.count("y") ||
+             !contact_pair.obstacle_moment.empty()))
           throw EntryError("An obstacle about the axis of rings moves along it "
                            "alone.",
                            {contact_pair.section() + "/Obstacle motion",
+                            contact_pair.section() + "/Obstacle force",
                             "Solids/Symmetry"},
                            "leave 'y' only");
     }

@@ -68,6 +68,8 @@ namespace Contact
                      section() + "/Augmentation parameter");
       check_friction();
       check_excluded_points();
+      check_obstacle_force();
+      check_preload();
       if (!interference.empty())
         {
           check_history(interference, section() + "/Interference");

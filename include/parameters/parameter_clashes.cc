@@ -138,6 +138,16 @@ namespace Contact
                          "run it without mpirun, or without this entry");
       const bool has_dual_problems =
         probes.dual_weighted_residuals || asks_for_accuracy();
+      for (const Contact &contact_pair : pairs())
+        if ((has_dual_problems || solution.estimate_effects) &&
+            contact_pair.has_free_motion())
+          throw EntryError(
+            "There is no dual problem for motions that follow "
+            "from forces.",
+            {has_dual_problems ? entry : "Solution/Estimate effects",
+             contact_pair.section() +
+               (contact_pair.tied ? "/Preload" : "/Obstacle force")},
+            "set 'Estimate errors = true', or compare two runs");
       for (const auto &[name, probe] : probes.definitions())
         if ((has_dual_problems || solution.estimate_effects) &&
             probe.quantity.name().compare(0, 8, "obstacle") == 0)

@@ -425,6 +425,24 @@ namespace Contact
                         obstacle_axis,
                         "In space the direction x, y, z of the axis that the "
                         "obstacle turns about [-]. Empty: that of a cylinder.");
+      prm.add_parameter("Obstacle force",
+                        obstacle_force,
+                        "Motions of the obstacle that follow from what it "
+                        "exerts on the slave: 'x: formula; y: formula; z: "
+                        "formula' [N per mm of thickness, in rings and in "
+                        "space N], as in Obstacle motion, which then does not "
+                        "give them. It moves until it touches.",
+                        Patterns::Map(Patterns::Anything(),
+                                      Patterns::Anything(),
+                                      0,
+                                      Patterns::Map::max_int_value,
+                                      ";"));
+      prm.add_parameter("Obstacle moment",
+                        obstacle_moment,
+                        "The same of its turn: the moment on the slave about "
+                        "the Obstacle centre, in space about the Obstacle axis "
+                        "[N mm per mm of thickness, in space N mm]; a formula "
+                        "in t or a table. Empty: the turn is given.");
       prm.add_parameter("Interference",
                         interference,
                         "By how much the surfaces overlap in truth more than "
@@ -432,6 +450,18 @@ namespace Contact
                         "drawn with one radius; a formula in t or a table, as "
                         "those of 'Boundary conditions/Histories'. Negative: "
                         "clearance.");
+      prm.add_parameter("Preload",
+                        preload,
+                        "Of glued surfaces, the two sides of a cut through a "
+                        "bolt: the tension in the cut, along its normal [N per "
+                        "mm of thickness, in rings and in space N]; a formula "
+                        "in t or a table. By how much the bolt is shortened "
+                        "there follows from it.");
+      prm.add_parameter("Preload end",
+                        preload_end,
+                        "Increments that begin at this load factor or behind "
+                        "it keep the shortening, and the force follows [-].",
+                        Patterns::Double(0, 1));
       prm.add_parameter("Discretization",
                         discretization,
                         "Where the contact points are [-]; nodal: in the nodes "

@@ -271,6 +271,11 @@ namespace Contact
       std::map<std::string, std::string> obstacle_motion;
       std::vector<double>                obstacle_centre, obstacle_axis;
 
+      /// Motions that are not given, but what they exert: forces along 'x',
+      /// 'y', 'z' on the slave, and the moment about the axis, as histories.
+      std::map<std::string, std::string> obstacle_force;
+      std::string                        obstacle_moment;
+
       Choice<ContactDiscretization> discretization =
         ContactDiscretization::mortar;
       unsigned int n_gauss_points = 3;
@@ -281,6 +286,12 @@ namespace Contact
       /// The overlap of the surfaces in truth beyond that of the mesh [mm], a
       /// history, see parse_history(). Empty: not at all.
       std::string interference;
+
+      /// The tension between glued surfaces along their normal [N per mm], a
+      /// history, and the load factor behind which the shortening that it
+      /// takes stays. Empty: none.
+      std::string preload;
+      double      preload_end = 1;
 
       /// Glue the surfaces where they face each other: no contact at all, but
       /// what the same bodies cost without it.
@@ -312,6 +323,13 @@ namespace Contact
         return friction_coefficient > 0 || tresca_limit > 0;
       }
 
+      /// Whether motions of the pair follow from forces.
+      bool has_free_motion() const
+      {
+        return !obstacle_force.empty() || !obstacle_moment.empty() ||
+               !preload.empty();
+      }
+
       std::string section() const
       {
         return name.empty() ? "Contact" : "Contact " + name;
@@ -331,6 +349,8 @@ namespace Contact
       void add_law(ParameterHandler &prm);
       void check_obstacle(const std::string &entry) const;
       void check_obstacle_motion() const;
+      void check_obstacle_force() const;
+      void check_preload() const;
       void check_surfaces() const;
       void check_friction() const;
       void check_excluded_points() const;

@@ -184,7 +184,8 @@ namespace Contact
           "supports hold in that direction, and of the "
           "others; obstacle forces and moments, about its centre, "
           "those of an obstacle on the body, its section 'Contact "
-          "NAME' as the point; the strain energy is that of a body, "
+          "NAME' as the point, and its motions since the beginning; alike "
+          "preload and shortening are those of a cut; the strain energy is that of a body, "
           "named as the point [N mm per mm of thickness, in rings N "
           "mm].");
       prm.add_parameter("References",

@@ -47,6 +47,12 @@ namespace Contact
       obstacle_moment_x,
       obstacle_moment_y,
       obstacle_moment_z,
+      obstacle_motion_x,
+      obstacle_motion_y,
+      obstacle_motion_z,
+      obstacle_turn,
+      preload,
+      shortening,
       strain_energy,
       plastic_strain
     };
@@ -83,6 +89,12 @@ namespace Contact
               {"obstacle moment x", Quantity::obstacle_moment_x},
               {"obstacle moment y", Quantity::obstacle_moment_y},
               {"obstacle moment z", Quantity::obstacle_moment_z},
+              {"obstacle motion x", Quantity::obstacle_motion_x},
+              {"obstacle motion y", Quantity::obstacle_motion_y},
+              {"obstacle motion z", Quantity::obstacle_motion_z},
+              {"obstacle turn", Quantity::obstacle_turn},
+              {"preload", Quantity::preload},
+              {"shortening", Quantity::shortening},
               {"strain energy", Quantity::strain_energy},
               {"plastic strain", Quantity::plastic_strain}};
     }
@@ -97,11 +109,13 @@ namespace Contact
           case Quantity::reaction_y:
           case Quantity::contact_force_y:
           case Quantity::obstacle_force_y:
+          case Quantity::obstacle_motion_y:
             return 1;
           case Quantity::displacement_z:
           case Quantity::reaction_z:
           case Quantity::contact_force_z:
           case Quantity::obstacle_force_z:
+          case Quantity::obstacle_motion_z:
             return 2;
           default:
             return 0;
@@ -131,7 +145,13 @@ namespace Contact
           case Quantity::displacement_x:
           case Quantity::displacement_y:
           case Quantity::displacement_z:
+          case Quantity::obstacle_motion_x:
+          case Quantity::obstacle_motion_y:
+          case Quantity::obstacle_motion_z:
+          case Quantity::shortening:
             return "mm";
+          case Quantity::obstacle_turn:
+            return "degrees";
           case Quantity::stress_xx:
           case Quantity::stress_yy:
           case Quantity::stress_zz:
@@ -151,6 +171,7 @@ namespace Contact
           case Quantity::obstacle_force_x:
           case Quantity::obstacle_force_y:
           case Quantity::obstacle_force_z:
+          case Quantity::preload:
             return symmetry == Symmetry::plane_strain && !in_space ? "N/mm"
                                                                    : "N";
           case Quantity::plastic_strain:

@@ -68,8 +68,7 @@ namespace Contact
             throw EntryError("There are no incompatible modes of the body " +
                                in_quotes(body) + " with a thermal strain.",
                              {entry, "Solids/Thermal strain"},
-                             "remove it from " + entry +
-                               ", or take degree 2");
+                             "remove it from " + entry + ", or take degree 2");
           if (dilatation == Dilatation::B_bar)
             throw EntryError("Cells with incompatible modes have no B-bar.",
                              {entry, "Solids/Dilatation"},

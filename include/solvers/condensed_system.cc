@@ -84,11 +84,12 @@ namespace Contact
   // The lines of now, and a pattern that has room for them.
   template<int dim>
   void CondensedSystem<dim>::eliminate(const GhostedVector &solution,
-                                       const GhostedVector &u_start)
+                                       const GhostedVector &u_start,
+                                       const GhostedVector &moved)
   {
     {
       TimerOutput::Scope scope(timer, "assembly");
-      elimination.make(solution, u_start, interface_dofs);
+      elimination.make(solution, u_start, interface_dofs, moved);
     }
     const bool misses_cells = on_any_rank(add_eliminable());
     const bool misses_partners =
@@ -100,7 +101,7 @@ namespace Contact
     if (misses_cells)
       collect_interface();
     make_pattern();
-    elimination.make(solution, u_start, interface_dofs);
+    elimination.make(solution, u_start, interface_dofs, moved);
   }
 
 
@@ -237,11 +238,12 @@ namespace Contact
                                            const GhostedVector &residual,
                                            const double         tolerance,
                                            GhostedVector       &update,
-                                           const bool           keep_tangents)
+                                           const bool           keep_tangents,
+                                           const GhostedVector *moved)
   {
     GhostedVector rhs    = discretization.displacements(residual);
     bool          is_new = true;
-    eliminate(solution, u_start);
+    eliminate(solution, u_start, moved != nullptr ? *moved : solution);
     {
       TimerOutput::Scope scope(timer, "assembly");
       elimination.condense(rhs);

@@ -47,14 +47,17 @@ namespace Contact
      * The Newton update under the present statuses, from minus the residual
      * of bodies and contact. @p tolerance is that of the linear residual [N per
      * mm of thickness]; 0: six digits. With @p keep_tangents those of the
-     * bodies are the last ones. Returns the number of linear iterations.
+     * bodies are the last ones. @p moved, if any, is the solution with other
+     * free motions: for the update after these. Returns the number of linear
+     * iterations.
      */
     unsigned int solve(const GhostedVector &solution,
                        const GhostedVector &u_start,
                        const GhostedVector &residual,
                        const double         tolerance,
                        GhostedVector       &update,
-                       const bool           keep_tangents = false);
+                       const bool           keep_tangents = false,
+                       const GhostedVector *moved         = nullptr);
 
     /**
      * Minus the residual of the bodies in @p solution, in the unknowns at the
@@ -84,7 +87,9 @@ namespace Contact
     std::set<types::global_dof_index>
     add_interface_couplings(DynamicSparsityPattern &pattern) const;
 
-    void eliminate(const GhostedVector &solution, const GhostedVector &u_start);
+    void eliminate(const GhostedVector &solution,
+                   const GhostedVector &u_start,
+                   const GhostedVector &moved);
 
     /// Returns whether the matrix is another one than before.
     bool assemble(const GhostedVector &solution,

@@ -105,7 +105,8 @@ namespace Contact
   template<int dim>
   void ContactElimination<dim>::make(const GhostedVector &solution,
                                      const GhostedVector &u_start,
-                                     const Dofs          &surroundings)
+                                     const Dofs          &surroundings,
+                                     const GhostedVector &moved)
   {
     lines.clear();
     test_lines.clear();
@@ -135,13 +136,26 @@ namespace Contact
             PairingStiffness<dim>::terms(*interface, solution, u_start);
         turning =
           SlipTurning<dim>::terms(*interface, solution, u_start, moving_bound);
+        if (&moved != &solution)
+          for (auto &term : turning)
+            {
+              const ContactPoint<dim> &point = interface->points()[term.point];
+              const Tensor<1, dim>     load =
+                point.weight *
+                point.along_tangents(
+                  term.of_slip *
+                  (interface->state(point, solution, u_start).slip -
+                   interface->state(point, moved, u_start).slip));
+              for (unsigned int k = 0; k < term.load.size(); ++k)
+                term.load[k] += point.C[k / dim] * load[k % dim];
+            }
         const auto                     &points = interface->points();
         std::vector<Tensor<1, dim - 1>> turns(points.size());
         for (const auto &term : turning)
           turns[term.point] = term.turn;
         for (unsigned int k = 0; k < points.size(); ++k)
           if (points[k].status.kind != Status::open)
-            eliminate_point(points[k], turns[k], solution, u_start);
+            eliminate_point(points[k], turns[k], moved, u_start);
       }
 
     add_contact_lines(rows, lines);
@@ -490,7 +504,8 @@ namespace Contact
                                                const GhostedVector &u_start,
                                                GhostedVector &solution) const
   {
-    if (interface->n_multipliers() == interface->n_normal_multipliers())
+    if (interface->n_multipliers() ==
+        interface->n_normal_multipliers() + interface->free_motions().size())
       return;
     const auto tractions = recovery(u_start, solution).tractions(residual);
     for (unsigned int k = 0; k < tractions.size(); ++k)

@@ -62,12 +62,15 @@ namespace Contact
 
     /**
      * Make the constraints of the present statuses, together with those that
-     * Discretization puts on the unknowns @p surroundings. Throws NotConverged
-     * where a point penetrates and supports leave none of its unknowns free.
+     * Discretization puts on the unknowns @p surroundings; the gaps and slips
+     * to be closed are those of @p moved, where free motions may be others.
+     * Throws NotConverged where a point penetrates and supports leave none of
+     * its unknowns free.
      */
     void make(const GhostedVector &solution,
               const GhostedVector &u_start,
-              const Dofs          &surroundings);
+              const Dofs          &surroundings,
+              const GhostedVector &moved);
 
     /// Of the displacements, and of the virtual ones.
     const AffineConstraints<double> &constraints() const

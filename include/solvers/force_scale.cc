@@ -78,8 +78,11 @@ namespace Contact
     if (way > 0)
       acting = std::max(acting, reactions(solution, load_factor));
 
-    const double dead =
-      elasticity.dead_loads.whole() + elasticity.thermal_forces();
+    double dead = elasticity.dead_loads.whole() + elasticity.thermal_forces();
+    if (interface != nullptr)
+      for (const FreeMotion *motion : interface->free_motions())
+        if (!motion->stays)
+          dead += std::abs(motion->force) / motion->lever;
     const double round_off =
       std::numeric_limits<double>::epsilon() * modulus * (coordinate + way) *
       std::sqrt(static_cast<double>(discretization.dof_handler.n_dofs()));

@@ -18,7 +18,8 @@ namespace Contact
    * tolerance times F.
    *
    * F is the largest of
-   *  - the dead loads, the sum of their magnitudes at their full values;
+   *  - the dead loads, the sum of their magnitudes at their full values, and
+   *    the forces of free motions;
    *  - the forces that act in the state: of contact, and of supports that move
    *    (the sum of their magnitudes), also at the ends of earlier increments;
    *  - the force that round-off alone makes, divided by the Newton tolerance:

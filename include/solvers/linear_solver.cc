@@ -84,8 +84,9 @@ namespace Contact
     if (status != UMFPACK_OK)
       throw NotConverged(
         status == UMFPACK_WARNING_singular_matrix
-          ? "the matrix is singular: a body can move without resistance, or "
-            "supports and contact hold a node twice"
+          ? "the matrix is singular: a body, or an obstacle under its force, "
+            "can move without resistance, or supports and contact hold a node "
+            "twice"
         : status == UMFPACK_ERROR_out_of_memory
           ? "UMFPACK lacks memory for the factors of " +
               std::to_string(columns.size()) +

@@ -5,7 +5,10 @@
 
 #include "solvers/linear_system.h"
 
+#include <deal.II/lac/lapack_full_matrix.h>
+
 #include <iomanip>
+#include <limits>
 
 #include "solvers/condensed_system.h"
 #include "solvers/saddle_point_system.h"
@@ -71,6 +74,12 @@ namespace Contact
                              GhostedVector     &rhs,
                              IncrementState<2> &state) override
       {
+        const unsigned int n_motions =
+          model.interface ? model.interface->free_motions().size() : 0;
+        double missing = 0;
+        for (unsigned int k = 0; k < n_motions; ++k)
+          missing += std::abs(rhs[model.interface->motion_index(k)]) /
+                     model.interface->free_motions()[k]->lever;
         const bool settled =
           system.solve(state.solution,
                        state.start,
@@ -81,6 +90,13 @@ namespace Contact
                        : step.number == 0 ? StatusSearch::first
                                           : StatusSearch::later,
                        rhs);
+        if (missing > step.tolerance * step.force)
+          for (unsigned int k = 0; k < n_motions; ++k)
+            if (!model.interface->free_motions()[k]->stays)
+              model.interface->check_motion(
+                *model.interface->free_motions()[k],
+                rhs[model.interface->motion_index(k)],
+                missing);
         state.solution += rhs;
         model.discretization->settle(state.solution, state.load_factor);
         model.discretization->constrain_update(state.solution,
@@ -208,12 +224,14 @@ namespace Contact
           std::min(1e-5, parameters.linear_tolerance * step.residual);
         const double relative =
           std::max(0.1 * step.tolerance, one_solve_is_all ? 0. : forcing);
-        const unsigned int n = system.solve(state.solution,
-                                            state.start,
-                                            rhs,
-                                            relative * step.force,
-                                            update,
-                                            step.continues);
+        unsigned int n = system.solve(state.solution,
+                                      state.start,
+                                      rhs,
+                                      relative * step.force,
+                                      update,
+                                      step.continues);
+        if (model.interface && !model.interface->free_motions().empty())
+          n += add_motions(rhs, relative * step.force, step, state);
         screen << "      solved to " << std::scientific << std::setprecision(1)
                << relative << std::defaultfloat << std::setprecision(6)
                << " in " << n << " iterations" << std::endl;
@@ -234,6 +252,92 @@ namespace Contact
       }
 
     private:
+      // The forces along free motions after the update.
+      std::vector<double> motion_forces(GhostedVector        trial,
+                                        const GhostedVector &u_start,
+                                        const double         load_factor)
+      {
+        std::transform(update.begin(),
+                       update.end(),
+                       trial.begin(),
+                       trial.begin(),
+                       std::plus<>());
+        const auto of_bodies = system.linear_forces(trial, load_factor);
+        elimination.recover_pressures(of_bodies, u_start, trial);
+        elimination.recover_shears(of_bodies, u_start, trial);
+        return model.interface->motion_forces(trial, u_start, {});
+      }
+
+      // The bordered system. The response to each free motion takes a solution
+      // with the same matrix, and is linear: a hundredth of an edge serves. The
+      // update is then that under which the forces are those given.
+      unsigned int add_motions(const GhostedVector &rhs,
+                               const double         tolerance,
+                               const Step          &step,
+                               IncrementState<dim> &state)
+      {
+        const ContactInterface<dim> &interface = *model.interface;
+        double                       part = std::numeric_limits<double>::max();
+        for (const ContactPoint<dim> &point : interface.points())
+          part =
+            std::min(part,
+                     0.01 * interface.contact_pair(point).edge_length(point));
+        std::vector<unsigned int> motions;
+        for (unsigned int k = 0; k < interface.free_motions().size(); ++k)
+          if (!interface.free_motions()[k]->stays)
+            motions.push_back(k);
+
+        const unsigned int m = motions.size();
+        if (m == 0)
+          return 0;
+        const auto motion = [&](const unsigned int i) -> const FreeMotion & {
+          return *interface.free_motions()[motions[i]];
+        };
+        const GhostedVector first = update;
+        const auto          before =
+          motion_forces(state.solution, state.start, state.load_factor);
+        std::vector<GhostedVector> responses;
+        LAPACKFullMatrix<double>   resistance(m, m);
+        Vector<double>             way(m); // of turns times the lever
+        unsigned int               n = 0;
+        for (unsigned int j = 0; j < m; ++j)
+          {
+            GhostedVector moved = state.solution;
+            moved[interface.motion_index(motions[j])] += part / motion(j).lever;
+            n += system.solve(state.solution,
+                              state.start,
+                              rhs,
+                              tolerance,
+                              update,
+                              /*keep_tangents=*/true,
+                              &moved);
+            responses.push_back(update);
+            responses.back() -= first;
+            const auto after =
+              motion_forces(moved, state.start, state.load_factor);
+            for (unsigned int i = 0; i < m; ++i)
+              resistance(i, j) = (after[motions[i]] - before[motions[i]]) /
+                                 (motion(i).lever * part);
+            resistance(j, j) +=
+              interface.motion_spring(motion(j)) / std::pow(motion(j).lever, 2);
+            way[j] = (motion(j).force - before[motions[j]]) / motion(j).lever;
+          }
+
+        const double missing = way.l1_norm();
+        resistance.compute_lu_factorization();
+        resistance.solve(way);
+        update = first;
+        for (unsigned int j = 0; j < m; ++j)
+          {
+            const double of_motion = way[j] / motion(j).lever;
+            if (missing > step.tolerance * step.force)
+              interface.check_motion(motion(j), of_motion, missing);
+            state.solution[interface.motion_index(motions[j])] += of_motion;
+            update.add(way[j] / part, responses[j]);
+          }
+        return n;
+      }
+
       using SolverChoice = Parameters::Choice<Parameters::SolverKind>;
 
       static SolverChoice choose_solver(const ContactModel<dim>    &model,

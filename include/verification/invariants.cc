@@ -130,6 +130,13 @@ namespace Contact
                               start.displacement,
                               parameters.has_moving_bound()));
         start.obstacles.resize(end.obstacles.size());
+        end.motions = interface->motions(solution);
+        end.motion_forces =
+          interface->motion_forces(solution,
+                                   start.displacement,
+                                   parameters.has_moving_bound());
+        start.motions.resize(end.motions.size());
+        start.motion_forces.resize(end.motions.size());
         contact.check(slack, found);
       }
     found.supports =
@@ -356,16 +363,23 @@ namespace Contact
   {
     std::array<double, 2> works{};
     unsigned int          n = 0;
-    if (interface != nullptr)
-      for (const auto &contact_pair : interface->pairs)
-        if (contact_pair->obstacle)
-          {
-            const auto motion = contact_pair->obstacle->motion();
-            for (unsigned int k = 0; k < 2; ++k)
-              works[k] += 0.5 * (start.obstacles[n][k].work(motion) +
-                                 end.obstacles[n][k].work(motion));
-            ++n;
-          }
+    if (interface == nullptr)
+      return works;
+    for (const auto &contact_pair : interface->pairs)
+      if (contact_pair->obstacle)
+        {
+          const auto motion = contact_pair->obstacle->motion();
+          for (unsigned int k = 0; k < 2; ++k)
+            works[k] += 0.5 * (start.obstacles[n][k].work(motion) +
+                               end.obstacles[n][k].work(motion));
+          ++n;
+        }
+      else if (!contact_pair->free_motions.empty())
+        {
+          const unsigned int k = contact_pair->first_motion;
+          works[0] += 0.5 * (start.motion_forces[k] + end.motion_forces[k]) *
+                      (end.motions[k] - start.motions[k]);
+        }
     return works;
   }
 

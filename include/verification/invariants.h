@@ -95,13 +95,13 @@ namespace Contact
    * Newton's method leaves of the residual: |r . d| <= tolerance F |d|.
    *
    * Reactions work where supports are moved, and what obstacles exert where
-   * these are, F . (motion of the centre) + M . turn, by the trapezoidal rule:
-   * that much of the works of pressures and shears on the bodies comes from
-   * outside. Pressures would not work if points
-   * touched along the whole path or not at all; those that open or close within
-   * the increment do, of the second order in its length, and so do the turning
-   * normals of large displacement. The dissipation is -sum w q s with the q of
-   * the end, as the slip law has it (implicit Euler).
+   * these are, F . (motion of the centre) + M . turn, and the preload of cuts
+   * that are shortened, by the trapezoidal rule: that much of the works of
+   * pressures and shears on the bodies comes from outside. Pressures would not
+   * work if points touched along the whole path or not at all; those that open
+   * or close within the increment do, of the second order in its length, and so
+   * do the turning normals of large displacement. The dissipation is -sum w q s
+   * with the q of the end, as the slip law has it (implicit Euler).
    *
    * @par Tolerances
    * An invariant is violated if it is further off than the tolerances of the
@@ -129,6 +129,10 @@ namespace Contact
       /// Of each contact pair with an obstacle, see obstacle_forces().
       std::vector<std::array<ObstacleForce<dim>, 2>> obstacles;
 
+      /// Of each free motion, for those of cuts: where it is [mm], and its
+      /// force.
+      std::vector<double> motions, motion_forces;
+
       std::vector<GhostedVector *> vectors()
       {
         return {&displacement, &external, &pressures, &shears, &holds};
@@ -139,7 +143,7 @@ namespace Contact
       {
         archive &strain_energy &external_work &contact_work &friction_work
           &stabilization_work &path_work &dissipation &plastic_work
-            &thermal_work &obstacles;
+            &thermal_work &obstacles &motions &motion_forces;
       }
     };
 
@@ -190,7 +194,8 @@ namespace Contact
                    Invariants               &found) const;
     void check_energy(const Slack &slack, Invariants &found);
 
-    /// The works of pressures and shears in the motion of the obstacles.
+    /// The works of pressures and shears in the motion of the obstacles, and of
+    /// preloads.
     std::array<double, 2> work_of_obstacles() const;
 
     /// The work of the internal forces in the middle of the increment along its
