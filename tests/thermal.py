@@ -64,6 +64,8 @@ def bars():
     compare("clamped bar", held, clamped, ranks=2)
     compare("clamped bar, B-bar", {**held, "Solids/Dilatation": "B-bar"},
             clamped)
+    compare("clamped bar, incompatible modes", {
+        **held, "Solids/Incompatible modes": "A"}, clamped)
     compare("bar heated and cooled", {
         **held, "Solids/Thermal strain": f"A: {e}*sin(pi*t)"},
         {"xx": 0, "yy": 0, "y": 0})
@@ -99,6 +101,9 @@ def bars():
     compare("free block, neo-Hookean", {
         **large, "Solids/Material": "A: neo-Hookean"},
         {"x": 3 * e, "y": 2 * e, "xx": 0})
+    compare("free block, large displacement, incompatible modes", {
+        **large, "Solids/Incompatible modes": "A"},
+        {"x": 3 * e, "y": 2 * e, "xx": 0})
     compare("free disc, large displacement", {
         **disc, "Solids/Kinematics": "large displacement"},
         {"x": 3 * e, "y": 2 * e, "xx": 0, "zz": 0})
@@ -107,6 +112,10 @@ def bars():
             **held, "Solids/Kinematics": "large displacement",
             "Solids/Material": f"A: {material}"})
         check(f"held in large displacement, {material}", status == 0, said[:300])
+    status, said, _ = run("held_large", {
+        **held, "Solids/Kinematics": "large displacement",
+        "Solids/Incompatible modes": "A"})
+    check("held in large displacement, modes", status == 0, said[:300])
 
 
 def bimetal():
@@ -119,16 +128,20 @@ def bimetal():
     mesh.merge()
     mesh.write("strip")
     curvature = 1.5 * 1e-3 / 2
-    compare("bimetal strip", {
+    strip = {
         "Mesh/File": "strip.msh", "Mesh/Points": "P: 30, 1; Q: 20, 1; R: 10, 1",
         "Solids/Young's modulus": f"A: {E}, B: {E}",
         "Solids/Poisson's ratio": "A: 0, B: 0", "Element/Degree": 2,
         "Solids/Thermal strain": "A: 1e-3*t; B: table(0 0, 1 0)",
         "Solids/Kinematics": "small strain", BC + "Displacement x": "Left: 0",
         BC + "Displacement y": "Left: 0", "Probes/Probes":
-        "a: displacement y, P, Q; b: displacement y, Q, R"},
-        {"a": curvature * (30 ** 2 - 20 ** 2) / 2,
-         "b": curvature * (20 ** 2 - 10 ** 2) / 2}, 1e-6)
+        "a: displacement y, P, Q; b: displacement y, Q, R"}
+    bent = {"a": curvature * (30 ** 2 - 20 ** 2) / 2,
+            "b": curvature * (20 ** 2 - 10 ** 2) / 2}
+    compare("bimetal strip", strip, bent, 1e-6)
+    compare("bimetal strip, incompatible modes", {
+        **strip, "Element/Degree": 1, "Solids/Incompatible modes": "A, B"},
+        bent, 1e-6)
 
 
 def shrunk():

@@ -64,11 +64,6 @@ namespace Contact
                              {entry, "Solids/Material"},
                              "remove it from " + entry +
                                ", where B-bar or degree 2 serve instead");
-          if (thermal_strain.count(body) > 0)
-            throw EntryError("There are no incompatible modes of the body " +
-                               in_quotes(body) + " with a thermal strain.",
-                             {entry, "Solids/Thermal strain"},
-                             "remove it from " + entry + ", or take degree 2");
           if (dilatation == Dilatation::B_bar)
             throw EntryError("Cells with incompatible modes have no B-bar.",
                              {entry, "Solids/Dilatation"},

@@ -117,8 +117,11 @@ namespace Contact
             const Vector<double> &u_1) const override
       {
         typename CellKernel<dim>::Works works;
-        if (!is_linear())
-          works.path = this->path_work(this->work_rates(cell, u_0, u_1, 3));
+        if (is_linear() && cell.thermal == cell.thermal_before)
+          return works;
+        const auto rates = this->work_rates(cell, u_0, u_1, 3);
+        works.path       = this->path_work(rates.work);
+        works.thermal    = this->integral(rates.thermal);
         return works;
       }
 
@@ -126,6 +129,18 @@ namespace Contact
       using typename Integrals::PointState;
       static constexpr unsigned int n_amplitudes = dim * dim;
       using Amplitudes = std::array<double, n_amplitudes>;
+
+      /// The stresses of the modes have no mean.
+      double integral_of_trace(const CellTable<dim> &cell,
+                               const Vector<double> &u) const override
+      {
+        const Material &material = *cell.material;
+        double          sum      = 0;
+        for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+          sum += cell.JxW[q] * (3 * material.lambda + 2 * material.mu) *
+                 trace(Integrals::strain(cell, q, u));
+        return sum;
+      }
 
       static Amplitudes amplitudes(const CellTable<dim> &cell,
                                    const Vector<double> &u)
