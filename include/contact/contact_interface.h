@@ -188,7 +188,7 @@ namespace Contact
     /// All of them in a solution [mm, rad]; zero without multipliers.
     std::vector<double> motions(const GhostedVector &solution) const;
 
-    /// What pressures and shears exert along each free motion [N, of turns N
+    /// The forces of pressures and shears along each free motion [N, of turns N
     /// mm; in the plane per mm of thickness]. Without @p moving_bound the
     /// multipliers, which know how slip turns in a step.
     std::vector<double>

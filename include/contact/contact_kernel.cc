@@ -59,7 +59,7 @@ namespace Contact
         interface,
         point,
         [&](const unsigned int j, const auto &, const unsigned int motion) {
-          if (interface.free_motions()[motion]->name != "angle")
+          if (!interface.free_motions()[motion]->turns)
             return;
           for (unsigned int k = 0; k < 2 * point.n_slave_nodes; ++k)
             {

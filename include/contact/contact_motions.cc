@@ -47,8 +47,9 @@ namespace Contact
     if (!parameters.obstacle_moment.empty())
       {
         add("angle", parameters.obstacle_moment, "Obstacle moment");
-        double &lever = all_motions.back()->lever;
-        lever         = 0;
+        all_motions.back()->turns = true;
+        double &lever             = all_motions.back()->lever;
+        lever                     = 0;
         for (const SurfaceNode<dim> &node : contact_pair.slave.nodes)
           lever =
             std::max(lever, node.X.distance(contact_pair.obstacle->centre()));

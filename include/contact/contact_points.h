@@ -158,8 +158,8 @@ namespace Contact
     Tensor<1, dim> projection_motion;
     double         projection_stretch = 0;
 
-    // What the free motions of the contact pair, see FreeMotion, do with the
-    // master here.
+    // The ways of the master here by the free motions of the contact pair, see
+    // FreeMotion.
     std::vector<MotionAt<dim>> motions;
 
     // Over a vertex of the master the projection stays there.

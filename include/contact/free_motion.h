@@ -34,6 +34,9 @@ namespace Contact
     unsigned int                            contact_pair; // the number
     std::function<double(const Point<1> &)> force_at;     // by the load factor
 
+    /// A motion about an axis, not along one.
+    bool turns = false;
+
     /// Increments that begin there or behind it do not move it.
     double end = 1;
 

@@ -35,8 +35,8 @@ namespace Contact
 
 
 
-  /// What a motion that follows from a force does at a point of the master: the
-  /// way per unit of it, and how far it was when this was found [mm, rad].
+  /// A motion that follows from a force, at a point of the master: the way per
+  /// unit of it, and how far it was when this was found [mm, rad].
   template<int dim>
   struct MotionAt
   {

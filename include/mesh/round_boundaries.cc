@@ -65,7 +65,7 @@ namespace Contact
 
 
 
-    /// How far the mid-side node of a line is from its middle; zero where that
+    /// The way to the mid-side node of a line from its middle; zero where that
     /// is within the digits of the file. The coordinate along a parabola grows
     /// as long as its node is in the middle half.
     template<class Line, int dim>

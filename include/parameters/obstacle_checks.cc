@@ -6,6 +6,8 @@
 // Checks of obstacles.
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "base/string_utilities.h"
 #include "parameters/parameters.h"
@@ -87,36 +89,37 @@ namespace Contact
     // A motion is given, or what it exerts.
     void Contact::check_obstacle_force() const
     {
-      const std::vector<std::string> entries = {section() + "/Obstacle force",
-                                                section() + "/Obstacle moment"};
-      auto                           exerted = obstacle_force;
-      for (const auto &[name, history] : exerted)
-        if (name != "x" && name != "y" && name != "z")
-          throw EntryError(in_quotes(name) + " is no force.",
-                           {entries[0]},
+      const std::string force  = section() + "/Obstacle force",
+                        moment = section() + "/Obstacle moment";
+      const auto check         = [&](const std::string &motion,
+                             const std::string &history,
+                             const std::string &entry) {
+        check_history(history, entry);
+        if (obstacle.empty())
+          throw EntryError("There is no obstacle to exert it.",
+                           {entry, section() + "/Obstacle"},
+                           "set the obstacle, or load the master");
+        if (obstacle_motion.count(motion) > 0)
+          throw EntryError("The motion " + in_quotes(motion) +
+                             " of the obstacle is given, and what it exerts.",
+                           {entry, section() + "/Obstacle motion"},
+                           "leave one of the two");
+        if (tied)
+          throw EntryError("A body is glued to an obstacle that moves.",
+                           {entry, section() + "/Tied"},
+                           "load the body instead");
+      };
+      for (const auto &[axis, history] : obstacle_force)
+        if (std::set<std::string>{"x", "y", "z"}.count(axis) == 0)
+          throw EntryError(in_quotes(axis) + " is no force.",
+                           {force},
                            "there are 'x', 'y' and in space 'z'; the moment "
                            "has the entry " +
-                             in_quotes(entries[1]));
+                             in_quotes(moment));
+        else
+          check(axis, history, force);
       if (!obstacle_moment.empty())
-        exerted["angle"] = obstacle_moment;
-      for (const auto &[name, history] : exerted)
-        {
-          const std::string &entry = entries[name == "angle"];
-          check_history(history, entry);
-          if (obstacle.empty())
-            throw EntryError("There is no obstacle to exert it.",
-                             {entry, section() + "/Obstacle"},
-                             "set the obstacle, or load the master");
-          if (obstacle_motion.count(name) > 0)
-            throw EntryError("The motion " + in_quotes(name) +
-                               " of the obstacle is given, and what it exerts.",
-                             {entry, section() + "/Obstacle motion"},
-                             "leave one of the two");
-          if (tied)
-            throw EntryError("A body is glued to an obstacle that moves.",
-                             {entry, section() + "/Tied"},
-                             "load the body instead");
-        }
+        check("angle", obstacle_moment, moment);
     }
 
 

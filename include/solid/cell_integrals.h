@@ -40,6 +40,21 @@ namespace Contact
       return Symmetry::energy_density(elastic, stress);
     }
 
+    /// Of elastic bodies, whose forces are at most cubic in the displacement.
+    typename CellKernel<dim>::Works
+    works(const CellTable<dim> &cell,
+          const Vector<double> &u_0,
+          const Vector<double> &u_1) const override
+    {
+      typename CellKernel<dim>::Works works;
+      if (this->is_linear() && cell.thermal == cell.thermal_before)
+        return works;
+      const Rates rates = work_rates(cell, u_0, u_1, 3);
+      works.path        = path_work(rates.work);
+      works.thermal     = integral(rates.thermal);
+      return works;
+    }
+
     std::vector<SymmetricTensor<2, 3>>
     strains(const CellTable<dim> &cell, const Vector<double> &u) const override
     {

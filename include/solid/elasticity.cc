@@ -164,16 +164,8 @@ namespace Contact
             cell.thermal_before = from > 0 ? at(from) : 0.;
             cell.thermal        = at(to);
           }
-    GhostedVector forces(discretization.distribution);
-    visit_cells(forces.zero(),
-                false,
-                [&](const std::vector<types::global_dof_index> &dofs,
-                    const FullMatrix<double> &,
-                    const Vector<double> &cell_forces) {
-                  forces.add(dofs, cell_forces);
-                });
-    forces.sum_up();
-    present_thermal_forces = forces.l1_norm();
+    present_thermal_forces =
+      internal_forces(GhostedVector(discretization.distribution)).l1_norm();
     ++n_heats;
   }
 
@@ -334,8 +326,7 @@ namespace Contact
 
 
   template<int dim>
-  GhostedVector Elasticity<dim>::forces(const GhostedVector &u,
-                                        const double         load_factor) const
+  GhostedVector Elasticity<dim>::internal_forces(const GhostedVector &u) const
   {
     GhostedVector forces(discretization.distribution);
     visit_cells(u,
@@ -346,6 +337,16 @@ namespace Contact
                   forces.add(dofs, cell_forces);
                 });
     forces.sum_up();
+    return forces;
+  }
+
+
+
+  template<int dim>
+  GhostedVector Elasticity<dim>::forces(const GhostedVector &u,
+                                        const double         load_factor) const
+  {
+    GhostedVector forces = internal_forces(u);
     forces -= loads(u, load_factor);
     return forces;
   }

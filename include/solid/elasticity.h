@@ -275,6 +275,9 @@ namespace Contact
                        FullMatrix<double>   *tangent,
                        Vector<double>       &forces) const;
 
+    /// Without those of the loads.
+    GhostedVector internal_forces(const GhostedVector &u) const;
+
     /// Of all active cells.
     std::vector<CellId> cell_ids() const;
 

@@ -110,21 +110,6 @@ namespace Contact
         return stresses;
       }
 
-      // Forces are cubic in the displacement.
-      typename CellKernel<dim>::Works
-      works(const CellTable<dim> &cell,
-            const Vector<double> &u_0,
-            const Vector<double> &u_1) const override
-      {
-        typename CellKernel<dim>::Works works;
-        if (is_linear() && cell.thermal == cell.thermal_before)
-          return works;
-        const auto rates = this->work_rates(cell, u_0, u_1, 3);
-        works.path       = this->path_work(rates.work);
-        works.thermal    = this->integral(rates.thermal);
-        return works;
-      }
-
     private:
       using typename Integrals::PointState;
       static constexpr unsigned int n_amplitudes = dim * dim;

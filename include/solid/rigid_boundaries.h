@@ -89,8 +89,8 @@ namespace Contact
                                     const Targets       &targets,
                                     const std::set<Dof> &held);
 
-    /// How well the leaders tell a motion: the smallest part [-] of what one of
-    /// them adds to the others.
+    /// The smallest part [-] of what one of the leaders adds to the others:
+    /// near zero they tell a motion badly.
     double quality(const Motion &motion, const Targets &targets) const;
 
     std::vector<Dof> leaders() const;
@@ -137,10 +137,10 @@ namespace Contact
       return nodes[leader.node].dofs[leader.component];
     }
 
-    /// How an unknown varies with the motions.
+    /// The derivatives of an unknown by the motions.
     Row row(const Motion &motion, const Leader &unknown) const;
 
-    /// What does not vary: the motions that are prescribed or missing.
+    /// The motions that do not vary: those that are prescribed or missing.
     std::vector<Row> fixed_rows(const Motion  &motion,
                                 const Targets &targets) const;
 
@@ -150,7 +150,7 @@ namespace Contact
     /// Impose the targets.
     void prescribe(const Targets &targets, Motion &motion) const;
 
-    /// Where three nodes say that the boundary is, in large displacement.
+    /// The motion that three nodes tell, in large displacement.
     Motion guess(const GhostedVector &u) const;
 
     std::array<bool, 6>       is_missing{};

@@ -38,21 +38,6 @@ namespace Contact
       stresses(const CellTable<dim> &cell,
                const Vector<double> &u) const override;
 
-      typename CellKernel<dim>::Works
-      works(const CellTable<dim> &cell,
-            const Vector<double> &u_0,
-            const Vector<double> &u_1) const override
-      {
-        // Forces are cubic along the path.
-        typename CellKernel<dim>::Works works;
-        if (is_linear() && cell.thermal == cell.thermal_before)
-          return works;
-        const auto rates = this->work_rates(cell, u_0, u_1, 3);
-        works.path       = this->path_work(rates.work);
-        works.thermal    = this->integral(rates.thermal);
-        return works;
-      }
-
     private:
       using Integrals::n_max;
       using Integrals::n_modes;

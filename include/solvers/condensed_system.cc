@@ -471,7 +471,7 @@ namespace Contact
 
 
 
-  // What is left of the forces of the next cell without its tangent.
+  // The rest of the forces of the next cell without its tangent.
   template<int dim>
   void CondensedSystem<dim>::add_interface_forces(const Dofs           &dofs,
                                                   const Vector<double> &forces,

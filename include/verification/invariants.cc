@@ -247,7 +247,7 @@ namespace Contact
 
 
 
-  // What a rigid boundary exerts beside its forces and moments, at P.
+  // The reactions of a rigid boundary, beside its forces and moments, at P.
   template<int dim>
   void InvariantCheck<dim>::add_rigid(const RigidBoundary<dim> &boundary,
                                       const double              load_factor,
