@@ -189,6 +189,9 @@ namespace Contact
     Levels       levels;
     CoarserLevel coarser;
 
+    // Of the increments on the present mesh, for the effects.
+    StressPeaks<dim> stress_peaks;
+
     // Whether the ends of the masters are corners, see solve_first_level().
     bool ends_are_corners = false;
   };
@@ -337,6 +340,7 @@ namespace Contact
                                                   *model.elasticity,
                                                   pairs);
       state.reinit(model);
+      stress_peaks = StressPeaks<dim>();
       invariants = std::make_unique<InvariantCheck<dim>>(*model.discretization,
                                                          *model.elasticity,
                                                          model.interface.get(),
@@ -459,6 +463,8 @@ namespace Contact
                         state.solution);
         check_invariants(stabilization.release(state));
         model.elasticity->accept(state.solution);
+        if (parameters.solution.estimate_effects)
+          stress_peaks.take(model, parameters.solids, state.solution);
         steps.accept(report.increment().newton_iterations);
         stabilization.end_increment();
 
@@ -882,7 +888,11 @@ namespace Contact
     if (!parameters.solution.estimate_effects)
       return;
     report.record(strain_range(*model.discretization, state.solution));
-    EffectEstimates effects(parameters, model, state, report.timer);
+    EffectEstimates effects(parameters,
+                            model,
+                            state,
+                            stress_peaks,
+                            report.timer);
     try
       {
         const auto estimates = effects.estimate();

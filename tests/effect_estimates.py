@@ -9,7 +9,14 @@ Proves that
   and no verdict at 1 % or 0.1 % of the probe is wrong;
 - the estimates do not change the values, and there are none where they are off;
 - what the loops leave is what a run with sharper tolerances finds;
-- several processes are refused.
+- so is plasticity of a body that has a yield stress as a mere check, to a
+  hundredth where a tenth of it yields and to a fifth where all of it does; and
+  what scenes would be without their plasticity, thermal strains, interferences,
+  moving obstacles, moments on rigid boundaries, rubber and incompatible modes;
+- plastic strains and rotations are probes, too;
+- nothing is told, and why, where plastic strains remember the way, where a body
+  that would have yielded was unloaded, and where the variant cannot be;
+- several processes are refused, and motions of obstacles that follow from forces.
 
 Usage: effect_estimates.py CONTACT PARAMETERS MESHES
 """
@@ -21,6 +28,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).parent / "effects"))
 from block_scenes import check, contact, failures  # noqa: E402
 from estimates import compare, solve  # noqa: E402
+import scenes  # noqa: E402
 
 ESTIMATE = "Solution/Estimate effects=true"
 
@@ -64,6 +72,127 @@ for probe, sharp in zip(loops["probes"], newton["probes"]):
           0.5 < sum(by_loop.values()) / left < 2 and
           0.5 < probe["loop_error"] / abs(left) < 2,
           f"{left:g} {probe['loop_error']:g} {by_loop}")
+
+
+
+def write_scene(name, *parts):
+    """A parameter file; the last of several values of an entry counts."""
+    entries = {"Mesh/File": "blocks.msh", "Output/Screen": "none"}
+    for part in parts:
+        entries.update(part)
+    sections = {}
+    for entry, value in entries.items():
+        section, key = entry.split("/")
+        sections.setdefault(section, []).append(f"  set {key} = {value}\n")
+    path = pathlib.Path(f"{name}.prm").resolve()
+    path.write_text("".join(f"subsection {section}\n{''.join(lines)}end\n"
+                            for section, lines in sections.items()))
+    return str(path)
+
+
+def estimated(name, *parts):
+    base, why = solve(contact, write_scene(name, *parts), ESTIMATE)
+    check(f"{name}: runs", base is not None, why)
+    return base
+
+
+def agree(name, base, bounds):
+    """The estimates of the effects among BOUNDS, by effect, are as far from 1
+    of the true change as it says."""
+    found = [e for e in base["estimated_effects"] if e["effect"] in bounds]
+    check(f"{name}: all effects", {e["effect"] for e in found} == set(bounds),
+          [e["effect"] for e in base["estimated_effects"]])
+    n = {}
+    for row in compare(contact, str(pathlib.Path(f"{name}.prm").resolve()),
+                       {**base, "estimated_effects": found}):
+        effect = row.effect["effect"]
+        if row.true is None or row.estimated is None:
+            check(f"  {effect}: is known", False,
+                  row.why or row.effect["unknown"])
+            continue
+        if abs(row.true) <= 1e-4 * abs(row.value):
+            continue
+        n[effect] = n.get(effect, 0) + 1
+        check(f"  {effect} on {row.probe}",
+              abs(row.estimated / row.true - 1) < bounds[effect],
+              f"{row.estimated:g} {row.true:g}")
+    check("  all of them change something", set(n) == set(bounds), n)
+
+
+def unknown(base, effect, reason):
+    found = [e["unknown"] for e in base["estimated_effects"]
+             if e["effect"] == effect]
+    check(f"  {effect} is not told", found and reason in found[0], found)
+
+
+scenes.write_blocks("blocks.msh", 8)
+SCENE = {**scenes.BLOCKS, **scenes.CONTACT,
+         "Probes/Probes": "corner: displacement x, Foot; middle: displacement "
+         "y, Inside; stress: stress yy, Inside; force: reaction y, Base",
+         "Mesh/Points": "Inside: 0.888888888888889, 0.888888888888889"}
+CHECKED = {"Solids/Yield stress": "Upper: 60"}
+YIELDS = {**CHECKED, "Solids/Material": "Upper: elastic-plastic"}
+MORE = {"Boundary conditions/Displacement y": "Base: 0, Top: -0.003"}
+WAY = {"Solution/Increments": "2"}
+
+for name, stress, low, high, more in (
+        ("checked", 125, 0.05, 0.2,
+         {"thermal strain of Upper": 1e-3, "Contact/interference": 1e-3,
+          "incompatible modes of Lower": 1e-3}),
+        ("all_yields", 60, 0.99, 1, {})):
+    base = estimated(name, SCENE, MORE, WAY, scenes.HOT, scenes.OVERLAP, {
+        "Solids/Incompatible modes": "Lower",
+        "Solids/Yield stress": f"Upper: {stress}"})
+    share = base["bodies"]["Upper"]["volume_share_above_yield"]
+    check("  yields in part, or all", low <= share <= high, share)
+    agree(name, base, {"plasticity of Upper": 0.01 if more else 0.2, **more})
+
+base = estimated("yields", SCENE, YIELDS, MORE)
+agree("yields", base, {"plasticity of Upper": 1e-6,
+                       "Young's modulus of Upper + 1 %": 0.1})
+base = estimated("yields_on_the_way", SCENE, YIELDS, MORE, WAY,
+                 {"Probes/Probes": "strain: plastic strain, Foot; corner: "
+                  "displacement x, Foot"})
+plasticity = [e["changes"] for e in base["estimated_effects"]
+              if e["effect"] == "plasticity of Upper"][0]
+strain = [p["value"] for p in base["probes"] if p["name"] == "strain"][0]
+check("  without plasticity no plastic strain",
+      abs(plasticity["strain"] + strain) < 1e-12 < strain,
+      f"{plasticity} {strain}")
+unknown(base, "Young's modulus of Upper + 1 %", "remember the way")
+unknown(base, "increments doubled", "remember the way")
+unknown(base, "quadratic elements", "elastic bodies alone")
+
+base = estimated("unloaded", SCENE, CHECKED, MORE, WAY, {
+    "Boundary conditions/Histories": "Displacement y: min(2*t, 1.5 - t)"})
+unknown(base, "plasticity of Upper", "gone at the end")
+
+base = estimated("large", SCENE, CHECKED, {
+    "Solids/Kinematics": "large displacement", "Solution/Geometry": "automatic"})
+unknown(base, "plasticity of Upper", "small strain")
+
+base = estimated("rubber", SCENE, MORE, scenes.RIGID, {
+    "Solids/Kinematics": "large displacement", "Solution/Geometry": "automatic",
+    "Solids/Material": "Upper: neo-Hookean",
+    "Boundary conditions/Rotation z": "",
+    "Boundary conditions/Moment z": "Top: 20",
+    "Contact/Friction coefficient": "0.3",
+    "Probes/Probes": "turn: rotation z, Top; middle: displacement y, Inside"})
+agree("rubber", base, {"neo-Hookean material of Upper": 0.05,
+                       "Moment z of Top": 0.05})
+unknown(base, "quadratic elements", "elastic bodies alone")
+
+base = estimated("moving", SCENE, scenes.MOVING, {
+    "Contact/Master": "", "Contact/Friction coefficient": "0.1",
+    "Boundary conditions/Displacement y": "Base: 0, Top: -0.001"})
+agree("moving", base, {"Contact/obstacle motion": 0.1})
+
+status = subprocess.run(
+    [str(contact), write_scene("pushed", SCENE, scenes.PUSHED,
+                               {"Contact/Master": ""}),
+     "--set", ESTIMATE], capture_output=True, text=True, check=False)
+check("an obstacle under a force: refused", status.returncode == 2 and
+      "no dual problem for motions" in status.stderr, status.stderr)
 
 refused = subprocess.run(
     ["mpirun", "-np", "2", str(contact), f"{sys.argv[2]}/nested.prm", "--quiet",

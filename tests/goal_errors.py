@@ -8,8 +8,8 @@ Proves that
   one (1 / (1 - 2^-q), q the order), is the change of the probe on the next
   level, which is computed without it: displacements, stresses at points,
   pressures and forces of contact, reactions, strain energies; at degrees 1 and 2, axisymmetric
-  and plane, with meshes that match and that do not, at large displacement and
-  with friction;
+  and plane, with meshes that match and that do not, at large displacement, with
+  friction, and with thermal strains;
 - where errors fall at their rate, the forecast of the next level's is right to a
   factor of two;
 - the estimates do not change the values;
@@ -29,7 +29,7 @@ parameters = pathlib.Path(sys.argv[2]).resolve()
 
 
 def run(case, levels, *settings):
-    return solve(parameters / f"{case}.prm", f"Refinement/Levels={levels}",
+    return solve(parameters / f"{case.split(',')[0]}.prm", f"Refinement/Levels={levels}",
                  "Probes/References=", "Probes/Tolerances=", *settings)
 
 
@@ -52,6 +52,14 @@ cases = {
         (1, 2, 0.05, "Element/Degree=1", "Element/Centre node=serendipity",
          "Probes/Probes=force: contact force y, Surface; "
          "reaction: reaction y, Top"),
+    "verification/nested_cylinders, hot":
+        (1, 2, 0.03, "Solids/Thermal strain=Inner: 0.005*t"),
+    "verification/nested_cylinders_plane, hot":
+        (2, 2, 0.09, "Element/Degree=2", "Solids/Thermal strain=Inner: 0.005*t",
+         "Probes/Probes=inner: strain energy, Inner; "
+         "both: strain energy, Outer, Inner"),
+    "nested_large, hot":
+        (2, 1, 0.2, "Solids/Thermal strain=Cylinder: 0.002*t; Block: 0.001*t"),
     "nested": (2, 3, 0.15),
     "nested_large": (2, 1, 0.2),
     "nested_friction": (2, 2, 0.22),
@@ -103,4 +111,8 @@ check("loads are balanced", status == 0 and all(
 
 status, said, _ = run("nested", 0, estimate, "Contact/Discretization=Gauss")
 check("Gauss points: refused", status == 2 and "dual problems" in said, said)
+status, said, _ = run("nested", 0, estimate, "Boundary conditions/Rigid=Encast: E",
+                      "Probes/Probes=r: rotation z, Encast")
+check("rotations: refused", status == 2 and "no dual problem for the rotation"
+      in said, said)
 sys.exit(len(failures) > 0)

@@ -9,10 +9,10 @@
 #include <chrono>
 
 #include "adaptivity/goal_errors.h"
-#include "adaptivity/scene_variants.h"
 #include "base/errors.h"
 #include "base/interruption.h"
 #include "contact/probes.h"
+#include "parameters/dual_quantities.h"
 #include "solvers/rigid_body_modes.h"
 #include "solvers/saddle_point_system.h"
 
@@ -232,6 +232,7 @@ namespace Contact
                          step))
         throw NotConverged("no active set agrees with the linearised problem");
       state.solution += step;
+      model.discretization->settle(state.solution, state.load_factor);
       if (model.interface)
         update_statuses();
       return model.discretization->displacements(step).linfty_norm();
@@ -290,10 +291,12 @@ namespace Contact
   EffectEstimates::EffectEstimates(const Parameters::All   &parameters,
                                    ContactModel<2>         &model,
                                    const IncrementState<2> &state,
+                                   const StressPeaks<2>    &peaks,
                                    TimerOutput             &timer)
     : parameters(parameters)
     , model(model)
     , state(state)
+    , peaks(peaks)
     , timer(timer)
     , probes(parameters.probes.definitions())
   {
@@ -301,14 +304,50 @@ namespace Contact
 
 
 
+  // Plastic strains are those of an increment that has been accepted.
   template<class Other>
   std::map<std::string, double>
   EffectEstimates::probes_of(const Other &other) const
   {
     std::map<std::string, double> values;
+    Elasticity<2>                &bodies  = *other.model.elasticity;
+    const CellValues              history = bodies.history();
+    bodies.accept(other.state.solution);
     for (const auto &[name, probe] : probes)
       values[name] = probe_value(probe, other.model, other.state);
+    bodies.restore(history);
     return values;
+  }
+
+
+
+  // Bodies of the scene that yield have a history, unless one increment is the
+  // whole way. Bodies that begin to yield in a variant return from the strains
+  // of the end, as if these had grown in proportion.
+  void EffectEstimates::check_knowledge(const SceneVariant &variant) const
+  {
+    if (!variant.unknown.empty())
+      throw NotConverged(variant.unknown);
+    const Parameters::Solids &solids = variant.parameters.solids;
+    if (remembers() && solids.may_yield())
+      throw NotConverged("plastic strains remember the way");
+
+    if (!solids.may_yield() || model.elasticity->has_history())
+      return;
+    if (parameters.restart)
+      throw NotConverged("the stresses before the restart are not known");
+    const double few = 0.05;
+    for (const auto &of_body : solids.yield_stress)
+      if (peaks.share_gone(of_body.first) > few)
+        throw NotConverged("stresses above the yield stress on the way are "
+                           "gone at the end");
+  }
+
+
+
+  bool EffectEstimates::remembers() const
+  {
+    return model.elasticity->has_history() && state.start_factor > 0;
   }
 
 
@@ -318,8 +357,10 @@ namespace Contact
   {
     TimerOutput::Scope scope(timer, "effects");
     Variant            scene(parameters, model, state, timer);
-    const double       seconds = converge(scene);
-    const auto         values  = probes_of(scene);
+    if (remembers())
+      scene.model.elasticity->restore(model.elasticity->history());
+    const double seconds = converge(scene);
+    const auto   values  = probes_of(scene);
     for (const auto &[name, probe] : probes)
       left[name] = values.at(name) - probe_value(probe, model, state);
 
@@ -329,6 +370,7 @@ namespace Contact
         EffectEstimate estimate{variant.effect, variant.is_on, variant.entries};
         try
           {
+            check_knowledge(variant);
             Variant other(variant.parameters, scene.model, scene.state, timer);
             const auto   begin = Clock::now();
             const double step  = other.make_step();
@@ -361,8 +403,16 @@ namespace Contact
   EffectEstimate EffectEstimates::of_quadratic_elements() const
   {
     EffectEstimate estimate{"quadratic elements", false, {"Element/Degree=2"}};
+    if (!parameters.solids.incompatible_modes.empty())
+      estimate.entries.push_back("Solids/Incompatible modes=");
     if (!parameters.has_dual_problems())
       estimate.unknown = "no dual problems for this discretization of contact";
+    else if (!parameters.solids.is_elastic())
+      estimate.unknown = "errors of probes are known of elastic bodies alone";
+    else if (std::any_of(probes.begin(), probes.end(), [](const auto &probe) {
+               return !Parameters::has_dual_problem(probe.second.quantity);
+             }))
+      estimate.unknown = "no dual problem for one of the probes";
     else
       {
         estimate.changes =
@@ -375,7 +425,8 @@ namespace Contact
 
 
 
-  // Elastic bodies have no history, and contact without friction neither.
+  // Bodies that do not yield have no history, and contact without friction
+  // neither.
   EffectEstimate EffectEstimates::of_increments() const
   {
     EffectEstimate estimate{"increments doubled",
@@ -386,6 +437,8 @@ namespace Contact
     estimate.price = 2;
     if (model.has_friction())
       estimate.unknown = "the shear remembers the way";
+    else if (model.elasticity->has_history())
+      estimate.unknown = "plastic strains remember the way";
     else
       for (const auto &[name, probe] : probes)
         estimate.changes[name] = estimate.uncertainties[name] = 0;

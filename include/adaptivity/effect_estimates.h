@@ -9,6 +9,8 @@
 #include <deal.II/base/timer.h>
 
 #include "adaptivity/effect_estimate.h"
+#include "adaptivity/scene_variants.h"
+#include "adaptivity/stress_peaks.h"
 #include "contact/contact_model.h"
 #include "contact/increment_state.h"
 
@@ -29,16 +31,20 @@ namespace Contact
    * shorter, nothing is known. The scene's own state is first brought to the
    * end of all loops in the same way: what they have left is no effect.
    *
-   * Not seen: the history of friction. Friction that is left out would have
-   * acted since the undeformed state, in one increment.
+   * Not seen: the history of friction, and of plastic strains. Friction that is
+   * left out, and a body that yields in the variant alone, would have acted
+   * since the undeformed state, in one increment: nothing is told where points
+   * that were above the yield stress have been unloaded, and of a scene that
+   * yields in several increments only what it is without plasticity.
    */
   class EffectEstimates
   {
   public:
-    /// The @p state has converged.
+    /// The @p state has converged, the @p peaks are those of its way.
     EffectEstimates(const Parameters::All   &parameters,
                     ContactModel<2>         &model,
                     const IncrementState<2> &state,
+                    const StressPeaks<2>    &peaks,
                     TimerOutput             &timer);
 
     /// Of all variants of the scene, of quadratic elements instead of linear
@@ -55,12 +61,15 @@ namespace Contact
   private:
     template<class Other>
     std::map<std::string, double> probes_of(const Other &other) const;
-    EffectEstimate                of_quadratic_elements() const;
-    EffectEstimate                of_increments() const;
+    void           check_knowledge(const SceneVariant &variant) const;
+    bool           remembers() const;
+    EffectEstimate of_quadratic_elements() const;
+    EffectEstimate of_increments() const;
 
     const Parameters::All                                      &parameters;
     ContactModel<2>                                            &model;
     const IncrementState<2>                                    &state;
+    const StressPeaks<2>                                       &peaks;
     TimerOutput                                                &timer;
     const std::map<std::string, Parameters::Probes::Definition> probes;
 

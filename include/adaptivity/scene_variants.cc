@@ -5,80 +5,15 @@
 
 #include "adaptivity/scene_variants.h"
 
-#include <functional>
+#include <algorithm>
+
+#include "adaptivity/variant_list.h"
 
 namespace Contact
 {
   namespace
   {
     using Parameters::All;
-
-    /// The variants of a scene as they are made.
-    class Variants
-    {
-    public:
-      explicit Variants(const All &scene)
-        : scene(scene)
-      {
-      }
-
-      /// The scene with a change; nothing if its entries then contradict each
-      /// other.
-      void add(const std::string                       &effect,
-               const bool                               is_on,
-               const std::vector<std::string>          &entries,
-               const std::function<void(All &changed)> &change)
-      {
-        SceneVariant variant{effect, is_on, entries, scene};
-        forget_theory(variant.parameters.probes);
-        change(variant.parameters);
-        try
-          {
-            variant.parameters.check();
-          }
-        catch (const EntryError &)
-          {
-            return;
-          }
-        all.push_back(variant);
-      }
-
-      const All                &scene;
-      std::vector<SceneVariant> all;
-
-    private:
-      /// Closed forms are those of the scene itself, not of its variants.
-      static void forget_theory(Parameters::Probes &probes)
-      {
-        probes.hertz.clear();
-        probes.concentric_cylinders.clear();
-        probes.frictional_theory = false;
-      }
-    };
-
-
-
-    /// A map as its entry has it.
-    template<typename Value>
-    std::string entry_of(const std::string                  &name,
-                         const std::map<std::string, Value> &values)
-    {
-      return name + "=" + Patterns::Tools::to_string(values);
-    }
-
-
-
-    /// One of formulas, which have commas of their own.
-    std::string entry_of(const std::string                        &name,
-                         const std::map<std::string, std::string> &formulas)
-    {
-      std::string entry = name + "=";
-      for (const auto &[key, formula] : formulas)
-        entry += (entry.back() == '=' ? "" : "; ") + key + ": " + formula;
-      return entry;
-    }
-
-
 
     /// The contact pair of a section in another scene.
     Parameters::Contact &pair_of(All &scene, const std::string &name)
@@ -186,12 +121,35 @@ namespace Contact
                          glued.tresca_limit         = 0;
                        });
         }
+      if (!of_pair.interference.empty())
+        variants.add(section + "interference",
+                     true,
+                     {section + "Interference="},
+                     [&](All &changed) {
+                       pair_of(changed, name).interference.clear();
+                     });
+      const std::vector<std::string> at_rest = {section + "Obstacle motion=",
+                                                section + "Obstacle centre=",
+                                                section + "Obstacle axis="};
+      const auto let_rest = [](Parameters::Contact &resting) {
+        resting.obstacle_motion.clear();
+        resting.obstacle_centre.clear();
+        resting.obstacle_axis.clear();
+      };
+      if (!of_pair.obstacle_motion.empty())
+        variants.add(section + "obstacle motion",
+                     true,
+                     at_rest,
+                     [&](All &changed) { let_rest(pair_of(changed, name)); });
       variants.add(section + "the pair itself",
                    true,
                    {section + "Slave=",
                     section + "Master=",
                     section + "Obstacle=",
                     section + "Obstacle motion=",
+                    section + "Obstacle centre=",
+                    section + "Obstacle axis=",
+                    section + "Interference=",
                     section + "Excluded points=",
                     section + "Friction coefficient=0",
                     section + "Tresca limit=0",
@@ -291,6 +249,14 @@ namespace Contact
         "Displacement normal",
         [](auto &boundary) -> auto & { return boundary.displacement_normal; },
         variants);
+      add_displacements(
+        "Rotation z",
+        [](auto &boundary) -> auto & { return boundary.rotation[2]; },
+        variants);
+      add_groups(
+        "Moment z",
+        [](auto &boundary) -> auto & { return boundary.moment[2]; },
+        variants);
       add_directions("Force", &Boundary::force, variants);
       add_directions("Resultant force", &Boundary::resultant_force, variants);
       add_groups(
@@ -299,6 +265,90 @@ namespace Contact
         variants);
       add_directions("Traction", &Boundary::traction, variants);
       add_directions("Body force", &Boundary::body_force, variants);
+    }
+
+
+
+    void add_thermal_strains(Variants &variants)
+    {
+      for (const auto &strain : variants.scene.solids.thermal_strain)
+        {
+          const auto others =
+            without(strain.first, variants.scene.solids.thermal_strain);
+          variants.add("thermal strain of " + strain.first,
+                       true,
+                       {entry_of("Solids/Thermal strain", others)},
+                       [&](All &changed) {
+                         changed.solids.thermal_strain = others;
+                       });
+        }
+    }
+
+
+
+    /// The elastic body instead of another one: what only that one has goes,
+    /// but for the yield stress, which is a mere check then.
+    void add_elastic(const std::string &effect,
+                     const std::string &body,
+                     Variants          &variants)
+    {
+      const Parameters::Solids &here   = variants.scene.solids;
+      Parameters::Solids        solids = here;
+      std::vector<std::string>  entries;
+      const auto remove = [&](auto &values, const std::string &entry) {
+        if (values.erase(body) > 0)
+          entries.push_back(entry_of("Solids/" + entry, values));
+      };
+      remove(solids.material, "Material");
+      remove(solids.hardening_modulus, "Hardening modulus");
+      remove(solids.kinematic_hardening_modulus, "Kinematic hardening modulus");
+      remove(solids.saturation_stress, "Saturation stress");
+      remove(solids.saturation_rate, "Saturation rate");
+      remove(solids.hardening_curve, "Hardening curve");
+      remove(solids.mooney_rivlin_constant, "Mooney-Rivlin constant");
+      variants.add(effect + " of " + body, true, entries, [&](All &changed) {
+        changed.solids = solids;
+      });
+    }
+
+
+
+    /// A yield stress of an elastic body asks how much it would change to
+    /// yield there. Its cells are then those that plastic strains, which keep
+    /// the volume, do not lock.
+    void add_inelastic(Variants &variants)
+    {
+      using Parameters::MaterialModel;
+      const Parameters::Solids &here = variants.scene.solids;
+      for (const auto &[body, model] : here.material)
+        if (model == MaterialModel::elastic_plastic)
+          add_elastic("plasticity", body, variants);
+        else if (model != MaterialModel::elastic)
+          add_elastic(model.name() + " material", body, variants);
+      for (const auto &of_body : here.yield_stress)
+        {
+          const std::string body = of_body.first;
+          if (here.model_of(body) != MaterialModel::elastic)
+            continue;
+          auto material = here.material;
+          material.insert_or_assign(body, MaterialModel::elastic_plastic);
+          variants.add_or_tell("plasticity of " + body,
+                               false,
+                               {entry_of("Solids/Material", material)},
+                               [&](All &changed) {
+                                 changed.solids.material = material;
+                               });
+        }
+      for (const std::string &body : here.incompatible_modes)
+        {
+          auto others = here.incompatible_modes;
+          others.erase(std::find(others.begin(), others.end(), body));
+          variants.add(
+            "incompatible modes of " + body,
+            true,
+            {"Solids/Incompatible modes=" + Patterns::Tools::to_string(others)},
+            [&](All &changed) { changed.solids.incompatible_modes = others; });
+        }
     }
 
 
@@ -329,6 +379,8 @@ namespace Contact
     for (const Parameters::Contact &of_pair : scene.pairs())
       add_pair(of_pair, variants);
     add_loads(variants);
+    add_thermal_strains(variants);
+    add_inelastic(variants);
     add_materials(variants);
     return variants.all;
   }

@@ -25,15 +25,21 @@ namespace Contact
     std::vector<std::string> entries;
 
     Parameters::All parameters;
+
+    /// Why there is no such scene, or nothing.
+    std::string unknown = {};
   };
 
 
 
   /**
    * All that the entries of a scene allow: large displacement, contact on the
-   * deformed bodies, friction, glue instead of contact, each contact pair, each
-   * load and each prescribed displacement on or off; each Young's modulus 1 %
-   * larger. Friction that is not there is tried with the coefficient 0.1.
+   * deformed bodies, friction, glue instead of contact, each contact pair, its
+   * interference and the motion of its obstacle, each load, each prescribed
+   * displacement and each thermal strain on or off; the plasticity of bodies
+   * with a yield stress, rubber and incompatible modes instead of the elastic
+   * material and its cells; each Young's modulus 1 % larger. Friction that is
+   * not there is tried with the coefficient 0.1.
    */
   std::vector<SceneVariant> scene_variants(const Parameters::All &scene);
 } // namespace Contact

@@ -24,6 +24,15 @@ namespace Contact
     unsigned long cell_tangents            = 0; // cells with tangent
     unsigned long cell_forces              = 0; // cells with or without
     unsigned long large_displacement_cells = 0; // of cell_forces
+    unsigned long material_cells = 0; // of cell_forces, with a MaterialLaw
+    unsigned long enhanced_cells = 0; // of cell_forces, with incompatible modes
+
+    // Points that may yield: of cell_forces, and at the ends of increments.
+    unsigned long return_mappings = 0;
+    unsigned long history_updates = 0;
+
+    unsigned long thermal_cells = 0; // whose thermal strain an increment sets
+    unsigned long rigid_updates = 0; // rigid boundaries made constraints
 
     // Linear systems. The set-up of a multigrid hierarchy is both: the
     // aggregates follow from the pattern, the rest from the values.
@@ -39,6 +48,10 @@ namespace Contact
     unsigned long active_set_changes = 0; // Newton steps after which a point
                                           // changes its status
     unsigned long tangential_rows = 0;    // slip conditions put up
+    unsigned long obstacle_moves =
+      0;                             // given or free, by obstacle and increment
+    unsigned long free_motions  = 0; // solved for, in each linear system
+    unsigned long interferences = 0; // by contact pair and increment
 
     // Results.
     unsigned long stress_recoveries = 0; // at all vertices

@@ -480,9 +480,11 @@ namespace Contact
         const auto        index  = interface.motion_index(k);
         if (!motion.stays)
           rhs[index] += motion.force;
-        if (matrix != nullptr)
-          matrix->diag_element(index) +=
-            motion.stays ? 1 : interface.motion_spring(motion);
+        if (matrix == nullptr)
+          continue;
+        interface.discretization.counters.free_motions += !motion.stays;
+        matrix->diag_element(index) +=
+          motion.stays ? 1 : interface.motion_spring(motion);
       }
   }
 

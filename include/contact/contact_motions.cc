@@ -79,13 +79,19 @@ namespace Contact
     bool       moves    = equations_changed;
     for (const auto &contact_pair : pairs)
       {
-        if (contact_pair->obstacle)
-          moves = contact_pair->obstacle->move(from,
-                                               to,
-                                               part(at_start, *contact_pair)) ||
-                  moves;
+        if (contact_pair->obstacle &&
+            contact_pair->obstacle->move(from,
+                                         to,
+                                         part(at_start, *contact_pair)))
+          {
+            ++discretization.counters.obstacle_moves;
+            moves = true;
+          }
         if (auto *interference = contact_pair->interference.get())
-          interference->now = interference->at(Point<1>(to));
+          {
+            ++discretization.counters.interferences;
+            interference->now = interference->at(Point<1>(to));
+          }
       }
     obstacles_are_moving = moves && from != to;
     return moves;

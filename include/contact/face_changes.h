@@ -8,6 +8,7 @@
 
 #include <map>
 
+#include "contact/contact_points.h"
 #include "contact/face_segments.h"
 
 namespace Contact

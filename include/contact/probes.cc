@@ -362,7 +362,19 @@ namespace Contact
           .value(state.solution, state.load_factor);
       if (is_energy(quantity))
         return body_energy(place, model, state.solution);
+      if (is_of_rigid(quantity))
+        return rigid_value(quantity,
+                           place,
+                           model,
+                           state.solution,
+                           state.load_factor);
       const unsigned int vertex = model.mesh->point(place, "Probes/Probes");
+      if (quantity == Quantity::plastic_strain)
+        return model.elasticity->has_history()
+                 ? StressRecovery<dim>(*model.discretization)
+                     .vertex_strains(*model.elasticity)
+                     .at(vertex)
+                 : 0.;
       if (is_contact_traction(quantity))
         return contact_traction(quantity,
                                 vertex,

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "base/string_utilities.h"
+#include "parameters/dual_quantities.h"
 #include "parameters/parameters.h"
 
 namespace Contact
@@ -121,14 +122,10 @@ namespace Contact
                                   ? "Probes/Accuracy"
                                   : "Probes/Dual weighted residuals";
       if (!solids.is_elastic() &&
-          (solution.estimate_effects || probes.dual_weighted_residuals ||
-           asks_for_accuracy()))
-        throw EntryError("Effects and errors of probes are estimated for "
+          (probes.dual_weighted_residuals || asks_for_accuracy()))
+        throw EntryError("Errors of probes are estimated by dual problems for "
                          "elastic bodies alone.",
-                         {solution.estimate_effects
-                            ? "Solution/Estimate effects"
-                            : entry,
-                          "Solids/Material"},
+                         {entry, "Solids/Material"},
                          "set 'Estimate errors = true', which solves on the "
                          "next mesh, or compare two runs");
       if (solution.estimate_effects && n_ranks > 1)
@@ -160,6 +157,14 @@ namespace Contact
                            "ask for the contact force of the slave");
       if (!has_dual_problems)
         return;
+      for (const auto &[name, probe] : probes.definitions())
+        if (!has_dual_problem(probe.quantity))
+          throw EntryError("There is no dual problem for the " +
+                             probe.quantity.name() + " of the probe '" + name +
+                             "'.",
+                           {entry, "Probes/Probes"},
+                           "ask for displacements of the boundary, or set "
+                           "'Estimate errors = true' instead");
       if (n_ranks > 1)
         throw EntryError("Dual problems are solved by one process, here are " +
                            std::to_string(n_ranks) + ".",

@@ -151,6 +151,9 @@ namespace Contact
       /// Whether all bodies are linear elastic or St. Venant-Kirchhoff's.
       bool is_elastic() const;
 
+      /// Whether any body is elastic-plastic.
+      bool may_yield() const;
+
       /// Body group -> its free strain in all directions [-], a history, see
       /// parse_history().
       std::map<std::string, std::string> thermal_strain;

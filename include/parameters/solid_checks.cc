@@ -101,6 +101,15 @@ namespace Contact
 
 
 
+    bool Solids::may_yield() const
+    {
+      return std::any_of(material.begin(), material.end(), [](const auto &of) {
+        return of.second == MaterialModel::elastic_plastic;
+      });
+    }
+
+
+
     void Solids::check_materials() const
     {
       const std::string E = "Solids/Young's modulus", M = "Solids/Material",

@@ -51,6 +51,12 @@ namespace Contact
     /// The tangent does not depend on the displacement.
     virtual bool is_linear() const = 0;
 
+    /// Linear elastic or of St. Venant and Kirchhoff, without a MaterialLaw.
+    virtual bool is_elastic() const
+    {
+      return true;
+    }
+
     /// s : D^-1 : s [MPa], twice the elastic energy by volume of a stress s.
     virtual double
     energy_density(const SymmetricTensor<2, 3> &stress) const = 0;

@@ -14,7 +14,7 @@ namespace Contact
   {
     if (curve.empty())
       {
-        const double decay = std::exp(-rate * a);
+        const double decay = rate > 0 ? std::exp(-rate * a) : 1;
         return {initial + linear * a + saturation * (1 - decay),
                 linear + saturation * rate * decay,
                 0.5 * linear * a * a +
@@ -47,6 +47,7 @@ namespace Contact
     : mu(elastic.mu)
     , bulk_modulus(elastic.lambda + 2. / 3 * elastic.mu)
     , hardening(hardening)
+    , elastic_moduli(2 * elastic.mu * deviator_tensor<3>())
   {
   }
 
@@ -107,6 +108,7 @@ namespace Contact
     double                q;       // sqrt(3/2) |xi| of the trial state
     double                a;       // at the start
     double                da;
+    Hardening::Values     Y; // at the end
 
     SymmetricTensor<2, 3> plastic_at_end() const
     {
@@ -131,13 +133,17 @@ namespace Contact
       2 * mu * state.e -
       (2 * mu + 2. / 3 * hardening.kinematic) * state.plastic;
     state.q = std::sqrt(1.5) * xi.norm();
+    state.Y = hardening.at(state.a);
+    if (state.q <= state.Y.stress)
+      return state;
     const double round_off =
       8 * std::numeric_limits<double>::epsilon() *
       (state.q + 3 * mu * (state.e.norm() + state.plastic.norm()));
-    if (state.q > hardening.at(state.a).stress + round_off)
+    if (state.q > state.Y.stress + round_off)
       {
         state.n  = xi / xi.norm();
         state.da = plastic_increment(state.q, state.a);
+        state.Y  = hardening.at(state.a + state.da);
       }
     return state;
   }
@@ -152,19 +158,19 @@ namespace Contact
     const Return state   = return_to_surface(E, history);
     const auto   plastic = state.plastic_at_end();
     const auto   elastic = state.e - plastic;
-    const auto   Y       = hardening.at(state.a + state.da);
 
     Response response;
     response.stress = 2 * mu * elastic;
-    response.energy = mu * (elastic * elastic) + Y.energy +
+    response.energy = mu * (elastic * elastic) + state.Y.energy +
                       hardening.kinematic / 3 * (plastic * plastic);
     if (!with_tangent)
       return response;
-    response.tangent = 2 * mu * deviator_tensor<3>();
+    response.tangent = elastic_moduli;
     if (state.da > 0)
       {
         const double turning = 3 * mu * state.da / state.q;
-        const double along = 3 * mu / (3 * mu + hardening.kinematic + Y.slope);
+        const double along =
+          3 * mu / (3 * mu + hardening.kinematic + state.Y.slope);
         response.tangent *= 1 - turning;
         response.tangent -=
           2 * mu * (along - turning) * outer_product(state.n, state.n);

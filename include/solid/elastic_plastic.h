@@ -79,6 +79,9 @@ namespace Contact
 
     const double    mu, bulk_modulus;
     const Hardening hardening;
+
+    /// Of the deviators.
+    const SymmetricTensor<4, 3> elastic_moduli;
   };
 } // namespace Contact
 

@@ -161,6 +161,7 @@ namespace Contact
               const double e = found->second(Point<1>(load_factor));
               return cell.kernel->is_small_strain() ? e : e + 0.5 * e * e;
             };
+            ++discretization.counters.thermal_cells;
             cell.thermal_before = from > 0 ? at(from) : 0.;
             cell.thermal        = at(to);
           }
@@ -188,8 +189,11 @@ namespace Contact
                                       FullMatrix<double>   *tangent,
                                       Vector<double>       &forces) const
   {
-    discretization.counters.large_displacement_cells +=
-      !cell.kernel->is_small_strain();
+    Counters &counters = discretization.counters;
+    counters.large_displacement_cells += !cell.kernel->is_small_strain();
+    counters.material_cells += !cell.kernel->is_elastic();
+    counters.enhanced_cells += !cell.stress_modes.empty();
+    counters.return_mappings += cell.history.empty() ? 0 : cell.JxW.size();
     return cell.kernel->forces(cell, u, stress_stiffness, tangent, forces);
   }
 

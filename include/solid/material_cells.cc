@@ -32,6 +32,11 @@ namespace Contact
         return false;
       }
 
+      bool is_elastic() const override
+      {
+        return false;
+      }
+
       // In plane strain plastic strains leave a stress across the plane that
       // those in the plane do not tell.
       double energy_density(const SymmetricTensor<2, 3> &stress) const override
@@ -160,10 +165,15 @@ namespace Contact
       PointState                                           at;
       for (unsigned int q = 0; q < n_points; ++q)
         {
-          const Tensor<2, dim> H = Integrals::displacement_gradient(cell, q, u);
-          const double         h = Integrals::hoop_gradient(cell, q, u);
-          const auto          &volume = states.volume[q];
-          auto                 response =
+          Tensor<2, dim> H;
+          double         h = 0;
+          if constexpr (is_large)
+            {
+              H = Integrals::displacement_gradient(cell, q, u);
+              h = Integrals::hoop_gradient(cell, q, u);
+            }
+          const auto &volume = states.volume[q];
+          auto        response =
             law.shear_part(states.E[q], history(cell, q), tangent != nullptr);
           response.stress += states.p[q] * volume.slope;
 

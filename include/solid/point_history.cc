@@ -33,7 +33,10 @@ namespace Contact
     for (auto *part : {&tables.own, &tables.neighbors})
       for (CellTable<dim> &cell : *part)
         if (!cell.history.empty())
-          cell.history = cell.kernel->history_at(cell, u.extract(cell.dofs));
+          {
+            discretization.counters.history_updates += cell.JxW.size();
+            cell.history = cell.kernel->history_at(cell, u.extract(cell.dofs));
+          }
   }
 
 

@@ -339,6 +339,7 @@ namespace Contact
     if (!rigid.empty())
       {
         update_rigid_leaders(u, load_factor);
+        counters.rigid_updates += rigid.size();
         followers_of_rigid = rigid_lines(u, load_factor);
         for (const auto &line : followers_of_rigid)
           vanish = vanish && line.inhomogeneity == 0;

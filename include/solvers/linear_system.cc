@@ -290,6 +290,7 @@ namespace Contact
         const unsigned int m = motions.size();
         if (m == 0)
           return 0;
+        model.discretization->counters.free_motions += m;
         const auto motion = [&](const unsigned int i) -> const FreeMotion & {
           return *interface.free_motions()[motions[i]];
         };

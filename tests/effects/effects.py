@@ -27,6 +27,7 @@ COULOMB = {**CONTACT, "Contact/Friction coefficient": "0.2"}
 LOOP = {"Solution/Geometry": "fixed point"}
 LARGE = {"Solids/Kinematics": "large displacement", **LOOP}
 LEVEL = {"Refinement/Levels": "1"}
+FOUR = {"Solution/Increments": "4"}
 
 # Effect, its entries, and the effect it is compared with; None: the scene.
 EFFECTS = (
@@ -49,12 +50,27 @@ EFFECTS = (
     # About the left edge of the lower block.
     ("axisymmetry", {"Solids/Symmetry": "axisymmetric", "Mesh/Shift": "1, 0"},
      "bodies alone"),
-    ("rigid obstacle instead of a master",
-     {"Contact/Slave": "Slave", "Contact/Discretization": "mortar",
-      "Contact/Obstacle": "half plane: 0, 0, 0, 1"}, "contact, mortar rule"),
-    ("four increments", {"Solution/Increments": "4"}, "bodies alone"),
-    ("four increments, contact", {**CONTACT, "Solution/Increments": "4"},
+    ("rigid obstacle instead of a master", scenes.OBSTACLE,
      "contact, mortar rule"),
+    ("obstacle that moves", scenes.MOVING,
+     "rigid obstacle instead of a master"),
+    ("obstacle under a force", scenes.PUSHED,
+     "rigid obstacle instead of a master"),
+    ("interference", {**CONTACT, **scenes.OVERLAP}, "contact, mortar rule"),
+    ("rigid boundary", {**CONTACT, **scenes.RIGID}, "contact, mortar rule"),
+    ("thermal strain", {**CONTACT, **scenes.HOT}, "contact, mortar rule"),
+    ("incompatible modes", {**CONTACT, **scenes.MODES},
+     "contact, mortar rule"),
+    ("neo-Hookean bodies", {**CONTACT, **LARGE, **scenes.NEO_HOOKEAN},
+     "large displacement, contact"),
+    ("Mooney-Rivlin bodies", {**CONTACT, **LARGE, **scenes.MOONEY_RIVLIN},
+     "large displacement, contact"),
+    ("four increments", FOUR, "bodies alone"),
+    ("four increments, contact", {**CONTACT, **FOUR}, "contact, mortar rule"),
+    ("four increments, large displacement", {**CONTACT, **LARGE, **FOUR},
+     "four increments, contact"),
+    ("four increments, plasticity", {**CONTACT, **FOUR, **scenes.PLASTIC},
+     "four increments, contact"),
     ("stress probed", {"Probes/Probes": "head: stress yy, Head"},
      "bodies alone"),
     ("profile", {**CONTACT, "Output/Profile": "true"}, "contact, mortar rule"),

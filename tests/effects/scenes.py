@@ -118,6 +118,27 @@ BLOCKS = {
 CONTACT = {"Contact/Slave": "Slave", "Contact/Master": "Master",
            "Contact/Discretization": "mortar"}
 
+# More of the two blocks, which touch unless it says so: a part of the upper one
+# yields; rubber; cells that bend; a top that moves as before, as a rigid body;
+# the upper block on a rigid plane, one that moves, one under a force; an upper
+# block that swells; one that is longer than it is drawn.
+PLASTIC = {"Solids/Material": "Lower: elastic-plastic, Upper: elastic-plastic",
+           "Solids/Yield stress": "Lower: 60, Upper: 60",
+           "Solids/Hardening modulus": "Lower: 2000, Upper: 700"}
+NEO_HOOKEAN = {"Solids/Material": "Lower: neo-Hookean, Upper: neo-Hookean"}
+MOONEY_RIVLIN = {
+    "Solids/Material": "Lower: Mooney-Rivlin, Upper: Mooney-Rivlin",
+    "Solids/Mooney-Rivlin constant": "Lower: 10000, Upper: 3000"}
+MODES = {"Solids/Incompatible modes": "Lower, Upper"}
+RIGID = {"Boundary conditions/Rigid": "Top: Head",
+         "Boundary conditions/Rotation z": "Top: 0"}
+OBSTACLE = {"Contact/Slave": "Slave", "Contact/Discretization": "mortar",
+            "Contact/Obstacle": "half plane: 0, 0, 0, 1"}
+MOVING = {**OBSTACLE, "Contact/Obstacle motion": "x: 5e-4*t; y: -2e-4*t"}
+PUSHED = {**OBSTACLE, "Contact/Obstacle force": "y: 150*t"}
+HOT = {"Solids/Thermal strain": "Upper: 1e-4*t"}
+OVERLAP = {"Contact/Interference": "1e-3*t"}
+
 
 class Run:
     """What a run has left: its exit status, summary, and what it cost."""
