@@ -11,9 +11,11 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 import fem
+import motion_check
+import motions
 import results
+import rigid_check
 import surfaces
-import zone_check
 from zone_check import Problem
 
 # Of the sum of all forces: a hundred times the program's own tolerance.
@@ -27,24 +29,31 @@ FLOWN_AWAY = 1.0
 class State:
     """The displacements of one increment, and all forces."""
 
-    def __init__(self, model, u, t, error):
+    def __init__(self, model, u, t, error, record=None):
+        """`record`: what the program says about the increment."""
         self.u = u
         self.t = t
         scene = model.scene
         self.x = model.X + u
+        self.record = record or {}
+        self.placements = motions.placements(scene, t, self.record)
+        model.at(t)
         internal = model.forces(u)
         self.residual = internal - model.external(t)
         self.held, self.value = model.supports(t)
         self.position_error = error
         self.error = model.magnitude(u, error)
-        self.loads = model.load_scale(t)
+        # Free strains that are held back are loads.
+        self.loads = model.load_scale(t) + (np.abs(
+            model.forces(np.zeros_like(u))).sum() if scene.thermal else 0)
         surface = np.zeros(len(model.X), bool)
         for zone in scene.zones:
             for group in (zone.slave, zone.master):
                 if group:
                     surface[model.lines[group]] = True
         self.on_surface = surface
-        free = ~self.held & ~surface[:, None]
+        self.rigid = model.in_groups(scene.rigid)
+        free = ~self.held & ~(surface | self.rigid)[:, None]
         self.free_residual = np.where(free, self.residual, 0)
         self.scale = self.loads + np.abs(np.where(free, 0,
                                                   self.residual)).sum()
@@ -56,8 +65,12 @@ def states_of(scene, model, run):
     ulp = np.finfo(float).eps
     found = []
     chosen = range(len(increments))
+    model.reset()
     if model.degree == 2:
         chosen = chosen[-1:]
+        if model.has_history and len(increments) > 1:
+            # Cut: nobody knows the middles of edges in between.
+            return []
     for k in chosen:
         u = np.full((len(model.X), 2), np.nan)
         u[:model.n_vertices] = results.vertex_displacements(
@@ -65,13 +78,18 @@ def states_of(scene, model, run):
         size = np.abs(u[:model.n_vertices]).max()
         error = np.full(len(model.X), 32 * ulp * (size + np.abs(
             model.X).max()))
-        if model.degree == 2:
+        t = increments[k]["load_factor"]
+        if model.degree == 2 and scene.middles_in == "Nodes":
+            if not results.middles_of_nodes(run, model, u):
+                return None
+        elif model.degree == 2:
             if not results.middle_displacements(run, model, u):
                 return None
             error[model.n_vertices:] = results.SINGLE * np.abs(
                 u[model.n_vertices:]).max(1)
-            refine_middles(model, run, increments[k]["load_factor"], u, error)
-        found.append(State(model, u, increments[k]["load_factor"], error))
+            refine_middles(model, run, t, u, error)
+        found.append(State(model, u, t, error, increments[k]))
+        model.advance(u)
     # The program measures its residual by the forces that have acted so far.
     so_far = 0.0
     for state in found:
@@ -133,7 +151,7 @@ Tools = collections.namedtuple("Tools", "model states zone output")
 def tools_of(scene):
     if len(scene.axes) == 2:
         return Tools(lambda scene, run: fem.Model(scene), states_of,
-                     zone_check.ZoneCheck, check_profile)
+                     motion_check.zone_check_of, check_profile)
     import space_check
     return space_check.TOOLS
 
@@ -148,6 +166,8 @@ def problems(scene, run, model=None):
     states = tools.states(scene, model, run)
     if states is None:
         return [Problem("file of the bodies", "lacks a node")]
+    if not states:
+        return []
     found = []
     for k, state in enumerate(states):
         if not np.isfinite(state.u).all():
@@ -161,8 +181,8 @@ def problems(scene, run, model=None):
     else:
         found += check_reactions(scene, model, states[-1], run)
         found += tools.output(scene, model, states[-1], run)
-    if not scene.zones:
-        found += check_without_contact(model, states[-1])
+    if not scene.zones and not scene.rigid:
+        found += check_without_contact(model, states)
     return found
 
 
@@ -173,6 +193,7 @@ def check_state(scene, model, state, states, before, zone_of):
         return found
     largest = max(np.abs(s.u).max() for s in states)
     found += check_balance(scene, model, state)
+    found += rigid_check.problems(scene, model, state)
     shared = shared_nodes(scene, model)
     for zone in scene.zones:
         if not scene.undeformed:
@@ -273,6 +294,8 @@ def check_reactions(scene, model, state, run):
     found = []
     reactions = run.summary["increments"][-1].get("reactions", {})
     for group, values in reactions.items():
+        if group in scene.rigid:
+            continue
         nodes = model.nodes_of(group)
         if state.on_surface[nodes].any():
             continue
@@ -340,10 +363,19 @@ def is_straight(model, group):
     return np.abs(line.tangent - line.tangent[0]).max() < 1e-9
 
 
-def check_without_contact(model, state):
-    """Nothing but the bodies: the oracle has a solution of its own."""
+def check_without_contact(model, states):
+    """Nothing but the bodies: the oracle has a solution of its own, and where
+    bodies yield the same increments."""
+    state = states[-1]
     try:
-        u = model.solve(state.t, 4)
+        if model.has_history:
+            model.reset()
+            u = np.zeros_like(state.u)
+            for s in states:
+                u = model.solve(s.t, 1, u=u)
+                model.advance(u)
+        else:
+            u = model.solve(state.t, 4)
     except (ArithmeticError, RuntimeError):
         return []
     off = np.abs(u - state.u).max() / max(np.abs(u).max(), 1e-300)

@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import math
 
+import materials
+from scene import RAMP
+
 # Steel, aluminium, concrete, wood, hard and soft plastics, rubber: E, nu.
 MATERIALS = ((210000, 0.3), (70000, 0.33), (30000, 0.2), (10000, 0.1),
              (2500, 0.38), (500, 0.42), (5, 0.49))
@@ -120,3 +123,68 @@ def other_loops(rng, scene):
 def swap(rng, a, b):
     """Which of two surfaces is the slave."""
     return (a, b) if rng.random() < 0.5 else (b, a)
+
+
+# Laws of materials.py.
+def plastic_law(rng, young, poisson, hardens=False):
+    """Yields at a strain of 0.05 to 0.5 %; perfectly plastic at times unless it
+    has to harden."""
+    initial = round_to(young * math.exp(rng.uniform(math.log(5e-4),
+                                                    math.log(5e-3))))
+    modulus = lambda: round_to(young * log_uniform(rng, 2e-3, 0.2))
+    choice = rng.choice(["linear", "linear", "kinematic", "both", "Voce", "all"]
+                        + ([] if hardens else ["perfect"]))
+    keywords = {}
+    if choice in ("linear", "both", "all"):
+        keywords["linear"] = modulus()
+    if choice in ("kinematic", "both", "all"):
+        keywords["kinematic"] = modulus()
+    if choice in ("Voce", "all"):
+        keywords["saturation"] = round_to(initial * rng.uniform(1.1, 2.5))
+        keywords["rate"] = log_uniform(rng, 5, 300)
+        if choice == "Voce":
+            keywords["linear"] = round_to(2e-3 * young)
+    return materials.Plastic(young, poisson, initial, **keywords)
+
+
+def rubber_law(rng, young, poisson):
+    if rng.random() < 0.5:
+        return materials.Rubber(young, poisson)
+    half = young / (4 * (1 + poisson))
+    return materials.Rubber(young, poisson, round_to(rng.uniform(0.05, 0.9) *
+                                                     half))
+
+
+# Moduli and ratios of rubber and foams.
+RUBBERS = ((5, 0.49), (2, 0.499), (10, 0.45), (1, 0.3), (8, 0.4))
+
+
+def plastic_bodies(rng, scene, names, hardens=False):
+    """All in small strain; degree 2 in a single increment: nobody knows the
+    middles of edges in between."""
+    scene.entries["Solids/Kinematics"] = "small strain"
+    for name in names:
+        scene.laws[name] = plastic_law(rng, *scene.materials[name],
+                                       hardens=hardens)
+    if scene.degree == 2:
+        scene.entries["Solution/Increments"] = 1
+        scene.histories = {entry: RAMP for entry in scene.histories}
+    return scene
+
+
+def new_bodies(rng, scene, kinds=("plastic", "rubber")):
+    """Some bodies get one of the laws, all one kind of them. Degree 2 is judged
+    by the file of the nodes."""
+    scene.middles_in = "Nodes"
+    names = [n for n in scene.materials if rng.random() < 0.7] or list(
+        scene.materials)[:1]
+    if rng.choice(kinds) == "plastic":
+        return plastic_bodies(rng, scene, names)
+    scene.entries.pop("Solids/Kinematics", None)
+    for name in names:
+        scene.materials[name] = rng.choice(RUBBERS)
+        scene.laws[name] = rubber_law(rng, *scene.materials[name])
+    if rng.random() < 0.3:
+        scene.kinematics = {n: "small strain" for n in scene.materials
+                            if n not in names}
+    return scene

@@ -1,134 +1,14 @@
-"""A small finite element code: linear elasticity and St. Venant-Kirchhoff,
-plane strain and axisymmetric, degree 1 and 2; blocks of elements also in space
-(space_fem.py).
-
-The energy of a body is the integral of
-    1/2 lambda (P tr E)^2 + mu E : E
-over the undeformed volume, E the linear or Green's strain with the hoop strain
-of rings in it, P the identity or the projection of each cell onto the mean
-(degree 2, quadrangles: onto 1, xi, eta, hexahedra: and zeta). Forces are its
-derivatives, in N per mm of thickness, of whole rings and in space in N."""
+"""A small finite element code, plane strain and axisymmetric, degree 1 and 2;
+blocks of elements (blocks.py, law_block.py) also in space (space_fem.py)."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import numpy as np
 import scipy.sparse as sp
 import scipy.sparse.linalg as spl
 
 import elements
-
-
-class Block:
-    """The elements of one shape and one body, tabulated."""
-
-    def __init__(self, model, kind, cells, young, poisson):
-        self.cells = cells
-        self.dim = model.X.shape[1]
-        self.lame = young * poisson / ((1 + poisson) * (1 - 2 * poisson))
-        self.shear = young / (2 * (1 + poisson))
-        shape, points = elements.rule(kind, model.degree)
-        tables = [shape(*p) for p, _ in points]
-        self.N = np.array([t[0] for t in tables])
-        slopes = np.array([t[1] for t in tables])
-        X = model.X[cells]
-        jacobian = np.einsum("eai,qaj->eqij", X, slopes)
-        det = np.linalg.det(jacobian)
-        if det.min() <= 0:
-            raise ValueError("a cell of the mesh is turned inside out")
-        self.dN = np.einsum("qaj,eqjk->eqak", slopes, np.linalg.inv(jacobian))
-        self.w = det * np.array([w for _, w in points])
-        self.hoop = None
-        if model.axisymmetric:
-            radius = np.einsum("qa,ea->eq", self.N, X[:, :, 0])
-            self.hoop = self.N[None] / radius[:, :, None]
-            self.w = self.w * 2 * np.pi * radius
-        self.modes = None
-        dilatation = model.scene.entries.get("Solids/Dilatation", "automatic")
-        if dilatation == "B-bar" or (dilatation == "automatic" and
-                                         self.lame > 10 * self.shear):
-            self.make_modes([p for p, _ in points], kind, model.degree)
-        self.dofs = (self.dim * cells[:, :, None] + np.arange(
-            self.dim)).reshape(len(cells), -1)
-
-    def make_modes(self, points, kind, degree):
-        """Polynomials, orthonormal by the weights of each cell."""
-        n = 1 + self.dim if kind != "triangle" and degree == 2 else 1
-        raw = np.array([[1, *p] for p in points], float)[:, :n]
-        root = np.sqrt(self.w)[:, :, None]
-        q, _ = np.linalg.qr(root * raw[None])
-        self.modes = q / root
-
-    def project(self, trace):
-        """P of values at the points, (cells, points, ...)."""
-        if self.modes is None:
-            return trace
-        weighted = trace * self.w.reshape(self.w.shape + (1,) *
-                                          (trace.ndim - 2))
-        parts = np.einsum("eqm,eq...->em...", self.modes, weighted)
-        return np.einsum("eqm,em...->eq...", self.modes, parts)
-
-    def strain(self, u, large):
-        H = np.einsum("eai,eqaj->eqij", u[self.cells], self.dN)
-        h = (np.zeros(H.shape[:2]) if self.hoop is None else
-             np.einsum("eqa,ea->eq", self.hoop, u[self.cells][:, :, 0]))
-        E = 0.5 * (H + H.swapaxes(2, 3))
-        F = np.broadcast_to(np.eye(self.dim), H.shape)
-        f = np.ones_like(h)
-        e = h
-        if large:
-            E = E + 0.5 * np.einsum("eqki,eqkj->eqij", H, H)
-            F = F + H
-            f = 1 + h
-            e = h + 0.5 * h * h
-        return H, E, e, F, f
-
-    def stress(self, E, e):
-        trace = self.project(np.trace(E, axis1=-2, axis2=-1) + e)
-        S = (2 * self.shear * E +
-             self.lame * trace[..., None, None] * np.eye(self.dim))
-        return S, self.lame * trace + 2 * self.shear * e
-
-    def forces(self, u, large):
-        _, E, e, F, f = self.strain(u, large)
-        S, s = self.stress(E, e)
-        P = np.einsum("eqik,eqkj->eqij", F, S)
-        forces = np.einsum("eq,eqij,eqaj->eai", self.w, P, self.dN)
-        if self.hoop is not None:
-            forces[:, :, 0] += np.einsum("eq,eq,eqa->ea", self.w, f * s,
-                                         self.hoop)
-        return forces
-
-    def tangent(self, u, large):
-        _, E, e, F, f = self.strain(u, large)
-        n, d = self.cells.shape[1], self.dim
-        shears = [(k, l) for k in range(d) for l in range(k)]
-        hoop = d + len(shears)
-        B = np.zeros(self.w.shape + (hoop + 1, n, d))
-        for k in range(d):
-            B[:, :, k] = np.einsum("eqi,eqa->eqai", F[..., :, k],
-                                   self.dN[..., k])
-        for row, (k, l) in enumerate(shears, d):
-            B[:, :, row] = (
-                np.einsum("eqi,eqa->eqai", F[..., k], self.dN[..., l]) +
-                np.einsum("eqi,eqa->eqai", F[..., l], self.dN[..., k]))
-        if self.hoop is not None:
-            B[:, :, hoop, :, 0] = f[..., None] * self.hoop
-        B = B.reshape(self.w.shape + (hoop + 1, d * n))
-        trace = self.project(B[:, :, :d].sum(2) + B[:, :, hoop])
-        D = self.shear * np.array([2] * d + [1] * len(shears) + [2])
-        K = np.einsum("eq,k,eqki,eqkj->eij", self.w, D, B, B, optimize=True)
-        K += self.lame * np.einsum("eq,eqi,eqj->eij", self.w, trace, trace,
-                                   optimize=True)
-        if large:
-            S, s = self.stress(E, e)
-            G = np.einsum("eq,eqak,eqkl,eqbl->eab", self.w, self.dN, S,
-                          self.dN, optimize=True)
-            K = K.reshape(len(K), n, d, n, d)
-            for k in range(d):
-                K[:, :, k, :, k] += G
-            if self.hoop is not None:
-                K[:, :, 0, :, 0] += np.einsum("eq,eqa,eqb->eab", self.w * s,
-                                              self.hoop, self.hoop)
-            K = K.reshape(len(K), d * n, d * n)
-        return K
+import law_block
+import materials
+from blocks import Block
 
 
 class Model:
@@ -151,13 +31,42 @@ class Model:
         self.bound = np.zeros(self.X.shape, bool)
         self.lines = {name: self.complete(lines)
                       for name, lines in mesh.lines.items()}
-        self.blocks = [Block(self, kind, array, *scene.material(body))
+        self.blocks = [self.block(body, kind, array)
                        for (body, kind), array in cells.items()]
         self.cells = cells
         self.body_of = np.zeros(len(self.X), int)
         for (body, _), array in cells.items():
             self.body_of[array.ravel()] = mesh.bodies.index(body)
         self.loads = self.make_loads()
+
+    def block(self, body, kind, cells):
+        scene = self.scene
+        law, thermal = scene.laws.get(body), scene.thermal.get(body)
+        if law is None and thermal is None:
+            return Block(self, kind, cells, *materials.lame(
+                *scene.material(body)), scene.is_large(body))
+        law = law or materials.Elastic(*scene.material(body))
+        return law_block.LawBlock(self, kind, cells, law, scene.is_large(body),
+                                  thermal)
+
+    @property
+    def has_history(self):
+        return any(block.has_history for block in self.blocks)
+
+    def at(self, t):
+        """Heat the bodies as they are at the time t."""
+        for block in self.blocks:
+            block.at(t)
+
+    def reset(self):
+        """Forget all increments."""
+        for block in self.blocks:
+            block.reset()
+
+    def advance(self, u):
+        """An increment has ended with these displacements."""
+        for block in self.blocks:
+            block.advance(u)
 
     def add_middles(self, mesh, cells):
         X = list(map(tuple, mesh.X))
@@ -200,10 +109,17 @@ class Model:
             return np.unique(self.lines[name])
         return np.array([self.scene.mesh.points[name]])
 
+    def in_groups(self, names):
+        """Which nodes are in any of these groups."""
+        found = np.zeros(len(self.X), bool)
+        for name in names:
+            found[self.nodes_of(name)] = True
+        return found
+
     def forces(self, u):
         total = np.zeros_like(self.X)
         for block in self.blocks:
-            np.add.at(total, block.cells, block.forces(u, self.large))
+            np.add.at(total, block.cells, block.forces(u))
         return total
 
     def magnitude(self, u, error):
@@ -211,7 +127,7 @@ class Model:
         `error` (by node)."""
         total = np.zeros(self.X.size)
         for block in self.blocks:
-            K = np.abs(block.tangent(u, self.large))
+            K = np.abs(block.tangent(u))
             e = np.repeat(error[block.cells], self.dim, axis=1)
             np.add.at(total, block.dofs, np.einsum("eij,ej->ei", K, e))
         return total.reshape(self.X.shape)
@@ -219,7 +135,7 @@ class Model:
     def tangent(self, u):
         rows, columns, values = [], [], []
         for block in self.blocks:
-            K = block.tangent(u, self.large)
+            K = block.tangent(u)
             n = K.shape[1]
             rows.append(np.repeat(block.dofs, n, axis=1).ravel())
             columns.append(np.tile(block.dofs, (1, n)).ravel())
@@ -231,12 +147,15 @@ class Model:
     # Loads: by entry, for the factor one.
     def make_loads(self):
         loads = {}
+        rigid = self.scene.rigid
         for entry, items in self.scene.boundary.items():
-            if entry.startswith("Displacement"):
+            if entry.split()[0] in ("Displacement", "Rigid", "Rotation",
+                                    "Moment"):
                 continue
             total = loads.setdefault(entry, np.zeros_like(self.X))
             for name, value in items.items():
-                total += self.load(entry, name, value)
+                if not (name in rigid and entry.startswith("Force")):
+                    total += self.load(entry, name, value)
         return loads
 
     def load(self, entry, name, value):
@@ -306,6 +225,8 @@ class Model:
         for d in range(self.dim):
             entry = "Displacement " + "xyz"[d]
             for name, u in self.scene.boundary.get(entry, {}).items():
+                if name in self.scene.rigid:
+                    continue
                 nodes = self.nodes_of(name)
                 held[nodes, d] = True
                 value[nodes, d] = u * self.scene.factor(entry, t)
@@ -325,6 +246,7 @@ class Model:
             free = ~(held | self.bound).ravel()
             u[held] = value[held]
             u = self.following(u)
+            self.at(t * k / steps)
             for _ in range(60):
                 r = (self.external(t * k / steps) - self.forces(u)).ravel()
                 K = self.tangent(u)[free][:, free]

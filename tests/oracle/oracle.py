@@ -25,6 +25,8 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import check
 import kinds_blocks
+import kinds_materials
+import kinds_motions
 import kinds_parts
 import kinds_shapes
 import results
@@ -34,7 +36,7 @@ import space_round
 import variants
 
 KINDS = {f.__name__: f for f in kinds_blocks.KINDS + kinds_shapes.KINDS +
-         kinds_parts.KINDS}
+         kinds_parts.KINDS + kinds_materials.KINDS + kinds_motions.KINDS}
 SPACE = {"space_" + f.__name__: f for f in space_blocks.KINDS +
          space_round.KINDS}
 COLUMNS = ("run", "converged", "differs", "refused", "not converged", "wrong",

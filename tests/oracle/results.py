@@ -104,15 +104,14 @@ def profile(directory):
 
 
 class Nodes:
-    """The rows of nodes.csv in space: body, place, displacement and force of
-    contact."""
+    """The rows of nodes.csv: body, place, displacement and force of contact."""
 
-    def __init__(self, directory):
+    def __init__(self, directory, dim=3):
         with open(directory / "nodes.csv", newline="") as file:
             rows = list(csv.reader(file))[1:]
         self.body = np.array([row[0] for row in rows])
         self.X, self.u, self.force = np.array(
-            [row[2:] for row in rows], float).reshape(-1, 3, 3).transpose(
+            [row[-3 * dim:] for row in rows], float).reshape(-1, 3, dim).transpose(
                 1, 0, 2)
 
     def rows_of(self, body, X):
@@ -120,6 +119,20 @@ class Nodes:
         here = np.flatnonzero(self.body == body)
         distance, nearest = cKDTree(self.X[here]).query(X)
         return here[nearest], distance
+
+
+def middles_of_nodes(run_, model, u):
+    """Fill in the middles of the edges from nodes.csv; False if one is not in
+    it."""
+    nodes = Nodes(run_.directory, 2)
+    for b, body in enumerate(model.scene.mesh.bodies):
+        middles = np.flatnonzero(model.body_of == b)
+        middles = middles[middles >= model.n_vertices]
+        rows, off = nodes.rows_of(body, model.X[middles])
+        if off.max(initial=0) > 1e-8 * model.scene.size:
+            return False
+        u[middles] = nodes.u[rows]
+    return True
 
 
 TYPES = {"Float32": "f4", "Float64": "f8", "Int32": "i4", "Int64": "i8",

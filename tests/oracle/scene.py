@@ -23,15 +23,29 @@ HOLD_THEN_RAMP = Formula("max(0, 2*t - 1)", lambda t: max(0.0, 2 * t - 1))
 THERE_AND_BACK = Formula("table(0 0, 0.5 1, 1 0)",
                          lambda t: 2 * t if t < 0.5 else 2 - 2 * t)
 AT_ONCE = Formula("1", lambda t: 1.0)
+RAMP = Formula("t", lambda t: t)
+# As a formula that may have a factor before it.
+TENT = Formula("1 - abs(2*t - 1)", lambda t: 1 - abs(2 * t - 1))
+
+
+def scaled(factor, formula):
+    return Formula("%.12g*(%s)" % (factor, formula.text),
+                   lambda t: factor * formula(t))
 
 
 def number(value):
+    if isinstance(value, str):
+        return value
     return value.text if isinstance(value, Formula) else "%.12g" % value
 
 
 class Zone:
+    """All histories are formulas in t: `motion` and `force` of an obstacle by
+    'x', 'y' and 'angle' [degrees], 'moment'; `apart` is the interference."""
+
     def __init__(self, slave, master=None, mu=0.0, name="", rule=None,
-                 obstacle=None, tied=False):
+                 obstacle=None, tied=False, motion=None, force=None,
+                 centre=None, apart=None, preload=None, preload_end=1.0):
         self.slave = slave
         self.master = master
         self.mu = mu
@@ -40,6 +54,52 @@ class Zone:
         # 'half plane: x, y, nx, ny' or 'circle: x, y, radius'
         self.obstacle = obstacle
         self.tied = tied
+        self.motion = motion or {}
+        self.force = force or {}
+        # None: the point that the obstacle begins with.
+        self.centre = centre
+        self.apart = apart
+        self.preload = preload
+        self.preload_end = preload_end
+
+    @property
+    def section(self):
+        return ("Contact " + self.name).strip()
+
+    def motion_entries(self):
+        """Of an obstacle that moves, a cut, an interference."""
+        entries = {}
+        if self.motion:
+            entries["Obstacle motion"] = listing(self.motion, "; ")
+        forces = {k: f for k, f in self.force.items() if k != "moment"}
+        if forces:
+            entries["Obstacle force"] = listing(forces, "; ")
+        if "moment" in self.force:
+            entries["Obstacle moment"] = self.force["moment"].text
+        if self.centre is not None:
+            entries["Obstacle centre"] = ", ".join(map(number, self.centre))
+        if self.apart:
+            entries["Interference"] = self.apart.text
+        if self.preload:
+            entries["Preload"] = self.preload.text
+            if self.preload_end < 1:
+                entries["Preload end"] = number(self.preload_end)
+        return entries
+
+    def mirror(self, axis):
+        """In x or y, where all turns change their sense."""
+        flipped = ("xy"[axis], "angle", "moment")
+        for items in (self.motion, self.force):
+            for name in set(flipped) & set(items):
+                items[name] = scaled(-1, items[name])
+        if self.centre is not None:
+            self.centre = tuple(-c if d == axis else c
+                                for d, c in enumerate(self.centre))
+
+
+def listing(items, separator=", "):
+    return separator.join("%s: %s" % (name, number(value))
+                          for name, value in items.items())
 
 
 # The ends that a scene may have.
@@ -61,6 +121,13 @@ class Scene:
         self.mesh = self.mesh_of(bodies, arcs)
         self.materials = materials
         self.rule = rule
+        # By body: a law of materials.py, a free strain by the time, a kinematics
+        # other than that of the scene.
+        self.laws = {}
+        self.thermal = {}
+        self.kinematics = {}
+        # Boundaries that move as rigid bodies, and their points.
+        self.rigid = {}
         self.boundary = {}
         self.histories = {}
         self.zones = []
@@ -79,7 +146,12 @@ class Scene:
 
     @property
     def large(self):
-        return self.entries.get("Solids/Kinematics") != "small strain"
+        """Whether a body is."""
+        return any(map(self.is_large, self.materials))
+
+    def is_large(self, body):
+        return self.kinematics.get(body, self.entries.get(
+            "Solids/Kinematics")) != "small strain"
 
     @property
     def undeformed(self):
@@ -111,25 +183,33 @@ class Scene:
         self.boundary.setdefault(entry, {})[name] = value
         return self
 
+    def make_rigid(self, group, point):
+        self.rigid[group] = point
+        return self.load("Rigid", group, point)
+
     def contact(self, *arguments, **keywords):
         self.zones.append(Zone(*arguments, **keywords))
         return self
 
     def prescribed(self):
-        """The largest displacement of a support."""
-        return max((abs(v) for entry, items in self.boundary.items()
+        """The largest displacement of a support or an obstacle."""
+        return max([abs(v) for entry, items in self.boundary.items()
                     if entry.startswith("Displacement")
-                    for v in items.values()), default=0.0)
+                    for v in items.values()] +
+                   [abs(f(k / 20)) for zone in self.zones
+                    for name, f in zone.motion.items() if name != "angle"
+                    for k in range(21)] + [0.0])
 
     def parameters(self):
         sections = {"Mesh": {"File": "mesh.msh"}, "Solids": {
-            "Young's modulus": self.listing({k: v[0] for k, v in
-                                             self.materials.items()}),
-            "Poisson's ratio": self.listing({k: v[1] for k, v in
-                                             self.materials.items()})}}
+            "Young's modulus": listing({k: v[0] for k, v in
+                                        self.materials.items()}),
+            "Poisson's ratio": listing({k: v[1] for k, v in
+                                        self.materials.items()}),
+            **self.law_entries()}}
         sections["Mesh"].update(self.round_entries())
         conditions = sections["Boundary conditions"] = {
-            entry: self.listing(items, "; " if entry.split()[0] in (
+            entry: listing(items, "; " if entry.split()[0] in (
                 "Pressure", "Traction", "Body") else ", ")
             for entry, items in self.boundary.items()}
         if self.histories:
@@ -137,7 +217,7 @@ class Scene:
                 "%s: %s" % (entry, f.text)
                 for entry, f in self.histories.items())
         for zone in self.zones:
-            sections[("Contact " + zone.name).strip()] = self.entries_of(zone)
+            sections[zone.section] = self.entries_of(zone)
         for entry, value in self.entries.items():
             section, name = entry.split("/", 1)
             sections.setdefault(section, {})[name] = value
@@ -150,11 +230,16 @@ class Scene:
             "  set %s = %s\n" % item for item in section.items()))
             for name, section in sections.items())
 
+    # The file that the middles of edges are in: VTU in single precision, or
+    # Nodes.
+    middles_in = "VTU"
+
     # Whether the displacements of all vertices are in the summary.
     is_probed = True
 
     def files(self):
-        return {"VTU": "true" if self.degree == 2 else "false"}
+        """Of degree 2 the middles of edges are in a file."""
+        return {self.middles_in: "true" if self.degree == 2 else "false"}
 
     def round_entries(self):
         if not self.mesh.arcs:
@@ -172,12 +257,23 @@ class Scene:
         entries["Friction coefficient"] = number(zone.mu)
         if zone.tied:
             entries["Tied"] = "true"
+        entries.update(zone.motion_entries())
         return entries
 
-    @staticmethod
-    def listing(items, separator=", "):
-        return separator.join("%s: %s" % (name, number(value))
-                              for name, value in items.items())
+    def law_entries(self):
+        """The materials that are not linear elastic, and free strains."""
+        found = {}
+        for body, law in self.laws.items():
+            for entry, value in law.entries().items():
+                found.setdefault(entry, {})[body] = value
+        entries = {entry: listing(items) for entry, items in found.items()}
+        if self.thermal:
+            entries["Thermal strain"] = listing(self.thermal, "; ")
+        if self.kinematics:
+            entries["Kinematics"] = listing({
+                body: "large displacement" if self.is_large(body) else
+                "small strain" for body in self.materials})
+        return entries
 
     def write(self, directory):
         directory.mkdir(parents=True, exist_ok=True)
@@ -198,10 +294,11 @@ class Scene:
             return None
         other = self.varied(self.mesh.mirrored(axis))
         for entry, items in other.boundary.items():
-            if entry.endswith(" " + "xy"[axis]):
+            if entry.endswith((" " + "xy"[axis], " z")):
                 for name in items:
                     items[name] = -items[name]
         for zone in other.zones:
+            zone.mirror(axis)
             if zone.obstacle:
                 kind, numbers = zone.obstacle.split(": ")
                 values = [float(v) for v in numbers.split(",")]

@@ -154,12 +154,6 @@ class DeformedBody:
         return self.group.normal[piece]
 
 
-def master_of(model, zone, x):
-    if zone.obstacle:
-        return obstacle(zone.obstacle)
-    return DeformedBody(model, zone, x)
-
-
 def samples(model, lines, x, per_line=9):
     """Points on each line of a group, (lines, points, 2), and the weights of
     the line's nodes there."""

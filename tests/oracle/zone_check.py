@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import numpy as np
 
+import motions
 import surfaces
 
 # Of the largest displacement: what a geometry loop may leave (0.001), and by
@@ -56,8 +57,10 @@ class ZoneCheck:
         self.rule = scene.rule_of(zone)
         self.lines = model.lines[zone.slave]
         self.nodes = np.unique(self.lines)
-        self.master = surfaces.master_of(model, zone, state.x)
+        self.master = motions.master_of(model, zone, state)
         self.largest = largest
+        # By how much the surfaces of the mesh are apart in contact.
+        self.apart = zone.apart(state.t) if zone.apart else 0.0
         # The largest displacement, but at least the resolution of the mesh file.
         self.slack = largest + 1e-9 * scene.size
         self.points, _ = surfaces.samples(model, self.lines, state.x)
@@ -130,8 +133,8 @@ class ZoneCheck:
                    if np.cross(drawn.tangent[n], drawn.tangent[k]) > CORNER]
         for k, line in enumerate(self.lines if corners else []):
             part = surfaces.Polyline(line[None], self.state.x)
-            found[k] = part.closest(np.array(corners))[0].min() <= (
-                APART * self.slack)
+            found[k] = part.closest(np.array(corners))[0].min() - (
+                self.apart) <= APART * self.slack
         return found
 
     def take_together(self, bundles):
@@ -180,7 +183,8 @@ class ZoneCheck:
         for outline in surfaces.outlines(self.model, self.lines, self.state.x):
             inside = outline.contains(points)
             if inside.any():
-                depth = max(depth, outline.closest(points[inside])[0].max())
+                depth = max(depth, outline.closest(points[inside])[0].max() +
+                            self.apart)
         return depth
 
     def facets(self):
@@ -234,7 +238,7 @@ class ZoneCheck:
         if self.zone.obstacle:
             return np.inf
         part = surfaces.Polyline(self.lines[where], self.state.x)
-        return part.closest(self.master.group.begin)[0].min()
+        return part.closest(self.master.group.begin)[0].min() - self.apart
 
     def range_of_normals(self, k, where):
         """The directions in which the master may push here: its normals where
@@ -263,7 +267,8 @@ class ZoneCheck:
             return []
         group = self.master.group
         part = surfaces.Polyline(self.lines[where], self.state.x)
-        touch = part.closest(group.begin)[0] <= APART * self.slack
+        touch = part.closest(group.begin)[0] - self.apart <= (
+            APART * self.slack)
         found = []
         for k in np.flatnonzero(touch):
             before = (group.end == group.begin[k]).all(1)
