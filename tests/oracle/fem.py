@@ -1,6 +1,8 @@
 """A small finite element code, plane strain and axisymmetric, degree 1 and 2;
 blocks of elements (blocks.py, law_block.py) also in space (space_fem.py)."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
+import warnings
+
 import numpy as np
 import scipy.sparse as sp
 import scipy.sparse.linalg as spl
@@ -244,15 +246,19 @@ class Model:
                 held = held | fixed
                 value = np.where(fixed, u, value)
             free = ~(held | self.bound).ravel()
-            u[held] = value[held]
-            u = self.following(u)
             self.at(t * k / steps)
             for _ in range(60):
-                r = (self.external(t * k / steps) - self.forces(u)).ravel()
-                K = self.tangent(u)[free][:, free]
-                du = spl.spsolve(K.tocsc(), r[free])
-                u.reshape(-1)[free] += du
-                u = self.following(u)
+                # The first step moves the supports, on the tangent of before.
+                change = np.where(held, value - u, 0).ravel()
+                K = self.tangent(u)
+                r = (self.external(t * k / steps) - self.forces(u)).ravel() - (
+                    K @ change)
+                with warnings.catch_warnings():
+                    # A singular matrix gives no numbers, see below.
+                    warnings.simplefilter("ignore", spl.MatrixRankWarning)
+                    du = spl.spsolve(K[free][:, free].tocsc(), r[free])
+                change[free] = du
+                u = self.following(u + change.reshape(u.shape))
                 if not np.isfinite(du).all():
                     raise ArithmeticError("the reference does not converge")
                 if np.abs(du).max(initial=0) <= 1e-12 * np.abs(u).max():

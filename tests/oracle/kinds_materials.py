@@ -201,14 +201,15 @@ def shrunk(rng, seed):
     interference; perhaps taken back; of any material."""
     s = size(rng)
     rings = rng.random() < 0.5
-    most = uniform(rng, 0.0005, 0.01) * s
+    most = uniform(rng, 0.002, 0.01) * s
     if rings:
         inner = block("In", rng.choice([0, 0.3 * s]), 0, 0.6 * s, 0.5 * s, 3,
                       rng.randint(2, 6))
         outer = block("Out", 0.6 * s, 0, s, 0.5 * s, 3, rng.randint(2, 6))
         pair, arcs = ("In_right", "Out_left"), None
     else:
-        n = rng.randint(3, 8)
+        # Polygons leave much less open than the interference.
+        n = math.ceil((0.6 * s / most) ** 0.5) + rng.randint(0, 3)
         inner = annulus("In", 0.3 * s, 0.6 * s, n, 2, 0, math.pi / 2)
         outer = annulus("Out", 0.6 * s, s, rng.choice([n, n + 3]), 2, 0,
                         math.pi / 2)
@@ -222,8 +223,10 @@ def shrunk(rng, seed):
     else:
         scene.hold("In_start Out_start", None, 0)
         scene.hold("In_end Out_end", 0)
+    # Polygons drawn with one radius are never quite without an overlap.
     scene.contact(*swap(rng, *pair), friction(rng), apart=scaled(
-        most, rng.choice([RAMP, TENT])))
+        most, rng.choice([RAMP, Formula("min(2*t, 1.5 - t)", lambda t: min(
+            2 * t, 1.5 - t))])))
     settle(rng, scene, (2, 4))
     scene.middles_in = "Nodes"
     if rng.random() < 0.6:

@@ -79,6 +79,8 @@ class Rubber(Elastic):
                     "Mooney-Rivlin constant": "%.12g" % self.c01}
         return {"Material": "neo-Hookean"}
 
+    # Cells turned inside out on the way to a solution give no numbers.
+    @np.errstate(invalid="ignore")
     def shear(self, E, history):
         C = 2 * E + ONE
         G, I3 = np.linalg.inv(C), np.linalg.det(C)
@@ -96,6 +98,7 @@ class Rubber(Elastic):
         return (self.c10 * (I1 * I3 ** (-1 / 3) - 3) +
                 self.c01 * (I2 * I3 ** (-2 / 3) - 3))
 
+    @np.errstate(invalid="ignore")
     def volume(self, E):
         C = 2 * E + ONE
         J = np.sqrt(np.linalg.det(C))

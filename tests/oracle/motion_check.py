@@ -204,15 +204,15 @@ class GlueCheck(ZoneCheck):
         ours = (state.residual[self.nodes] @ normal).sum()
         allowed = RESULTANT * state.scale + 3 * state.error[self.nodes].sum()
         found = []
-        begin = before.t if before is not None else 0.0
         wanted = [("said", said.get("preload", np.nan))]
-        if begin < zone.preload_end - 1e-12:
+        keeps = state.begin >= zone.preload_end - 1e-12
+        if not keeps:
             wanted.append(("given", zone.preload(state.t)))
         for what, value in wanted:
             if not abs(ours - value) <= allowed:
                 found.append(Problem("preload", "%.8g N, %s %.8g" % (
                     ours, what, value)))
-        if before is not None and begin >= zone.preload_end - 1e-12:
+        if before is not None and keeps:
             kept = motions.said(zone, before.record).get("shortening", np.nan)
             if not abs(kept - said["shortening"]) <= 1e-9 * self.scene.size:
                 found.append(Problem("preload", "the shortening %.8g was %.8g" %

@@ -256,6 +256,8 @@ class ZoneCheck:
         self.reference = normals[gaps.argmin()]
         candidates += [n for n in own if n @ self.reference > 0]
         candidates += self.corners(where)
+        if self.rule == "mortar" and not self.zone.obstacle:
+            candidates += list(self.smooth_normals(where)[near])
         angles = [self.turn(n, self.reference) for n in candidates]
         angles = [a for a in angles if abs(a) < np.pi / 2]
         return min(angles), max(angles)
@@ -275,6 +277,17 @@ class ZoneCheck:
             if before.any():
                 found += [group.normal[k], group.normal[before][0]]
         return [n for n in found if n @ self.reference > 0]
+
+    def smooth_normals(self, where):
+        """Those of the master between the means at its nodes, which this
+        discretization weights with the slave's, where places face it."""
+        group = self.master.group
+        ends = [group.begin, group.end]
+        mean = [sum((np.abs(p[:, None] - other).max(2) == 0) @ group.normal
+                    for other in ends) for p in ends]
+        _, piece, s = group.closest(self.points[where].reshape(-1, 2))
+        n = ((1 - s)[:, None] * mean[0][piece] + s[:, None] * mean[1][piece])
+        return n / np.maximum(np.hypot(*n.T), 1e-300)[:, None]
 
     def mean_normals(self, lying):
         """Those of the nodes of lines, turned round."""
