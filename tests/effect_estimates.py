@@ -14,6 +14,7 @@ Proves that
   what scenes would be without their plasticity, thermal strains, interferences,
   moving obstacles, moments on rigid boundaries, rubber and incompatible modes;
 - plastic strains and rotations are probes, too;
+- where nothing is above the yield stress there is no change;
 - nothing is told, and why, where plastic strains remember the way, where a body
   that would have yielded was unloaded, and where the variant cannot be;
 - several processes are refused, and motions of obstacles that follow from forces.
@@ -146,6 +147,12 @@ for name, stress, low, high, more in (
     share = base["bodies"]["Upper"]["volume_share_above_yield"]
     check("  yields in part, or all", low <= share <= high, share)
     agree(name, base, {"plasticity of Upper": 0.01 if more else 0.2, **more})
+
+base = estimated("stays_elastic", SCENE, {"Solids/Yield stress": "Upper: 300"})
+plasticity = [e for e in base["estimated_effects"]
+              if e["effect"] == "plasticity of Upper"]
+check("  nothing yields, nothing changes", len(plasticity) == 1 and
+      set(plasticity[0]["changes"].values()) == {0}, plasticity)
 
 base = estimated("yields", SCENE, YIELDS, MORE)
 agree("yields", base, {"plasticity of Upper": 1e-6,

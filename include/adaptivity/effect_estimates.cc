@@ -345,6 +345,25 @@ namespace Contact
 
 
 
+  // With other cells such a body would change, but not by yielding.
+  bool EffectEstimates::is_idle(const SceneVariant &variant) const
+  {
+    const Parameters::Solids &solids = variant.parameters.solids;
+    if (!variant.unknown.empty() || parameters.restart)
+      return false;
+    bool is_one = false;
+    for (const auto &[body, stress] : solids.yield_stress)
+      if (parameters.solids.model_of(body) != solids.model_of(body))
+        {
+          if (!peaks.is_elastic(body))
+            return false;
+          is_one = true;
+        }
+    return is_one;
+  }
+
+
+
   bool EffectEstimates::remembers() const
   {
     return model.elasticity->has_history() && state.start_factor > 0;
@@ -368,6 +387,14 @@ namespace Contact
     for (const SceneVariant &variant : scene_variants(parameters))
       {
         EffectEstimate estimate{variant.effect, variant.is_on, variant.entries};
+        if (is_idle(variant))
+          {
+            estimate.entries.clear();
+            for (const auto &[name, probe] : probes)
+              estimate.changes[name] = estimate.uncertainties[name] = 0;
+            estimates.push_back(estimate);
+            continue;
+          }
         try
           {
             check_knowledge(variant);

@@ -62,6 +62,7 @@ namespace Contact
     template<class Other>
     std::map<std::string, double> probes_of(const Other &other) const;
     void           check_knowledge(const SceneVariant &variant) const;
+    bool           is_idle(const SceneVariant &variant) const;
     bool           remembers() const;
     EffectEstimate of_quadratic_elements() const;
     EffectEstimate of_increments() const;

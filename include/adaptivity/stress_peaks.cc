@@ -46,6 +46,20 @@ namespace Contact
 
 
   template<int dim>
+  bool StressPeaks<dim>::is_elastic(const std::string &body) const
+  {
+    const auto found = bodies.find(body);
+    return found != bodies.end() &&
+           std::all_of(found->second.points.begin(),
+                       found->second.points.end(),
+                       [&](const PointStress &point) {
+                         return point.largest <= found->second.yield_stress;
+                       });
+  }
+
+
+
+  template<int dim>
   double StressPeaks<dim>::share_gone(const std::string &body) const
   {
     const auto found = bodies.find(body);

@@ -28,6 +28,9 @@ namespace Contact
               const Parameters::Solids &parameters,
               const GhostedVector      &u);
 
+    /// Whether a body has been nowhere above its yield stress.
+    bool is_elastic(const std::string &body) const;
+
     /**
      * The stress s above the yield stress Y of a body that has been there, but
      * is no longer [-], 0 if there has been none:

@@ -71,6 +71,8 @@ namespace Contact
     template<class Line, int dim>
     Tensor<1, dim> bulge_of(const Line &line, const MidSides<dim> &mid_sides)
     {
+      if (mid_sides.empty())
+        return Tensor<1, dim>();
       const auto middle = find_middle(line, mid_sides);
       if (middle == mid_sides.end())
         return Tensor<1, dim>();

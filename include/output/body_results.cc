@@ -114,14 +114,21 @@ namespace Contact
           continue;
         BodyResult<dim> result;
         double          volume = 0, above = 0;
+        Vector<double>  u;
         for (const CellTable<dim> &cell : model.elasticity->cells())
           {
             if (cell.body != body)
               continue;
-            const auto u = solution.extract(cell.dofs);
+            solution.extract(cell.dofs, u);
             if (is_large)
               for (const auto &E : cell.kernel->strains(cell, u))
                 {
+                  // No principal strain is beyond the norm.
+                  const double bound = E.norm();
+                  if (bound <= result.strain.value &&
+                      1 - std::sqrt(std::max(0., 1 - 2 * bound)) <=
+                        result.shortening.value)
+                    continue;
                   const auto   principal = eigenvalues(E);
                   const double least     = principal[2];
                   take(std::max(principal[0], -least),

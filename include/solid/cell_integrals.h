@@ -59,6 +59,7 @@ namespace Contact
     strains(const CellTable<dim> &cell, const Vector<double> &u) const override
     {
       std::vector<SymmetricTensor<2, 3>> strains;
+      strains.reserve(cell.JxW.size());
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)
         strains.push_back(strain(cell, q, u));
       return strains;
@@ -97,9 +98,10 @@ namespace Contact
       }
     };
 
-    static Tensor<2, dim> displacement_gradient(const CellTable<dim> &cell,
-                                                const unsigned int    q,
-                                                const Vector<double> &u)
+    static DEAL_II_ALWAYS_INLINE Tensor<2, dim>
+    displacement_gradient(const CellTable<dim> &cell,
+                          const unsigned int    q,
+                          const Vector<double> &u)
     {
       const Tensor<1, dim> *unit = cell.unit_gradients_at(q);
       const unsigned int    n    = cell.n_nodes();
@@ -130,7 +132,8 @@ namespace Contact
       return strain(cell, q, u, cell.thermal);
     }
 
-    static SymmetricTensor<2, 3> strain(const CellTable<dim> &cell,
+    static DEAL_II_ALWAYS_INLINE SymmetricTensor<2, 3>
+                                 strain(const CellTable<dim> &cell,
                                         const unsigned int    q,
                                         const Vector<double> &u,
                                         const double          thermal)
@@ -163,7 +166,7 @@ namespace Contact
     }
 
     /// The part that the tangent needs besides.
-    static void
+    static DEAL_II_ALWAYS_INLINE void
     add_rows(const CellTable<dim> &cell, const unsigned int q, PointState &at)
     {
       const Tensor<1, dim> *unit = cell.unit_gradients_at(q);
@@ -192,10 +195,10 @@ namespace Contact
 
     /// Add the contributions of a point to the forces of the nodes of its
     /// cell: JxW F S grad N_a.
-    static void add_forces(const CellTable<dim> &cell,
-                           const unsigned int    q,
-                           const PointState     &at,
-                           Vector<double>       &residual)
+    static DEAL_II_ALWAYS_INLINE void add_forces(const CellTable<dim> &cell,
+                                                 const unsigned int    q,
+                                                 const PointState     &at,
+                                                 Vector<double>       &residual)
     {
       const Tensor<2, dim> P =
         at.JxW * (at.F * Tensor<2, dim>(at.S) * cell.gradient_maps[q]);

@@ -23,11 +23,14 @@ namespace Contact
    * Whether the tangent knows that stresses turn with the material. Without
    * that part it is positive semidefinite whatever the stresses, and no body
    * yields to its own loads as it turns or buckles. Nothing in small strain.
+   * Or, of cells that yield in small strain, what that makes of their tangent:
+   * its change from that of the cell while it is elastic.
    */
   enum class StressStiffness
   {
     with,
-    without
+    without,
+    change_by_yielding
   };
 
 
@@ -55,6 +58,13 @@ namespace Contact
     virtual bool is_elastic() const
     {
       return true;
+    }
+
+    /// Whether its tangent is not that of the elastic cell. In small strain and
+    /// of materials with a history alone.
+    virtual bool yields(const CellTable<dim> &, const Vector<double> &) const
+    {
+      return false;
     }
 
     /// s : D^-1 : s [MPa], twice the elastic energy by volume of a stress s.

@@ -54,6 +54,9 @@ namespace Contact
     /// EnhancedCells. Else empty.
     std::vector<std::array<SymmetricTensor<2, 3>, dim * dim>> stress_modes;
 
+    /// Whether it has those, or a MaterialLaw: its work is counted apart.
+    bool is_special = false;
+
     /// Of its points at the start of the increment, see MaterialLaw. Else
     /// empty.
     std::vector<double> history;

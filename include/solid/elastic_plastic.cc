@@ -47,7 +47,7 @@ namespace Contact
     : mu(elastic.mu)
     , bulk_modulus(elastic.lambda + 2. / 3 * elastic.mu)
     , hardening(hardening)
-    , elastic_moduli(2 * elastic.mu * deviator_tensor<3>())
+    , moduli_of_deviators(2 * elastic.mu * deviator_tensor<3>())
   {
   }
 
@@ -132,10 +132,11 @@ namespace Contact
     const SymmetricTensor<2, 3> xi =
       2 * mu * state.e -
       (2 * mu + 2. / 3 * hardening.kinematic) * state.plastic;
-    state.q = std::sqrt(1.5) * xi.norm();
-    state.Y = hardening.at(state.a);
-    if (state.q <= state.Y.stress)
+    const double q_square = 1.5 * (xi * xi);
+    state.Y               = hardening.at(state.a);
+    if (q_square <= state.Y.stress * state.Y.stress)
       return state;
+    state.q = std::sqrt(q_square);
     const double round_off =
       8 * std::numeric_limits<double>::epsilon() *
       (state.q + 3 * mu * (state.e.norm() + state.plastic.norm()));
@@ -146,6 +147,14 @@ namespace Contact
         state.Y  = hardening.at(state.a + state.da);
       }
     return state;
+  }
+
+
+
+  bool ElasticPlastic::yields(const SymmetricTensor<2, 3> &E,
+                              const double                *history) const
+  {
+    return return_to_surface(E, history).da > 0;
   }
 
 
@@ -165,7 +174,7 @@ namespace Contact
                       hardening.kinematic / 3 * (plastic * plastic);
     if (!with_tangent)
       return response;
-    response.tangent = elastic_moduli;
+    response.tangent = moduli_of_deviators;
     if (state.da > 0)
       {
         const double turning = 3 * mu * state.da / state.q;

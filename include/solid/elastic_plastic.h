@@ -65,11 +65,19 @@ namespace Contact
     Volume       volume(const SymmetricTensor<2, 3> &E) const override;
     VolumeEnergy volume_energy(const double d) const override;
     unsigned int n_history() const override;
-    void         advance(const SymmetricTensor<2, 3> &E,
-                         double                      *history) const override;
-    Works        works(const SymmetricTensor<2, 3> &E_0,
-                       const SymmetricTensor<2, 3> &E_1,
-                       const double                *history) const override;
+    bool         yields(const SymmetricTensor<2, 3> &E,
+                        const double                *history) const override;
+
+    SymmetricTensor<4, 3> elastic_moduli() const override
+    {
+      return moduli_of_deviators;
+    }
+
+    void  advance(const SymmetricTensor<2, 3> &E,
+                  double                      *history) const override;
+    Works works(const SymmetricTensor<2, 3> &E_0,
+                const SymmetricTensor<2, 3> &E_1,
+                const double                *history) const override;
 
   private:
     struct Return;
@@ -80,8 +88,7 @@ namespace Contact
     const double    mu, bulk_modulus;
     const Hardening hardening;
 
-    /// Of the deviators.
-    const SymmetricTensor<4, 3> elastic_moduli;
+    const SymmetricTensor<4, 3> moduli_of_deviators;
   };
 } // namespace Contact
 

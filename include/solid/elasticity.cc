@@ -117,6 +117,8 @@ namespace Contact
       for (CellTable<dim> &cell : *part)
         {
           cell.kernel = kernels.at(cell.body).get();
+          cell.is_special =
+            !cell.kernel->is_elastic() || !cell.stress_modes.empty();
           if (const auto *law = laws.at(cell.body).get())
             cell.history.resize(cell.JxW.size() * law->n_history());
         }
@@ -191,9 +193,12 @@ namespace Contact
   {
     Counters &counters = discretization.counters;
     counters.large_displacement_cells += !cell.kernel->is_small_strain();
-    counters.material_cells += !cell.kernel->is_elastic();
-    counters.enhanced_cells += !cell.stress_modes.empty();
-    counters.return_mappings += cell.history.empty() ? 0 : cell.JxW.size();
+    if (cell.is_special)
+      {
+        counters.material_cells += !cell.kernel->is_elastic();
+        counters.enhanced_cells += !cell.stress_modes.empty();
+        counters.return_mappings += cell.history.empty() ? 0 : cell.JxW.size();
+      }
     return cell.kernel->forces(cell, u, stress_stiffness, tangent, forces);
   }
 

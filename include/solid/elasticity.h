@@ -190,6 +190,12 @@ namespace Contact
     /// Whether all bodies are linear elastic or St. Venant-Kirchhoff's.
     bool is_elastic() const;
 
+    /// Whether the tangent changes in cells that yield alone, and these cells
+    /// among those with the numbers @p chosen.
+    bool                      changes_by_yielding() const;
+    std::vector<unsigned int> yielding(const std::vector<unsigned int> &chosen,
+                                       const GhostedVector &u) const;
+
     bool is_small_strain(const types::material_id body) const
     {
       return kernels.at(body)->is_small_strain();

@@ -55,6 +55,15 @@ namespace Contact
                  : assemble<true>(cell, u, stress_stiffness, tangent, forces);
       }
 
+      bool yields(const CellTable<dim> &cell,
+                  const Vector<double> &u) const override
+      {
+        for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+          if (law.yields(this->strain(cell, q, u), history(cell, q)))
+            return true;
+        return false;
+      }
+
       double energy(const CellTable<dim> &cell,
                     const Vector<double> &u) const override;
 
@@ -199,6 +208,11 @@ namespace Contact
                 law.shear_part(rest, history(cell, q), true).tangent;
               modulus = law.volume_energy(law.volume(rest).value).modulus;
               at.drop_stresses();
+            }
+          else if (stress_stiffness == StressStiffness::change_by_yielding)
+            {
+              response.tangent -= law.elastic_moduli();
+              modulus = 0;
             }
           else if constexpr (is_large)
             response.tangent += states.p[q] * law.volume_curvature(states.E[q]);

@@ -69,6 +69,17 @@ namespace Contact
       return 0;
     }
 
+    /// Whether a point of a material with a history yields, and the moduli of
+    /// the shear part where none does [MPa].
+    virtual bool yields(const SymmetricTensor<2, 3> &, const double *) const
+    {
+      return false;
+    }
+    virtual SymmetricTensor<4, 3> elastic_moduli() const
+    {
+      return SymmetricTensor<4, 3>();
+    }
+
     /// The history at the end of an increment.
     virtual void advance(const SymmetricTensor<2, 3> &, double *) const
     {

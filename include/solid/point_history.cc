@@ -41,6 +41,39 @@ namespace Contact
 
 
 
+  template<int dim>
+  bool Elasticity<dim>::changes_by_yielding() const
+  {
+    return has_history() &&
+           std::all_of(laws.begin(), laws.end(), [&](const auto &law) {
+             return kernels.at(law.first)->is_small_strain() &&
+                    (law.second == nullptr || law.second->n_history() > 0);
+           });
+  }
+
+
+
+  template<int dim>
+  std::vector<unsigned int>
+  Elasticity<dim>::yielding(const std::vector<unsigned int> &chosen,
+                            const GhostedVector             &u) const
+  {
+    std::vector<unsigned int> yielding;
+    Vector<double>            of_cell;
+    for (const unsigned int number : chosen)
+      {
+        const CellTable<dim> &cell = tables.own[number];
+        if (cell.history.empty())
+          continue;
+        u.extract(cell.dofs, of_cell);
+        if (cell.kernel->yields(cell, of_cell))
+          yielding.push_back(number);
+      }
+    return yielding;
+  }
+
+
+
   // By cell how many numbers follow, and these.
   template<int dim>
   CellValues Elasticity<dim>::history() const

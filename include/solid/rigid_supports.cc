@@ -298,9 +298,10 @@ namespace Contact
   template<int dim>
   double Discretization<dim>::whole_rigid_load() const
   {
+    if (rigid.empty())
+      return 0;
     GhostedVector u(distribution), load(distribution);
-    if (!rigid.empty())
-      add_rigid_loads(u, 1, load);
+    add_rigid_loads(u, 1, load);
     return load.l1_norm();
   }
 

@@ -81,11 +81,12 @@ namespace Contact
       }
 
       template<bool projected>
-      static void find_state_at(const CellTable<dim> &cell,
-                                const unsigned int    q,
-                                const Vector<double> &u,
-                                const AtPoints       &P_tr_E,
-                                PointState           &at)
+      static DEAL_II_ALWAYS_INLINE void
+      find_state_at(const CellTable<dim> &cell,
+                    const unsigned int    q,
+                    const Vector<double> &u,
+                    const AtPoints       &P_tr_E,
+                    PointState           &at)
       {
         const Tensor<2, dim> H = Integrals::displacement_gradient(cell, q, u);
         const double         h = Integrals::hoop_gradient(cell, q, u);

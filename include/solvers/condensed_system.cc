@@ -9,7 +9,6 @@
 #include <deal.II/fe/fe.h>
 #include <deal.II/lac/sparsity_tools.h>
 
-#include <Epetra_CrsMatrix.h>
 #include <algorithm>
 
 #include "solvers/rigid_rotation.h"
@@ -467,112 +466,6 @@ namespace Contact
     for (unsigned int i = 0; i < dofs.size(); ++i)
       if (tested.is_constrained(dofs[i]))
         matrix.add(dofs[i], dofs[i], std::abs(tangent(i, i)));
-  }
-
-
-
-  // The rest of the forces of the next cell without its tangent.
-  template<int dim>
-  void CondensedSystem<dim>::add_interface_forces(const Dofs           &dofs,
-                                                  const Vector<double> &forces,
-                                                  const GhostedVector &solution)
-  {
-    Vector<double> u, constant(dofs.size());
-    solution.extract(dofs, u);
-    interface_tangents[interface_forces.size()].vmult(constant, u);
-    constant.sadd(-1, 1, forces);
-    interface_forces.push_back(constant);
-    thermal_version = elasticity.thermal_version();
-  }
-
-
-
-  // All cells: of those that see the active set the tangents, of the others
-  // their sum. While springs hold a body in space its stresses do not turn with
-  // it: they would be stronger than the springs, and the matrix not definite.
-  template<int dim>
-  void CondensedSystem<dim>::assemble_tangents(const GhostedVector &solution)
-  {
-    ++discretization.counters.tangents;
-    const auto &base            = discretization.constraints;
-    const auto stress_stiffness = dim == 3 && !elasticity.springs.held().empty()
-                                    ? StressStiffness::without
-                                    : StressStiffness::with;
-    matrix                      = 0;
-    elasticity.visit_cells(solution,
-                           stress_stiffness,
-                           bulk_cells,
-                           [&](const Dofs               &dofs,
-                               const FullMatrix<double> &tangent,
-                               const Vector<double> &) {
-                             base.distribute_local_to_global(tangent,
-                                                             dofs,
-                                                             matrix);
-                           });
-    matrix.compress(VectorOperation::add);
-    interface_tangents.clear();
-    interface_forces.clear();
-    elasticity.visit_cells(solution,
-                           stress_stiffness,
-                           interface_cells,
-                           [&](const Dofs               &dofs,
-                               const FullMatrix<double> &tangent,
-                               const Vector<double>     &forces) {
-                             interface_tangents.push_back(tangent);
-                             add_interface_forces(dofs, forces, solution);
-                           });
-
-    // Bound centres are in no cell.
-    if (discretization.serendipity)
-      {
-        const std::set<types::global_dof_index> of_interface(
-          interface_dofs.begin(),
-          interface_dofs.end());
-        for (const auto i : owned)
-          if (base.is_constrained(i) && of_interface.count(i) == 0 &&
-              matrix.diag_element(i) == 0)
-            matrix.set(i, i, elasticity.youngs_modulus(0));
-        matrix.compress(VectorOperation::insert);
-      }
-
-    kept_rows.clear();
-    for_interface_rows([&](const int n, double *values) {
-      kept_rows.emplace_back(values, values + n);
-    });
-    tangents_are_known = true;
-    tangent_version    = elasticity.tangent_version();
-  }
-
-
-
-  template<int dim>
-  void CondensedSystem<dim>::restore_interface_rows()
-  {
-    auto kept = kept_rows.begin();
-    for_interface_rows([&](const int, double *values) {
-      std::copy(kept->begin(), kept->end(), values);
-      ++kept;
-    });
-  }
-
-
-
-  template<int dim>
-  void CondensedSystem<dim>::for_interface_rows(
-    const std::function<void(const int n, double *values)> &visit)
-  {
-    for (const auto dof : interface_dofs)
-      if (owned.is_element(dof))
-        {
-          int     n       = 0;
-          double *values  = nullptr;
-          int    *columns = nullptr;
-          matrix.trilinos_matrix().ExtractMyRowView(owned.index_within_set(dof),
-                                                    n,
-                                                    values,
-                                                    columns);
-          visit(n, values);
-        }
   }
 
   template class CondensedSystem<2>;

@@ -8,6 +8,8 @@
 
 #include <deal.II/base/timer.h>
 
+#include <map>
+
 #include "solvers/definite_solver.h"
 #include "solvers/interface_couplings.h"
 
@@ -25,7 +27,8 @@ namespace Contact
    * Only cells at the slave nodes see the active set: their tangents are kept
    * beside the matrix of all others. Linear bodies have them all once on a
    * mesh, and a change of the active set costs the sum over the cells at the
-   * interface (and what the solver makes of it).
+   * interface (and what the solver makes of it). Where bodies yield in small
+   * strain, only cells that yield, or did in the last step, are assembled anew.
    */
   template<int dim>
   class CondensedSystem
@@ -99,6 +102,12 @@ namespace Contact
                               const Vector<double> &forces,
                               const GhostedVector  &solution);
     void assemble_tangents(const GhostedVector &solution);
+    void assemble_bulk(const GhostedVector  &solution,
+                       const StressStiffness stress_stiffness);
+    bool change_bulk(const GhostedVector &solution);
+    std::map<unsigned int, FullMatrix<double>>
+         yielding_changes(const std::vector<unsigned int> &cells,
+                          const GhostedVector             &solution) const;
     void add_interface(const FullMatrix<double> &tangent,
                        const Dofs               &dofs,
                        const Vector<double>     &load,
@@ -135,11 +144,15 @@ namespace Contact
     std::vector<std::vector<double>> kept_rows; // by owned interface unknown
     std::vector<FullMatrix<double>>  interface_tangents; // by interface cell
     std::vector<Vector<double>>      interface_forces;   // f(u) - K u
-    bool                             has_pattern        = false;
-    unsigned int                     pattern_version    = 0; // of constraints
-    unsigned int                     thermal_version    = 0;
-    bool                             tangents_are_known = false;
-    unsigned int                     tangent_version    = 0;
+
+    /// By bulk cell what yielding has changed in its tangent in the matrix.
+    std::map<unsigned int, FullMatrix<double>> changes;
+
+    bool         has_pattern        = false;
+    unsigned int pattern_version    = 0; // of constraints
+    unsigned int thermal_version    = 0;
+    bool         tangents_are_known = false;
+    unsigned int tangent_version    = 0;
 
     /// For symmetric matrices and for the others.
     struct Solver

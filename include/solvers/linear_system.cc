@@ -209,7 +209,9 @@ namespace Contact
       }
 
       // Inexact Newton: a step that others follow is solved to a thousandth of
-      // the residual, linear bodies under statuses that stay in one.
+      // the residual, linear bodies under statuses that stay in one. Supports
+      // that the step moves are not in the residual: bodies that are not linear
+      // do not balance behind it, however exact it is.
       unsigned int make_step(const Step          &step,
                              GhostedVector       &rhs,
                              IncrementState<dim> &state) override
@@ -220,8 +222,13 @@ namespace Contact
           model.elasticity->is_linear() && statuses_stay &&
           !parameters.pairs_each_step() &&
           parameters.friction == Parameters::FrictionLoop::fixed_point;
+        const bool moves_nonlinear_bodies =
+          !model.elasticity->is_linear() &&
+          model.discretization->update_is_prescribed();
         const double forcing =
-          std::min(1e-5, parameters.linear_tolerance * step.residual);
+          moves_nonlinear_bodies
+            ? 1e-5
+            : std::min(1e-5, parameters.linear_tolerance * step.residual);
         const double relative =
           std::max(0.1 * step.tolerance, one_solve_is_all ? 0. : forcing);
         unsigned int n = system.solve(state.solution,

@@ -188,6 +188,14 @@ def materials(s):
     check_not("and more than that of elastic bodies", c["tangents"], 1)
     only(r, "return_mappings", "history_updates", "material_cells")
 
+    r = s.run("the same, condensed", scenes.BLOCKS, scenes.CONTACT,
+              scenes.PLASTIC, increments, {"Solution/System": "condensed"})
+    c = r.counters
+    check("a tangent for each Newton step", c["tangents"],
+          sum(i["newton_iterations"] for i in r.summary["increments"]))
+    check_not("of cells that yield or see the contact alone, after the first",
+              s.cells(r) * c["tangents"] / 2, c["cell_tangents"])
+
     one = {entry: value.split(", ")[1] for entry, value in
            scenes.PLASTIC.items()}
     r = s.run("one of the bodies may yield", scenes.BLOCKS, scenes.CONTACT, one,

@@ -6,11 +6,13 @@ the estimate names.
 
 Prints a table with a row for each effect and probe that changes by more than
 0.1 %, and then how many estimates are within a factor of two, and how many
-verdicts at 1 % and 0.1 % of the probe are right, wrong, or not given.
+verdicts at 1 % and 0.1 % of the probe are right, wrong, or not given. A scene
+may have other entries behind it: 'nested --set Refinement/Levels=1'.
 
-Usage: estimates.py CONTACT [SCENE...]
+Usage: estimates.py [--only EFFECT] CONTACT [SCENE...]
 """
 
+import argparse
 import dataclasses
 import json
 import pathlib
@@ -28,8 +30,12 @@ SCENES = ["ssnp154_a", "ssnp154_b", "ssnp154_c", "ssnp154_d",
 
 
 def solve(contact, scene, *settings):
-    """The summary of a run, or none and a sentence if there is no result."""
+    """The summary of a run, or none and a sentence if there is no result. The
+    SETTINGS count more than those of the scene."""
+    scene, *own = scene.split(" --set ")
     file = scene if scene.endswith(".prm") else parameters / f"{scene}.prm"
+    names = {setting.split("=")[0] for setting in settings}
+    settings = [s for s in own if s.split("=")[0] not in names] + [*settings]
     with tempfile.TemporaryDirectory() as directory:
         command = [str(contact), str(file), "--quiet"]
         for setting in (f"Output/Directory={directory}", "Output/VTU=false",
@@ -96,20 +102,29 @@ def compare(contact, scene, base):
 
 
 def main():
-    contact = pathlib.Path(sys.argv[1]).resolve()
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--only", default="", help="effects that begin so")
+    parser.add_argument("contact", type=lambda p: pathlib.Path(p).resolve())
+    parser.add_argument("scene", nargs="*", default=SCENES)
+    options = parser.parse_args()
+    contact = options.contact
     ratios, comparisons = [], []
     print("| scene | effect | here | probe | estimated | true | "
           "estimated / true |")
     print("|---|---|---|---|---|---|---|")
-    for scene in sys.argv[2:] or SCENES:
+    for scene in options.scene:
         base, why = solve(contact, scene, "Solution/Estimate effects=true")
         if base is None:
             sys.exit(f"{scene}: {why}")
+        base["estimated_effects"] = [
+            effect for effect in base["estimated_effects"]
+            if effect["effect"].startswith(options.only)]
         for row in compare(contact, scene, base):
             comparisons.append(row)
             here = "on" if row.effect["on"] else "off"
-            start = (f"| {pathlib.Path(scene).stem} | {row.effect['effect']} | "
-                     f"{here} | {row.probe} |")
+            name = pathlib.Path(scene.split(" --set ")[0]).stem
+            start = (f"| {name} | {row.effect['effect']} | {here} | "
+                     f"{row.probe} |")
             if row.true is None:
                 print(f"{start} {row.effect['unknown'] or '-'} | {row.why} | |",
                       flush=True)

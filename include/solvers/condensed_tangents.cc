@@ -1,0 +1,195 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The part of CondensedSystem that assembles the tangents of the bodies.
+
+#include <Epetra_CrsMatrix.h>
+#include <set>
+
+#include "solvers/condensed_system.h"
+
+namespace Contact
+{
+  // The rest of the forces of the next cell without its tangent.
+  template<int dim>
+  void CondensedSystem<dim>::add_interface_forces(const Dofs           &dofs,
+                                                  const Vector<double> &forces,
+                                                  const GhostedVector &solution)
+  {
+    Vector<double> u, constant(dofs.size());
+    solution.extract(dofs, u);
+    interface_tangents[interface_forces.size()].vmult(constant, u);
+    constant.sadd(-1, 1, forces);
+    interface_forces.push_back(constant);
+    thermal_version = elasticity.thermal_version();
+  }
+
+
+
+  template<int dim>
+  void CondensedSystem<dim>::assemble_bulk(const GhostedVector  &solution,
+                                           const StressStiffness stiffness)
+  {
+    matrix = 0;
+    elasticity.visit_cells(
+      solution,
+      stiffness,
+      bulk_cells,
+      [&](const Dofs               &dofs,
+          const FullMatrix<double> &tangent,
+          const Vector<double> &) {
+        discretization.constraints.distribute_local_to_global(tangent,
+                                                              dofs,
+                                                              matrix);
+      });
+    matrix.compress(VectorOperation::add);
+    changes.clear();
+    if (elasticity.changes_by_yielding() && elasticity.springs.held().empty())
+      changes =
+        yielding_changes(elasticity.yielding(bulk_cells, solution), solution);
+  }
+
+
+
+  template<int dim>
+  std::map<unsigned int, FullMatrix<double>>
+  CondensedSystem<dim>::yielding_changes(const std::vector<unsigned int> &cells,
+                                         const GhostedVector &solution) const
+  {
+    std::map<unsigned int, FullMatrix<double>> found;
+    auto                                       cell = cells.begin();
+    elasticity.visit_cells(solution,
+                           StressStiffness::change_by_yielding,
+                           cells,
+                           [&](const Dofs &,
+                               const FullMatrix<double> &change,
+                               const Vector<double> &) {
+                             found.emplace(*cell++, change);
+                           });
+    return found;
+  }
+
+
+
+  // From the matrix of the last tangents to that of now, if it differs in a few
+  // cells that yield or do so no longer. Returns whether it is done.
+  template<int dim>
+  bool CondensedSystem<dim>::change_bulk(const GhostedVector &solution)
+  {
+    if (!elasticity.changes_by_yielding() ||
+        on_any_rank(!tangents_are_known || !elasticity.springs.held().empty() ||
+                    tangent_version != elasticity.tangent_version()))
+      return false;
+    auto now = elasticity.yielding(bulk_cells, solution);
+    if (on_any_rank(2 * (now.size() + changes.size()) > bulk_cells.size()))
+      return false;
+
+    restore_interface_rows();
+    auto before = yielding_changes(now, solution);
+    before.swap(changes);
+    const auto add = [&](const unsigned int cell, FullMatrix<double> &change) {
+      discretization.constraints.distribute_local_to_global(
+        change,
+        elasticity.dofs_of_cell(cell),
+        matrix);
+    };
+    for (auto &[cell, change] : before)
+      {
+        change *= -1;
+        if (const auto found = changes.find(cell); found != changes.end())
+          change.add(1, found->second);
+        add(cell, change);
+      }
+    for (auto &[cell, change] : changes)
+      if (before.count(cell) == 0)
+        add(cell, change);
+    matrix.compress(VectorOperation::add);
+    return true;
+  }
+
+
+
+  // All cells: of those that see the active set the tangents, of the others
+  // their sum. While springs hold a body in space its stresses do not turn with
+  // it: they would be stronger than the springs, and the matrix not definite.
+  template<int dim>
+  void CondensedSystem<dim>::assemble_tangents(const GhostedVector &solution)
+  {
+    ++discretization.counters.tangents;
+    const auto &base            = discretization.constraints;
+    const auto stress_stiffness = dim == 3 && !elasticity.springs.held().empty()
+                                    ? StressStiffness::without
+                                    : StressStiffness::with;
+    const bool bulk_is_known    = change_bulk(solution);
+    if (!bulk_is_known)
+      assemble_bulk(solution, stress_stiffness);
+    interface_tangents.clear();
+    interface_forces.clear();
+    elasticity.visit_cells(solution,
+                           stress_stiffness,
+                           interface_cells,
+                           [&](const Dofs               &dofs,
+                               const FullMatrix<double> &tangent,
+                               const Vector<double>     &forces) {
+                             interface_tangents.push_back(tangent);
+                             add_interface_forces(dofs, forces, solution);
+                           });
+
+    // Bound centres are in no cell.
+    if (discretization.serendipity && !bulk_is_known)
+      {
+        const std::set<types::global_dof_index> of_interface(
+          interface_dofs.begin(),
+          interface_dofs.end());
+        for (const auto i : owned)
+          if (base.is_constrained(i) && of_interface.count(i) == 0 &&
+              matrix.diag_element(i) == 0)
+            matrix.set(i, i, elasticity.youngs_modulus(0));
+        matrix.compress(VectorOperation::insert);
+      }
+
+    kept_rows.clear();
+    for_interface_rows([&](const int n, double *values) {
+      kept_rows.emplace_back(values, values + n);
+    });
+    tangents_are_known = true;
+    tangent_version    = elasticity.tangent_version();
+  }
+
+
+
+  template<int dim>
+  void CondensedSystem<dim>::restore_interface_rows()
+  {
+    auto kept = kept_rows.begin();
+    for_interface_rows([&](const int, double *values) {
+      std::copy(kept->begin(), kept->end(), values);
+      ++kept;
+    });
+  }
+
+
+
+  template<int dim>
+  void CondensedSystem<dim>::for_interface_rows(
+    const std::function<void(const int n, double *values)> &visit)
+  {
+    for (const auto dof : interface_dofs)
+      if (owned.is_element(dof))
+        {
+          int     n       = 0;
+          double *values  = nullptr;
+          int    *columns = nullptr;
+          matrix.trilinos_matrix().ExtractMyRowView(owned.index_within_set(dof),
+                                                    n,
+                                                    values,
+                                                    columns);
+          visit(n, values);
+        }
+  }
+
+  template class CondensedSystem<2>;
+  template class CondensedSystem<3>;
+} // namespace Contact
