@@ -98,7 +98,8 @@ namespace Contact
     TimerOutput::Scope scope(timer, "residual");
     const bool         moving_bound = pairing.linearization().moving_bound;
     std::optional<GhostedVector> of_bodies;
-    if (n_steps == 0 && n_status_changes > 0 && moving_bound)
+    if (n_steps == 0 && n_status_changes > 0 && moving_bound &&
+        !state.start.all_zero())
       of_bodies = rhs;
     add_contact();
     convergence.evaluate(rhs, state, moving_bound);
