@@ -7,6 +7,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -47,10 +48,8 @@ namespace Contact
       if (cell->is_locally_owned())
         smallest = std::min(smallest, cell->minimum_vertex_distance());
     smallest = Utilities::MPI::min(smallest, discretization.communicator);
-    middle   = low + 0.5 * (high - low);
-    size     = low.distance(high);
-    slender  = std::max(1., size / smallest);
-    modulus *= dim == 2 ? circumference : size;
+    slender  = std::max(1., low.distance(high) / smallest);
+    modulus *= dim == 2 ? circumference : low.distance(high);
 
     if (interface != nullptr)
       {
@@ -72,8 +71,8 @@ namespace Contact
                              const double         newton_tolerance,
                              const bool           moving_bound) const
   {
-    const double way  = discretization.largest_prescribed();
-    const double most = modulus * (way + way_of_contact() + overlap) * slender;
+    const double way    = discretization.largest_prescribed();
+    const double most   = modulus * (way + overlap) * slender;
     double       acting = interface != nullptr
                             ? contact_forces(solution, u_start, moving_bound)
                             : 0.;
@@ -93,25 +92,6 @@ namespace Contact
                                          so_far,
                                          round_off / newton_tolerance}),
                                discretization.communicator);
-  }
-
-
-
-  template<int dim>
-  double ForceScale<dim>::way_of_contact() const
-  {
-    double way = 0;
-    if (interface != nullptr)
-      for (const auto &contact_pair : interface->pairs)
-        {
-          if (contact_pair->interference)
-            way = std::max(way, std::abs(contact_pair->interference->now));
-          if (const auto *obstacle = contact_pair->obstacle.get())
-            way = std::max(way,
-                           obstacle->given_way(
-                             obstacle->centre().distance(middle) + size / 2));
-        }
-    return way;
   }
 
 
@@ -143,13 +123,55 @@ namespace Contact
   double ForceScale<dim>::reactions(const GhostedVector &solution,
                                     const double         load_factor) const
   {
-    const GhostedVector forces = elasticity.forces(solution, load_factor);
-    double              sum    = 0;
+    GhostedVector forces(discretization.distribution);
+    elasticity.visit_cells(solution,
+                           /*with_tangent=*/false,
+                           cells_at_supports(),
+                           [&](const std::vector<types::global_dof_index> &dofs,
+                               const FullMatrix<double> &,
+                               const Vector<double> &of_cell) {
+                             forces.add(dofs, of_cell);
+                           });
+    forces.sum_up();
+    forces -= elasticity.loads(solution, load_factor);
+    double sum = 0;
     for (const auto dof : discretization.dof_handler.locally_owned_dofs())
-      if (discretization.is_fixed(dof) || discretization.is_rigid(dof) ||
-          discretization.normal_supports.line(dof) != nullptr)
+      if (is_supported(dof))
         sum += std::abs(forces[dof]);
     return Utilities::MPI::sum(sum, discretization.communicator);
+  }
+
+
+
+  template<int dim>
+  bool ForceScale<dim>::is_supported(const types::global_dof_index dof) const
+  {
+    return discretization.is_fixed(dof) || discretization.is_rigid(dof) ||
+           discretization.normal_supports.line(dof) != nullptr;
+  }
+
+
+
+  // A cell at a support of another rank may not know that it is one.
+  template<int dim>
+  const std::vector<unsigned int> &ForceScale<dim>::cells_at_supports() const
+  {
+    if (!supported_cells)
+      {
+        const bool is_alone =
+          Utilities::MPI::n_mpi_processes(discretization.communicator) == 1;
+        supported_cells.emplace();
+        for (unsigned int c = 0; c < elasticity.n_cells(); ++c)
+          {
+            const auto &dofs = elasticity.dofs_of_cell(c);
+            if (!is_alone ||
+                std::any_of(dofs.begin(), dofs.end(), [&](const auto dof) {
+                  return is_supported(dof);
+                }))
+              supported_cells->push_back(c);
+          }
+      }
+    return *supported_cells;
   }
 
   template class ForceScale<2>;
