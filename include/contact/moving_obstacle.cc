@@ -233,6 +233,16 @@ namespace Contact
                                             numbers::PI};
   }
 
+  template<int dim>
+  double MovingObstacle<dim>::given_way(const double reach) const
+  {
+    const std::vector<double> none(components.size());
+    const Placement           at_first = placement(0, none);
+    const Placement           now      = placement(load_factor, none);
+    return (now.shift - at_first.shift).norm() +
+           std::abs(now.angle - at_first.angle) * reach;
+  }
+
   template class MovingObstacle<2>;
   template class MovingObstacle<3>;
 } // namespace Contact

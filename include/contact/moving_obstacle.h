@@ -53,6 +53,8 @@ namespace Contact
 
     std::optional<typename Obstacle<dim>::Travel> travel() const override;
 
+    double given_way(const double reach) const override;
+
     Tensor<1, dim> way(const Point<dim> &x) const override
     {
       return x - first.at(end.back(x));

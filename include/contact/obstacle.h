@@ -128,6 +128,13 @@ namespace Contact
       return {};
     }
 
+    /// How far the motions that are given have moved it since the beginning
+    /// [mm], turns at the distance @p reach [mm].
+    virtual double given_way(const double /*reach*/) const
+    {
+      return 0;
+    }
+
     /// The way of the material at @p x since the beginning [mm].
     virtual Tensor<1, dim> way(const Point<dim> & /*x*/) const
     {

@@ -330,6 +330,8 @@ namespace Contact
       bool is_loaded = !solution.all_zero(), touches = false;
       for (const IncrementRecord &increment : summary.increments)
         {
+          if (!increment.converged)
+            continue;
           is_loaded = is_loaded || increment.works.at("strain_energy") != 0;
           for (const auto &[name, values] : increment.contact)
             touches = touches || values.at("max_pressure") != 0;

@@ -6,6 +6,8 @@
 #include "solid/material_cells.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "solid/cell_integrals.h"
 
@@ -345,7 +347,8 @@ namespace Contact
 
 
 
-    // Without a history by two rules, whose difference is an error bound.
+    // Without a history by two rules, whose difference is an error bound; d
+    // near one is known to its round-off, U(d) to p times that.
     template<class Kinematics, class Symmetry>
     typename MaterialCells<Kinematics, Symmetry>::Works
     MaterialCells<Kinematics, Symmetry>::works(const CellTable<dim> &cell,
@@ -364,6 +367,13 @@ namespace Contact
           works.error =
             std::abs(works.path - this->path_work(coarse(rates.work))) +
             std::abs(works.thermal - this->integral(coarse(rates.thermal)));
+          for (const auto *u : {&u_0, &u_1})
+            {
+              const States states = this->states(cell, *u);
+              for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+                works.error += std::numeric_limits<double>::epsilon() *
+                               cell.JxW[q] * std::abs(states.p[q]);
+            }
           return works;
         }
       for (unsigned int q = 0; q < cell.JxW.size(); ++q)

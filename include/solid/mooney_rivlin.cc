@@ -17,7 +17,9 @@ namespace Contact
 
 
 
-  // With G = C^-1, A = dI_2/dC = tr(C) I - C and m = 2 C01 J^(-4/3), besides
+  // With y and z of Distortion the energy of I_2 is
+  //   3 C01 ((1 - z) (1 - y)^(-2/3) - 1);
+  // with G = C^-1, A = dI_2/dC = tr(C) I - C and m = 2 C01 J^(-4/3), besides
   // the neo-Hookean part
   //   S = m (A - 2/3 I_2 G),
   //   dS/dE = 2 m (I x I - 1 - 2/3 (A x G + G x A) + 4/9 I_2 G x G
@@ -34,7 +36,9 @@ namespace Contact
     const double I_2      = 0.5 * (A * C);
     const double m        = 2 * C01 * std::pow(determinant(C), -2. / 3);
     response.stress += m * (A - 2. / 3 * I_2 * G);
-    response.energy += 0.5 * m * I_2 - 3 * C01;
+    const Distortion distortion(C);
+    const double     more = std::expm1(-2 * std::log1p(-distortion.y) / 3);
+    response.energy += 3 * C01 * (more - distortion.z * (1 + more));
     if (with_tangent)
       response.tangent +=
         2 * m *

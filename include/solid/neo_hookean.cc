@@ -19,6 +19,17 @@ namespace Contact
 
 
 
+  Distortion::Distortion(const SymmetricTensor<2, 3> &C)
+  {
+    const double t      = trace(C) / 3;
+    const auto   D      = deviator(C) / t;
+    const double square = D * D;
+    y                   = square / 2 - determinant(D);
+    z                   = square / 6;
+  }
+
+
+
   SymmetricTensor<4, 3> inverse_twice(const SymmetricTensor<2, 3> &G)
   {
     SymmetricTensor<4, 3> product;
@@ -47,7 +58,8 @@ namespace Contact
 
 
 
-  // With G = C^-1 and m = mu J^(-2/3):
+  // With G = C^-1 and m = mu J^(-2/3), and y of Distortion:
+  //   W = 3/2 mu ((1 - y)^(-1/3) - 1),
   //   S = m (I - tr(C)/3 G),
   //   dS/dE = 2/3 m (tr(C)/3 G x G - G x I - I x G + tr(C) (G . G)).
   MaterialLaw::Response NeoHookean::shear_part(const SymmetricTensor<2, 3> &E,
@@ -61,7 +73,7 @@ namespace Contact
     const double m  = mu * std::pow(determinant(C), -1. / 3);
     Response     response;
     response.stress = m * (I - tr / 3 * G);
-    response.energy = 0.5 * (m * tr - 3 * mu);
+    response.energy = 1.5 * mu * std::expm1(-std::log1p(-Distortion(C).y) / 3);
     if (with_tangent)
       response.tangent = 2. / 3 * m *
                          (tr / 3 * outer_product(G, G) - outer_product(G, I) -
@@ -94,7 +106,8 @@ namespace Contact
 
   MaterialLaw::VolumeEnergy NeoHookean::volume_energy(const double d) const
   {
-    return {0.25 * bulk_modulus * (d * d - 1 - 2 * std::log(d)),
+    const double x = d - 1;
+    return {0.25 * bulk_modulus * (x * (2 + x) - 2 * std::log1p(x)),
             0.5 * bulk_modulus * (d - 1 / d),
             0.5 * bulk_modulus * (1 + 1 / (d * d))};
   }

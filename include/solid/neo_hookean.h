@@ -13,6 +13,21 @@ namespace Contact
 {
   using namespace dealii;
 
+  /**
+   * What is lost where energies near zero are differences of numbers near one:
+   * with t = tr(C)/3 and D the deviator of C,
+   *   det C = t^3 (1 - y),   I_2 = 3 t^2 (1 - z),
+   *   y = D : D/(2 t^2) - det(D)/t^3,   z = D : D/(6 t^2).
+   */
+  struct Distortion
+  {
+    explicit Distortion(const SymmetricTensor<2, 3> &C);
+
+    double y, z;
+  };
+
+
+
   /// -d(C^-1)/dE/2 by the inverse G = C^-1, symmetric in each pair: the double
   /// contraction with X is G X G.
   SymmetricTensor<4, 3> inverse_twice(const SymmetricTensor<2, 3> &G);

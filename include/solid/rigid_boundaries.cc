@@ -450,9 +450,9 @@ namespace Contact
               }
             const double way = moved[c] - u[line.dof];
             if (std::abs(way) >
-                few_digits * (std::abs(u[line.dof]) + motion.U.norm() +
-                              (motion.R * nodes[n].arm - nodes[n].arm).norm() +
-                              (is_large ? length : 0.)))
+                few_digits *
+                  (std::abs(u[line.dof]) + motion.U.norm() +
+                   (moved - motion.U).norm() + (is_large ? length : 0.)))
               line.inhomogeneity = way;
             lines.push_back(line);
           }

@@ -106,10 +106,14 @@ namespace Contact
     /// The vector of rotation of a motion, or its spin [rad].
     Tensor<1, 3> rotation(const Motion &motion) const;
 
-    /// The displacement of a node in a motion [mm].
-    Tensor<1, 3> displacement(const Motion &motion, const Node &node) const
+    /// The displacement of a node in a motion [mm]. R - I comes first: a spin
+    /// is small beside I, and the arm would take its digits.
+    static Tensor<1, 3> displacement(const Motion &motion, const Node &node)
     {
-      return motion.U + motion.R * node.arm - node.arm;
+      Tensor<2, 3> turn = motion.R;
+      for (unsigned int k = 0; k < 3; ++k)
+        turn[k][k] -= 1;
+      return motion.U + turn * node.arm;
     }
 
     /// The nodal forces of a force and a moment about P.

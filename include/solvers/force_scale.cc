@@ -48,8 +48,10 @@ namespace Contact
       if (cell->is_locally_owned())
         smallest = std::min(smallest, cell->minimum_vertex_distance());
     smallest = Utilities::MPI::min(smallest, discretization.communicator);
-    slender  = std::max(1., low.distance(high) / smallest);
-    modulus *= dim == 2 ? circumference : low.distance(high);
+    middle   = low + 0.5 * (high - low);
+    size     = low.distance(high);
+    slender  = std::max(1., size / smallest);
+    modulus *= dim == 2 ? circumference : size;
 
     if (interface != nullptr)
       {
@@ -71,8 +73,8 @@ namespace Contact
                              const double         newton_tolerance,
                              const bool           moving_bound) const
   {
-    const double way    = discretization.largest_prescribed();
-    const double most   = modulus * (way + overlap) * slender;
+    const double way  = discretization.largest_prescribed();
+    const double most = modulus * (way + way_of_contact() + overlap) * slender;
     double       acting = interface != nullptr
                             ? contact_forces(solution, u_start, moving_bound)
                             : 0.;
@@ -92,6 +94,25 @@ namespace Contact
                                          so_far,
                                          round_off / newton_tolerance}),
                                discretization.communicator);
+  }
+
+
+
+  template<int dim>
+  double ForceScale<dim>::way_of_contact() const
+  {
+    double way = 0;
+    if (interface != nullptr)
+      for (const auto &contact_pair : interface->pairs)
+        {
+          if (contact_pair->interference)
+            way = std::max(way, std::abs(contact_pair->interference->now));
+          if (const auto *obstacle = contact_pair->obstacle.get())
+            way = std::max(way,
+                           obstacle->given_way(
+                             obstacle->centre().distance(middle) + size / 2));
+        }
+    return way;
   }
 
 

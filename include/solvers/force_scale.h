@@ -34,10 +34,11 @@ namespace Contact
    * A state must not make its own residual small. The forces that act count up
    * to what the data can cause only,
    *    M (d + o) D / h,
-   * o being the overlap of the undeformed surfaces, D the size of the bodies
-   * and h that of the smallest cell; and no term grows with the displacements
-   * of the state. All but the dead loads is times the largest circumference of
-   * rings, in space times D.
+   * d with the given motions of obstacles, o being the overlap of the
+   * undeformed surfaces and the interferences, D the size of the bodies and h
+   * that of the smallest cell; and no term grows with the displacements of the
+   * state. All but the dead loads is times the largest circumference of rings,
+   * in space times D.
    */
   template<int dim>
   class ForceScale
@@ -69,6 +70,9 @@ namespace Contact
     }
 
   private:
+    /// By how much obstacles that are moved, and interferences, displace the
+    /// bodies [mm].
+    double way_of_contact() const;
     double contact_forces(const GhostedVector &solution,
                           const GhostedVector &u_start,
                           const bool           moving_bound) const;
@@ -81,11 +85,13 @@ namespace Contact
     const Elasticity<dim>       &elasticity;
     const ContactInterface<dim> *interface;
 
-    double modulus    = 0; // M, of rings times the circumference, in space D
-    double coordinate = 0; // X [mm]
-    double overlap    = 0; // o [mm]
-    double slender    = 1; // D / h
-    double so_far     = 0; // at the ends of earlier increments
+    Point<dim> middle;      // of the bodies
+    double     size    = 0; // D [mm]
+    double     modulus = 0; // M, of rings times the circumference, in space D
+    double     coordinate = 0; // X [mm]
+    double     overlap    = 0; // o [mm]
+    double     slender    = 1; // D / h
+    double     so_far     = 0; // at the ends of earlier increments
 
     /// When they are first needed.
     mutable std::optional<std::vector<unsigned int>> supported_cells;

@@ -6,6 +6,7 @@
 #include "solvers/newton_state.h"
 
 #include <limits>
+#include <optional>
 #include <sstream>
 
 #include "base/errors.h"
@@ -95,8 +96,47 @@ namespace Contact
     n_status_changes = model.interface ? update_status(single_changes) : 0;
 
     TimerOutput::Scope scope(timer, "residual");
+    const bool         moving_bound = pairing.linearization().moving_bound;
+    std::optional<GhostedVector> of_bodies;
+    if (n_steps == 0 && n_status_changes > 0 && moving_bound &&
+        !state.start.all_zero())
+      of_bodies = rhs;
     add_contact();
-    convergence.evaluate(rhs, state, pairing.linearization().moving_bound);
+    convergence.evaluate(rhs, state, moving_bound);
+    if (of_bodies && convergence.has_converged())
+      try_to_rest(*of_bodies);
+  }
+
+
+
+  // Where nothing moves in an increment, points that slipped in the last one
+  // are at their bound but for round-off: sticking or slipping, the state
+  // stays. Steps would go on changing their statuses.
+  template<int dim>
+  void NewtonState<dim>::try_to_rest(const GhostedVector &of_bodies)
+  {
+    ContactInterface<dim> &interface    = *model.interface;
+    const bool             moving_bound = pairing.linearization().moving_bound;
+    const auto             statuses     = interface.statuses();
+    const auto             update       = [&](const bool keep) {
+      return interface.update_statuses(state.solution,
+                                       state.start,
+                                       moving_bound,
+                                       keep);
+    };
+    const GhostedVector before = rhs;
+    update(/*keep=*/true);
+    rhs = of_bodies;
+    add_contact();
+    convergence.evaluate(rhs, state, moving_bound);
+    if (convergence.has_converged() && update(/*keep=*/false) == 0)
+      {
+        n_status_changes = 0;
+        return;
+      }
+    interface.set_statuses(statuses);
+    rhs = before;
+    convergence.evaluate(rhs, state, moving_bound);
   }
 
 

@@ -87,10 +87,15 @@ namespace Contact
     void         evaluate_with(const bool single_changes);
     unsigned int update_status(const bool single_changes);
     void         add_contact();
-    bool         points_follow_the_law() const;
-    void         check() const;
-    void         remember_status();
-    double       part_until_touch() const;
+
+    /// Before the first step and in balance: take the statuses that follow if
+    /// the state is in balance under them, too. @p of_bodies is the right side
+    /// without contact.
+    void   try_to_rest(const GhostedVector &of_bodies);
+    bool   points_follow_the_law() const;
+    void   check() const;
+    void   remember_status();
+    double part_until_touch() const;
 
     /// Whether steps search for the statuses of their linear problem, as
     /// ActiveSetSearch does with multipliers.

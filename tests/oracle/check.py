@@ -387,7 +387,8 @@ def check_without_contact(model, states):
             u = model.solve(state.t, 4)
     except (ArithmeticError, RuntimeError):
         return []
-    off = np.abs(u - state.u).max() / max(np.abs(u).max(), 1e-300)
+    largest = max(np.abs(s.u).max() for s in states)
+    off = np.abs(u - state.u).max() / max(largest, 1e-300)
     if off > 1e-5:
         return [Problem("another solution", "%.3g relative to ours" % off)]
     return []

@@ -161,7 +161,8 @@ def rubber_beam(rng, seed):
     scene.hold("Beam_left", 0, 0)
     choice = rng.choice(["stretch", "shear", "force", "pressure"])
     if choice == "stretch":
-        scene.hold("Beam_right", uniform(rng, -0.3, 1.0) * length, 0)
+        # Slender ones would buckle.
+        scene.hold("Beam_right", uniform(rng, -0.02, 1.0) * length, 0)
     elif choice == "shear":
         scene.hold("Beam_right", None, uniform(rng, -0.5, 0.5) * length)
     elif choice == "force":

@@ -356,6 +356,9 @@ class ZoneCheck:
         push = np.einsum("ki,ki->k", force, n)
         # At the end of a master the tangent is another one.
         judged = self.counts & (self.parallel(n) > 0.99)
+        if self.zone.apart:
+            # At a corner of a polygon the way apart is a slip along either edge.
+            judged &= self.inside
         work = (shear * slip)[judged].sum()
         scale = np.abs(shear * slip)[judged].sum()
         # Sticking nodes move by round-off.
@@ -370,6 +373,7 @@ class ZoneCheck:
         """Of the slave's nodes along the master, with its normal and tangent."""
         group = self.master.group
         _, piece, s = group.closest(self.state.x[self.nodes])
+        self.inside = np.abs(s - 0.5) < 0.45
         line = self.lines_of_master()[group.line[piece]]
         of_master = ((1 - s)[:, None] * step[line[:, 0]] +
                      s[:, None] * step[line[:, 1]])
@@ -398,7 +402,12 @@ class ZoneCheck:
         if self.model.axisymmetric and abs(n[0]) > 0.1:
             return []
         bound = self.zone.mu * push
-        allowed = (0.02 * bound + 2 * np.abs(normals - n).max() * push +
+        tilt = np.abs(normals - n).max()
+        if self.rule == "mortar":
+            # Which weights the normals of both sides.
+            tilt = max(tilt, np.abs(self.own.normal[near[self.own.line]] +
+                                    n).max() / 2)
+        allowed = (0.02 * bound + 2 * tilt * push +
                    10 * self.state.error[master].sum() +
                    1e-6 * self.state.scale)
         if shear > bound + allowed + 0.02 * push:
