@@ -7,6 +7,8 @@ Proves that
 - a block that a moving plane drags against a wall is pushed by mu N, exactly, and
   what the plane does to it is dissipated: works of the plane, of friction and of
   the pressures agree;
+- once a plane that presses a block has come to rest no Newton step is needed,
+  whether points stick or slip;
 - a plane or a circle that is moved to a block, and along it, does the same as the
   block that is moved to the one that stands still, to 1e-10: nodal and mortar
   discretization, both systems, small strain and large displacement;
@@ -323,7 +325,26 @@ def other_scenes(entries, plane):
               ("force_x", "force_y", "moment_z")], wanted, 1e-9)
 
 
+def held_block():
+    """Pressed by a plane that then stays where it is: nothing is left to do."""
+    for rule, kinematics in (("nodal", "small strain"),
+                             ("mortar", "large displacement")):
+        what = f"a plane comes to rest, {rule}, {kinematics}"
+        summary = scene(what, "held", {
+            **block("held"), "Contact/Slave": "Top",
+            "Contact/Discretization": rule, "Solids/Kinematics": kinematics,
+            "Boundary conditions/Displacement x": "Bottom: 0",
+            "Boundary conditions/Displacement y": "Bottom: 0",
+            "Contact/Obstacle": f"half plane: 0, {HEIGHT}, 0, -1",
+            "Contact/Obstacle motion": "y: -0.02*min(1, 2*t)",
+            "Solution/Newton tolerance": 1e-8, "Solution/Increments": 8})
+        steps = [i["newton_iterations"] for i in summary["increments"]]
+        check(what, len(steps) == 8 and max(steps[:4]) <= 4 and
+              steps[4:] == [0] * 4, steps)
+
+
 dragged_block()
+held_block()
 moved_the_other_way()
 carried_block()
 def profiles(entries, plane):
