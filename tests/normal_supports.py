@@ -13,6 +13,10 @@ Proves that
   each plane may be held by either entry;
 - a quarter of a sphere on a rigid plane, turned, has the force and the pressure of
   the one along the axes;
+- a turned press fit of quarter rings, of metal that yields and of rubber, lets go
+  when its interference is taken back, and keeps all invariants then: nodes that
+  return to where they came from are on their planes but for the round-off of the
+  way, and the energy of next to no strain is next to none;
 - a boundary that is not flat, a point, and groups that contradict each other are
   refused.
 
@@ -20,6 +24,7 @@ Usage: normal_supports.py CONTACT PARAMETERS MESHES
 """
 
 import itertools
+import math
 import pathlib
 import sys
 
@@ -255,6 +260,41 @@ def sphere():
     check("sphere: force and pressure", worst < 1e-9, worst)
 
 
+def press_fit():
+    mesh = Mesh()
+    for body, r0, r1, layers, sides in (
+            ("Shaft", 20., 50., 3, {"top": "Journal", "left": "Sx",
+                                    "right": "Sy"}),
+            ("Hub", 50., 100., 4, {"bottom": "Bore", "left": "Hx",
+                                   "right": "Hy"})):
+        mesh.block(body, 8, layers, lambda s, t: (
+            (r0 + t * (r1 - r0)) * math.sin(math.pi / 2 * s),
+            (r0 + t * (r1 - r0)) * math.cos(math.pi / 2 * s)), sides)
+    mesh.write("press_fit")
+    entries = {
+        "Mesh/File": "press_fit.msh", "Mesh/Rotation": ANGLES[2][0],
+        "Mesh/Arcs": "Bore: 0, 0, 50; Journal: 0, 0, 50", "Element/Degree": 2,
+        "Solids/Young's modulus": "Shaft: 210000, Hub: 210000",
+        "Solids/Poisson's ratio": "Shaft: 0.3, Hub: 0.3",
+        "Boundary conditions/Displacement normal":
+        "Sx: 0, Sy: 0, Hx: 0, Hy: 0",
+        "Contact/Slave": "Bore", "Contact/Master": "Journal",
+        "Contact/Interference": "table(0 0, 0.5 0.06, 1 -0.06)",
+        "Solution/Increments": 12}
+    for what, of_hub in (
+            ("yields", {"Solids/Kinematics": "small strain",
+                        "Solids/Material": "Hub: elastic-plastic",
+                        "Solids/Yield stress": "Hub: 250",
+                        "Solids/Hardening modulus": "Hub: 2000"}),
+            ("is of rubber", {"Solids/Kinematics": "large displacement",
+                              "Solids/Material": "Hub: neo-Hookean"})):
+        status, said, summary = run("press_fit", {**entries, **of_hub})
+        forces = [i["contact"]["normal_force"]
+                  for i in summary.get("increments", [])]
+        check(f"press fit, the hub {what}: it lets go", status == 0 and
+              max(forces) > 1000 and forces[-1] == 0, f"{status} {said[-300:]}")
+
+
 def refusals():
     scene = contact_in_space()
     for what, group, words in (
@@ -271,5 +311,6 @@ def refusals():
 blocks()
 contacts()
 sphere()
+press_fit()
 refusals()
 sys.exit(bool(failures))

@@ -21,6 +21,7 @@ Usage: readme.py CONTACT PARAMETERS MESHES
 import os
 import pathlib
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -200,6 +201,12 @@ def unlisted_tests(page: str, directory: pathlib.Path) -> list[str]:
                   not name.startswith("test_dependency/"))
 
 
+def cpu_seconds() -> float:
+    """Of all commands so far."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
 def main() -> int:
     contact = pathlib.Path(sys.argv[1]).resolve()
     root = pathlib.Path(sys.argv[2]).resolve().parent
@@ -228,10 +235,12 @@ def main() -> int:
             print(f"{command}: NOT RUN, needs {needed}")
             continue
         start = time.monotonic()
+        used = cpu_seconds()
         run = subprocess.run(SHORT.get(command, command), shell=True, cwd=root,
                              env=environment, text=True, capture_output=True)
         print(f"{command}: exit status {run.returncode}, "
-              f"{time.monotonic() - start:.1f} s", flush=True)
+              f"{time.monotonic() - start:.1f} s, "
+              f"{cpu_seconds() - used:.1f} of the CPU", flush=True)
         if run.returncode:
             failures.append(f"{command}\n{run.stdout[-2000:]}{run.stderr[-2000:]}")
     shutil.rmtree(environment["SCRATCH"])

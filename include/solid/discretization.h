@@ -174,7 +174,8 @@ namespace Contact
     }
 
     /// Bring rigid boundaries of large displacement, whose leaders a step has
-    /// moved, to where these are. Collective.
+    /// moved, to where these are, and nodes that are held along normals to
+    /// where they have to be, the round-off of the way there off. Collective.
     void settle(GhostedVector &u, const double load_factor) const;
 
     /// Add the forces of forces and moments on rigid boundaries. At full values

@@ -252,6 +252,10 @@ namespace Contact
   void Discretization<dim>::settle(GhostedVector &u,
                                    const double   load_factor) const
   {
+    const auto of_supports = motion_of_supports(load_factor);
+    for (const auto &line : normal_supports.lines())
+      if (u.holds(line.pivot))
+        u[line.pivot] += line.motion(u, of_supports);
     for (const RigidBoundary<dim> &boundary : rigid)
       if (boundary.is_large)
         {
