@@ -140,6 +140,7 @@ namespace Contact
     void        solve_level();
     ProbeErrors estimate_errors();
     void        solve_increment(const LoadSteps::Step &step);
+    void        check_turns() const;
     void        start_from_coarser_level(const unsigned int increment);
     bool        try_again(LoadSteps             &steps,
                           const LoadSteps::Step &step,
@@ -532,13 +533,7 @@ namespace Contact
                             parameters.solution.n_increments);
     postprocessor.forget_stresses();
     report.begin_increment(levels.present(), step.increment, step.to);
-    // Slip is the straight way of the obstacle's material between two ends; in
-    // space shear is off its direction by half of the angle.
-    const double largest_turn = numbers::PI / (dim == 2 ? 2 : 9);
-    if (model.interface && model.interface->largest_turn() > largest_turn)
-      throw NotConverged("an obstacle turns by more than " +
-                         std::string(dim == 2 ? "90" : "20") +
-                         " degrees within the increment");
+    check_turns();
     if (levels.present() > 0 && step.is_whole)
       start_from_coarser_level(step.increment);
 
@@ -557,7 +552,10 @@ namespace Contact
 
     solve_with_stabilization();
     if (model.interface)
-      model.interface->place_obstacles(state.solution, /*keeps_place=*/true);
+      {
+        model.interface->place_obstacles(state.solution, /*keeps_place=*/true);
+        check_turns();
+      }
 
     // No equation determines the place of a body that has lost its contact: it
     // could have gone anywhere on the way.
@@ -571,6 +569,26 @@ namespace Contact
 
 
 
+  // @sect4{ContactProblem::check_turns}
+  //
+  // Slip is the straight way of the obstacle's material between two ends of an
+  // increment; in space shear is off its direction by half of the angle. Turns
+  // that follow from a moment are known at its end.
+  template<int dim>
+  void ContactProblem<dim>::check_turns() const
+  {
+    const double largest_turn = numbers::PI / (dim == 2 ? 2 : 9);
+    if (model.interface && model.interface->largest_turn() > largest_turn)
+      throw NotConverged("an obstacle turns by more than " +
+                         std::string(dim == 2 ? "90" : "20") +
+                         " degrees within the increment");
+  }
+
+
+
+  // @sect4{ContactProblem::start_from_coarser_level}
+  //
+  // A motion that stays is where this mesh has left it.
   template<int dim>
   void
   ContactProblem<dim>::start_from_coarser_level(const unsigned int increment)
@@ -579,8 +597,9 @@ namespace Contact
     std::copy(u.begin(), u.end(), state.solution.begin());
     if (model.interface)
       for (unsigned int k = 0; k < model.interface->free_motions().size(); ++k)
-        state.solution[model.interface->motion_index(k)] =
-          coarser.motions[increment - 1][k];
+        if (!model.interface->free_motions()[k]->stays)
+          state.solution[model.interface->motion_index(k)] =
+            coarser.motions[increment - 1][k];
     pairing.pair(state.solution);
     if (model.interface)
       restore_surfaces(coarser.surfaces[increment - 1],

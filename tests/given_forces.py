@@ -16,7 +16,8 @@ Proves that
   (Cattaneo and Mindlin by forces), and a restart goes on;
 - the preload of a bolt is exact: its stress, by how much it is shortened; with
   its length kept, a later load is shared as the stiffnesses of bolt and sleeve
-  are; in the plane, in space, on two processes, both systems;
+  are; in the plane, in space, on two processes, both systems, and each mesh of
+  several levels keeps its own length;
 - no increment takes more than 8 Newton steps;
 - a force that pulls, and one along a direction in which nothing resists, end
   with what is missing; what is no force is refused.
@@ -297,6 +298,18 @@ def preloaded():
                  [force, force / area / modulus * 6 * 1.5, force + load / 3,
                   force / area / modulus * 6 * 1.5], 1e-9)
 
+    # Clamped ends: each mesh shortens the bolt by its own length.
+    clamped = scene("bolt with clamped ends, levels", "bolt", {
+        **entries, **condensed, "Solution/Increments": 4,
+        "Contact/Preload end": 0.5, "Refinement/Levels": 2,
+        "Boundary conditions/Displacement x":
+        "Lower_y0: 0, Upper_y1: 0, Sleeve_x0: 0",
+        "Boundary conditions/Displacement y":
+        "Lower_y0: 0, Upper_y1: 0, Sleeve_y0: 0"})
+    if clamped:
+        near("bolt with clamped ends, levels: what is kept",
+             [i["F"] for i in clamped[-4:]], [force] * 4, 1e-9)
+
 
 def refused():
     plane = {**block("refused"), "Solids/Kinematics": "small strain",
@@ -319,6 +332,12 @@ def refused():
              ("Contact/Preload", "Contact/Tied")),
             ("the end of none", {"Contact/Preload end": "0.5"},
              ("Contact/Preload",)),
+            ("a preload that ends before it acts",
+             {"Contact/Preload": "1", "Contact/Preload end": "0"},
+             ("Contact/Preload end",)),
+            ("inside of its obstacle", {"Contact/Obstacle":
+                                        f"half plane: 0, {HEIGHT + 0.1}, 0, 1"},
+             ("inside of its obstacle", "normal")),
             ("a probe without a cut", {"Probes/Probes": "F: preload, Contact"},
              ("preload",))):
         status, said, _ = run("refused", {**plane, **more})

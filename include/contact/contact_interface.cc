@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "base/errors.h"
+#include "base/string_utilities.h"
 #include "contact/surface_checks.h"
 
 namespace Contact
@@ -78,6 +79,45 @@ namespace Contact
                              "remove one of them, or take the common " + parts +
                                " out of one");
         }
+    for (unsigned int i = 0; i < pairs.size(); ++i)
+      if (pairs[i]->obstacle)
+        check_side(*pairs[i], parameters[i]);
+  }
+
+
+
+  // An obstacle whose normal points the other way would pull the slave.
+  template<int dim>
+  void
+  ContactInterface<dim>::check_side(const ContactPair<dim>    &contact_pair,
+                                    const Parameters::Contact &parameters) const
+  {
+    const Surface<dim> &slave   = contact_pair.slave;
+    const auto          normals = slave.normals({});
+    double              depth   = 0;
+    Point<dim>          deepest;
+    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+      {
+        const Point<dim> X       = slave.nodes[i].X;
+        const auto       closest = contact_pair.obstacle->closest_point(X);
+        if (normals[i] * closest.normal < 0)
+          return;
+        if ((closest.x - X) * closest.normal > depth)
+          {
+            depth   = (closest.x - X) * closest.normal;
+            deepest = X;
+          }
+      }
+    const double digits = 1e-6; // of a mesh file, by the length of an edge
+    if (depth > digits * slave.reference_length(0))
+      throw InputError("the slave '" + parameters.slave +
+                         "' is inside of its obstacle, " + brief(depth) +
+                         " mm deep at (" + brief(deepest) +
+                         ") mm, and no node of it faces the obstacle",
+                       parameters.section() + "/Obstacle",
+                       "turn the obstacle's normal round: of a plane its last "
+                       "numbers, of a circle the sign of the radius, of a "
+                       "profile the order of its points; or correct the slave");
   }
 
 

@@ -109,7 +109,8 @@ namespace Contact
     /// Whether there is nothing but glue: all contact pairs are tied.
     bool is_tied() const;
 
-    /// Check that no two pairs are about the same lines. Throws InputError.
+    /// Check that no two pairs are about the same lines, and that no slave is
+    /// drawn inside of its obstacle. Throws InputError.
     void check_pairs(const std::vector<Parameters::Contact> &parameters) const;
 
     /// Whether a contact pair that is not tied has friction, and Coulomb's.
@@ -377,6 +378,8 @@ namespace Contact
 
     /// The points of other obstacles with the same node, by point.
     void find_corners();
+    void check_side(const ContactPair<dim>    &contact_pair,
+                    const Parameters::Contact &parameters) const;
 
 
     std::vector<ContactPoint<dim>>                    all_points;

@@ -14,8 +14,8 @@ namespace Contact
 
   /**
    * A rigid body whose boundary in the plane is a polyline with rounded
-   * corners, with the body on its left; in space it goes on along z. If the
-   * last point is the first one the line is closed, else its first and last
+   * corners, with the rigid body on its left; in space it goes on along z. If
+   * the last point is the first one the line is closed, else its first and last
    * edge go on without end. At a corner with the edges a and b, which turn by
    * the angle alpha, an arc of the radius r replaces r tan(|alpha|/2) of both:
    * the line has a tangent everywhere, and the closest point of it is the foot

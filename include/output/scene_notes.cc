@@ -324,6 +324,7 @@ namespace Contact
 
 
     void add_note_on_idleness(const RunSummary         &summary,
+                              const bool                is_tied,
                               const GhostedVector      &solution,
                               std::vector<std::string> &notes)
     {
@@ -338,7 +339,7 @@ namespace Contact
         }
       if (!is_loaded)
         notes.push_back("nothing is loaded: nothing moves and no force acts");
-      else if (!touches)
+      else if (!touches && !is_tied)
         notes.push_back(
           "nothing touches: no increment has a pressure of "
           "contact. Check gaps, groups and the direction of loads");
@@ -372,7 +373,7 @@ namespace Contact
                                            const RunSummary        &summary)
   {
     std::vector<std::string> notes;
-    add_note_on_idleness(summary, solution, notes);
+    add_note_on_idleness(summary, model.interface->is_tied(), solution, notes);
     add_notes_on_roundness(parameters, *model.interface, solution, notes);
     return notes;
   }

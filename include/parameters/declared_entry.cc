@@ -61,6 +61,22 @@ namespace Contact
 
 
 
+  // Of a map that has them, as words: keys, or values.
+  std::string DeclaredEntry::choices() const
+  {
+    const std::string selection = "[Selection ";
+    const auto        first     = pattern.find(selection);
+    if (first == std::string::npos)
+      return "";
+    const auto begin = first + selection.size();
+    const auto names = pattern.substr(begin, pattern.find(' ', begin) - begin);
+    const bool are_keys = contains(pattern.substr(begin), ">:<");
+    return std::string("; ") + (are_keys ? "first" : "second") +
+           " names: " + Utilities::replace_in_string(names, "|", ", ");
+  }
+
+
+
   std::string DeclaredEntry::allowed_values() const
   {
     // ParameterHandler's own words for maps and lists are hard to read.
@@ -70,7 +86,7 @@ namespace Contact
              ", ...', separated by ';'";
     if (is_map())
       return "any number of 'name: " + (separator() == ";" ? "formula" : item) +
-             "', separated by '" + separator() + "'";
+             "', separated by '" + separator() + "'" + choices();
     if (is_list())
       return "any number of " + item + "s, separated by ','";
     if (contains(pattern, "[Anything"))

@@ -41,6 +41,9 @@ namespace Contact
     /// The separator of the elements of a map or of a list.
     std::string separator() const;
 
+    /// The names that a map has to be of, in words; if any.
+    std::string choices() const;
+
     /// The values that the pattern allows, in words.
     std::string allowed_values() const;
 

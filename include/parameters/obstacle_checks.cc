@@ -136,6 +136,11 @@ namespace Contact
           return;
         }
       check_history(preload, entry);
+      if (preload_end == 0)
+        throw EntryError("The preload would end before it acts.",
+                         {entry + " end", entry},
+                         "let it end at a load factor greater than 0, or "
+                         "remove the preload");
       if (!tied || master.empty())
         throw EntryError("There is no cut with a preload.",
                          {entry, section() + "/Tied"},

@@ -391,19 +391,20 @@ namespace Contact
       prm.add_parameter("Master",
                         master,
                         "Boundary group they are projected on [-].");
-      prm.add_parameter("Obstacle",
-                        obstacle,
-                        "A rigid master without a mesh, instead of Master "
-                        "[mm]: 'half plane: x, y, normal x, normal y', a point "
-                        "and the outward normal, or 'circle: x, y, radius', "
-                        "negative for a hole; in space 'half space: x, y, z, "
-                        "normal x, normal y, normal z', 'sphere: x, y, z, "
-                        "radius', 'cylinder: x, y, z, axis x, axis y, axis z, "
-                        "radius'; in both 'profile: x, y, radius, x, y, "
-                        "radius, ...', a line in the plane with rounded "
-                        "corners and the body on its left, closed if it ends "
-                        "where it begins, else its ends have the radius 0 and "
-                        "go on for ever; in space along z.");
+      prm.add_parameter(
+        "Obstacle",
+        obstacle,
+        "A rigid master without a mesh, instead of Master "
+        "[mm]: 'half plane: x, y, normal x, normal y', a point "
+        "and the outward normal, or 'circle: x, y, radius', "
+        "negative for a hole; in space 'half space: x, y, z, "
+        "normal x, normal y, normal z', 'sphere: x, y, z, "
+        "radius', 'cylinder: x, y, z, axis x, axis y, axis z, "
+        "radius'; in both 'profile: x, y, radius, x, y, "
+        "radius, ...', a line in the plane with rounded "
+        "corners and the obstacle on its left, closed if it ends "
+        "where it begins, else its ends have the radius 0 and "
+        "go on for ever; in space along z.");
       prm.add_parameter("Obstacle motion",
                         obstacle_motion,
                         "How the obstacle moves: 'x: formula; y: formula; z: "
