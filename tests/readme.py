@@ -44,6 +44,9 @@ SHORT = {
         "mpirun -np 2 build/contact parameters/nested.prm",
     './run FILE --set "Mesh/File=..."':
         './run parameters/ssnp154_a.prm --set "Mesh/File=$PWD/meshes/ssnp154.msh"',
+    "mpirun -np 2 build/contact parameters/nested_friction.prm":
+        'mpirun -np 2 build/contact parameters/nested_friction.prm '
+        '--set "Refinement/Levels=2"',
     "./run benchmark": "REPETITIONS=1 ./run benchmark",
     "./run effects": "./run effects tied --repetitions 1",
     "./run estimates": "./run estimates verification/hertz",
@@ -53,7 +56,7 @@ SHORT = {
         "./run yardstick CHOLMOD --repetitions 1 --refinements 2",
     "./run scaling": "./run scaling 2000",
     "./run scaling space": "./run scaling space --levels 0 --ranks ''",
-    "./run adaptive": "./run adaptive 2000",
+    "./run adaptive": "./run adaptive 500",
     "./run oscillation": "./run oscillation mortar block",
     "./run gallery": "./run gallery --coarse --pictures $SCRATCH",
     "cmake --install build --strip --prefix ~/.local":
@@ -76,6 +79,12 @@ SHORT = {
     "build/contact":
         "tests/oracle/oracle.py --kind wedge --seed 7 --count 1 --keep $SCRATCH "
         "build/contact",
+    "tests/oracle/oracle.py --jobs 2 --count 200 --kind plastic,plastic_round,"
+    "plastic_beam,rubber,rubber_beam,heated,shrunk,tied,platen,rigid_end,moved,"
+    "driven,bolt build/contact":
+        "tests/oracle/oracle.py --jobs 2 --count 4 --kind plastic,plastic_round,"
+        "plastic_beam,rubber,rubber_beam,heated,shrunk,tied,platen,rigid_end,moved,"
+        "driven,bolt build/contact",
     "cmake --build build": "cmake --build build --target contact",
     "ctest -R NAME": "cd build && ctest -R formula",
 }
@@ -102,6 +111,7 @@ ELSEWHERE = {
     "./run oracle --count 68 --kind stack,carried": "program/oracle_quick",
     "./run oracle --space --count 200": "program/oracle_quick",
     "tests/oracle/test_fem.py": "program/oracle_quick",
+    "tests/oracle/test_laws.py": "program/oracle_quick",
     "tests/oracle/test_space.py": "program/oracle_quick",
     "cmake --build build --target mesh": "nothing: it writes into meshes",
     "cmake -S . -B build/sanitize -G Ninja -DCMAKE_BUILD_TYPE=Release "

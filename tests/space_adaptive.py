@@ -98,7 +98,7 @@ mesh.write("round")
 for degree, rule in ((1, "mortar"), (2, "mortar"), (1, "nodal")):
     name = f"degree {degree}, {rule}"
     n = 2 if degree == 1 else 1
-    n_adaptive = 4 if degree == 1 else 3
+    n_adaptive = 4 if degree == 1 else 2
     coarse = solve(f"{name}, coarse", degree, rule, 0, "uniform")
     uniform = solve(f"{name}, uniform", degree, rule, n, "uniform")
     adaptive = solve(f"{name}, adaptive", degree, rule, n_adaptive,
