@@ -46,6 +46,18 @@ def summary(case: Path) -> dict:
     return json.loads((case / "summary.json").read_text())
 
 
+def parameter(case: Path, section: str, entry: str) -> str:
+    """The text of an entry in a top section of the parameters used."""
+    within = False
+    for line in (case / "parameters.prm").read_text().splitlines():
+        words, _, text = line.partition("=")
+        if line.startswith("subsection"):
+            within = line.split(maxsplit=1)[1] == section
+        elif within and words.split() == ["set", *entry.split()]:
+            return text.strip()
+    raise SystemExit(f"gallery: {case.name} has no {section}/{entry}")
+
+
 def describe(case: Path) -> str:
     effects = summary(case)["effects"]
     friction = effects["friction"].split(",")[0]
@@ -57,13 +69,26 @@ def describe(case: Path) -> str:
 
 # -------------------------------------------------------------------- the bodies
 
+def unmoved_grid(case: Path, name: str, time=1.0):
+    """Bodies or contact surface at the end of the increment nearest to a time,
+    the load's end is 1, where they were before."""
+    sets = xml.parse(case / f"{name}.pvd").findall(".//DataSet")
+    # The last of those as near: the finest level
+    nearest = min(reversed(sets),
+                  key=lambda s: abs(float(s.get("timestep")) - time))
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(case / nearest.get("file")))
+    reader.Update()
+    return reader.GetOutput()
+
+
 def last_grid(case: Path, name: str):
     """Bodies or contact surface at the end of the load, moved."""
-    sets = xml.parse(case / f"{name}.pvd").findall(".//DataSet")
-    reader = vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(case / sets[-1].get("file")))
-    reader.Update()
-    grid = reader.GetOutput()
+    return moved_grid(case, name, float("inf"))
+
+
+def moved_grid(case: Path, name: str, time: float):
+    grid = unmoved_grid(case, name, time)
     grid.GetPointData().SetActiveVectors("displacement")
     warp = vtkWarpVector()
     warp.SetInputData(grid)
@@ -168,11 +193,11 @@ def text_actor(text: str, x: float, y: float, colour=TEXT) -> vtkTextActor:
     return actor
 
 
-def bar_actor(table) -> vtkScalarBarActor:
+def bar_actor(table, labels="%.0f") -> vtkScalarBarActor:
     bar = vtkScalarBarActor()
     bar.SetLookupTable(table)
     bar.SetNumberOfLabels(5)
-    bar.SetLabelFormat("%.0f")
+    bar.SetLabelFormat(labels)
     bar.UnconstrainedFontSizeOn()
     text = bar.GetLabelTextProperty()
     text.SetColor(*TEXT)

@@ -8,7 +8,8 @@ CONTACT is the program; it computes the cases into DIR (output/gallery), the
 pictures go to results beside this file. VTK draws the bodies, gnuplot the
 curves; convergence is that of the study, from its results. VTK of Debian
 (python3-vtk9) draws on X only: xvfb-run gallery.py ..., as ./run gallery does.
-With --coarse the scene in space is not refined. Exit status: 0, 1 if a case or a
+With --coarse the scene in space is not refined, and the roller takes fewer
+increments. Exit status: 0, 1 if a case or a
 picture has failed.
 """
 
@@ -26,13 +27,14 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "tests/study"))
+import examples  # noqa: E402
 import plots  # noqa: E402
 import report  # noqa: E402
 import space  # noqa: E402
 from drawing import (  # noqa: E402
     BAR, DIVERGING, SIZE, STATUS, TITLE, VIRIDIS, bar_actor, body_actor, colours,
-    describe, extreme, frame_actor, last_grid, rgb, save, status_actor, strip,
-    summary, text_actor, view, with_margin)
+    describe, extreme, frame_actor, last_grid, parameter, rgb, save,
+    status_actor, strip, summary, text_actor, view, with_margin)
 
 BODIES = ("ssnp154_a", "ssnp154_g")  # in colours
 PRESSURES = ("ssnp154_a", "ssnp154_c", "ssnp154_d", "nested")
@@ -55,7 +57,7 @@ def run_case(contact: Path, name: str, output: Path, more={}) -> Path:
     # 1: a value outside of its tolerance, which is no picture's business
     if run.returncode not in (0, 1):
         sys.exit(f"gallery.py: {name} ends with exit status {run.returncode}")
-    return output / name
+    return output / Path(name).name
 
 
 def value(case: Path, probe: str) -> float:
@@ -162,20 +164,12 @@ def draw_pressures(cases: list[Path], path: Path) -> None:
     gnuplot(lines, path)
 
 
-def friction_coefficient(case: Path) -> float:
-    for line in (case / "parameters.prm").read_text().splitlines():
-        words = line.split("=")
-        if words[0].split() == ["set", "Friction", "coefficient"]:
-            return float(words[1].split("#")[0])
-    sys.exit(f"gallery.py: {case.name} has no friction coefficient")
-
-
 def draw_shears(cases: list[Path], path: Path) -> None:
     """The shear between its bounds, and where it reaches them."""
     lines = [f"set multiplot layout 1,{len(cases)}", "set key top right",
              'set ylabel "traction [MPa]"', "set yrange [0:*]"]
     for i, case in enumerate(cases):
-        mu = friction_coefficient(case)
+        mu = float(parameter(case, "Contact", "Friction coefficient"))
         rows = profile(case)
         lines += [f'set title "{case.name}\\n{describe(case)}" noenhanced',
                   *block(f"$rows{i}", rows, "arc_length_mm", "pressure_MPa")]
@@ -233,6 +227,10 @@ def main() -> None:
     space.draw_cut(case, pictures / "von_mises_space.png")
     space.draw_footprint(case, pictures / "pressure_space.png")
     space.draw_stick_and_slip(case, pictures / "stick_and_slip_space.png")
+    for name, (draw, more, coarser) in examples.PICTURES.items():
+        case = run_case(arguments.contact.resolve(), f"examples/{name}", output,
+                        more | (coarser if arguments.coarse else {}))
+        draw(case, pictures / f"{name}.png")
     for picture in sorted(pictures.glob("*.png")):
         print(f"{picture}: {picture.stat().st_size / 1000:.0f} kB")
 

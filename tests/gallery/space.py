@@ -39,13 +39,14 @@ def facets(grid):
                         for i in range(grid.GetNumberOfCells())])
 
 
-def polygons(points, corners) -> vtkPolyData:
+def polygons(points, corners, place=vtkPolyData.SetPolys) -> vtkPolyData:
+    """Polygons, or with vtkPolyData.SetLines polygonal lines, by their points."""
     data, cells, nodes = vtkPolyData(), vtkCellArray(), vtkPoints()
     nodes.SetData(numpy_to_vtk(numpy.ascontiguousarray(points, float), deep=True))
     for row in corners:
         cells.InsertNextCell(len(row), [int(i) for i in row])
     data.SetPoints(nodes)
-    data.SetPolys(cells)
+    place(data, cells)
     return data
 
 
