@@ -58,6 +58,7 @@ SHORT = {
     "./run scaling space": "./run scaling space --levels 0 --ranks ''",
     "./run adaptive": "./run adaptive 500",
     "./run oscillation": "./run oscillation mortar block",
+    "./run hard --materials": "./run hard --materials one_element",
     "./run gallery": "./run gallery --coarse --pictures $SCRATCH",
     "cmake --install build --strip --prefix ~/.local":
         "cmake --install build --strip --prefix $SCRATCH",

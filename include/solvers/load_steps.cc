@@ -42,7 +42,8 @@ namespace Contact
             increment,
             depth == 0,
             position == 0,
-            end == whole()};
+            end == whole(),
+            depth == max_cuts};
   }
 
 

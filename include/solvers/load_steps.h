@@ -29,6 +29,7 @@ namespace Contact
       bool         is_whole;  // the whole of that increment
       bool         starts_increment;
       bool         ends_increment; // "to" is where the plan wants results
+      bool         is_smallest;    // it will not be cut
     };
 
     /// An increment is cut at most @p max_cuts times to half, < 32.
