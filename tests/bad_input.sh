@@ -59,6 +59,7 @@ expect_entry "not allowed for Solids/Kinematics" "Solids/Kinematics=$body: mediu
 expect_entry "but not in" "Solids/Kinematics=$body: small strain"
 expect "no yield stress" "$good" --set "Solids/Material=$body: elastic-plastic" \
   --set "Solids/Kinematics=small strain"
+expect_entry "neo-Hookean, Mooney-Rivlin" "Solids/Material=$body: plastic"
 expect "does not yield" "$good" --set "Solids/Material=$body: neo-Hookean" \
   --set "Solids/Yield stress=$body: 1"
 

@@ -80,7 +80,7 @@ namespace Contact
                                " out of one");
         }
     for (unsigned int i = 0; i < pairs.size(); ++i)
-      if (pairs[i]->obstacle)
+      if (pairs[i]->obstacle && !pairs[i]->tied) // glue has no sides
         check_side(*pairs[i], parameters[i]);
   }
 

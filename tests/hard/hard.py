@@ -75,14 +75,18 @@ def largest(summary, key):
     return max(values, key=abs) if values else None
 
 
-def settings(path, rule, kinematics, friction):
-    """The entries of a row, in each section of contact that the file has."""
+def discretization(path, rule):
+    """Its entry in each section of contact that the file has."""
     sections = re.findall("^subsection (Contact.*)$", path.read_text(),
                           re.MULTILINE)
     further = [section for section in sections if section != "Contact"]
-    entries = ["%s/Discretization=%s" % (section, rule)
-               for section in further or ["Contact"]]
-    return entries + ["Solids/Kinematics=" + kinematics,
+    return ["%s/Discretization=%s" % (section, rule)
+            for section in further or ["Contact"]]
+
+
+def settings(path, rule, kinematics, friction):
+    """The entries of a row."""
+    return discretization(path, rule) + ["Solids/Kinematics=" + kinematics,
                       "Solution/Friction=" + friction,
                       "Solution/System=" + SYSTEM[friction]]
 
@@ -325,23 +329,29 @@ def print_tables(rows, cases):
             else "%d cases" % len(names), reason))
 
 
-def main():
+def argument_parser(description, output):
+    """The options of the scripts on these cases."""
     parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+        description=description, formatter_class=argparse.RawTextHelpFormatter)
     here = pathlib.Path(__file__).resolve().parent
     parser.add_argument("contact", type=lambda p: pathlib.Path(p).resolve())
     parser.add_argument("cases", nargs="*")
-    parser.add_argument("--quick", action="store_true")
-    parser.add_argument("--required", action="store_true")
-    parser.add_argument("--plane", action="store_true")
     parser.add_argument("--space", action="store_true")
-    parser.add_argument("--table", action="store_true")
     parser.add_argument("--output", type=pathlib.Path,
-                        default=pathlib.Path("hard"))
+                        default=pathlib.Path(output))
     parser.add_argument("--parameters", type=lambda p: pathlib.Path(p).resolve(),
                         default=here.parent.parent / "parameters")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--timeout", type=float, default=120)
+    return parser
+
+
+def main():
+    parser = argument_parser(__doc__, "hard")
+    parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--required", action="store_true")
+    parser.add_argument("--plane", action="store_true")
+    parser.add_argument("--table", action="store_true")
     options = parser.parse_args()
     unknown = set(options.cases) - {case.name for case in CASES}
     if unknown:

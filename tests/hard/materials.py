@@ -16,7 +16,6 @@ converged, refused or not converged, or if a converged row violates an invariant
 Usage: materials.py [--space] [--jobs N] CONTACT [CASE ...]
 """
 
-import argparse
 import concurrent.futures
 import json
 import pathlib
@@ -25,6 +24,7 @@ import subprocess
 import sys
 
 from cases import CASES
+from hard import argument_parser, discretization
 
 STATUS = {0: "converged", 1: "converged", 2: "refused", 3: "not converged"}
 
@@ -49,21 +49,17 @@ def per_body(values):
 def run(options, case, rule, what, *entries):
     directory = options.output / f"{case}_{rule}_{what}".replace(" ", "-")
     file = options.parameters / "hard" / f"{case}.prm"
-    sections = re.findall("^subsection (Contact.*)$", file.read_text(),
-                          re.MULTILINE)
     command = [str(options.contact), str(file), "--quiet", "--set",
                f"Output/Directory={directory}"]
-    for entry in [f"{s}/Discretization={rule}" for s in
-                  [s for s in sections if s != "Contact"] or ["Contact"]]:
+    for entry in discretization(file, rule) + list(entries):
         command += ["--set", entry]
-    for entry in entries:
-        command += ["--set", entry]
+    path = directory / case / "summary.json"
+    path.unlink(missing_ok=True)
     try:
         status = subprocess.run(command, capture_output=True,
                                 timeout=options.timeout).returncode
     except subprocess.TimeoutExpired:
         return "no end", {}
-    path = directory / case / "summary.json"
     summary = json.loads(path.read_text()) if path.exists() and status != 2 \
         else {}
     if any(i["violations"] for i in summary.get("increments", [])):
@@ -97,19 +93,8 @@ def rows(options, case, rule):
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    here = pathlib.Path(__file__).resolve().parent
-    parser.add_argument("contact", type=lambda p: pathlib.Path(p).resolve())
-    parser.add_argument("cases", nargs="*")
-    parser.add_argument("--space", action="store_true")
-    parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--timeout", type=float, default=120)
-    parser.add_argument("--output", type=lambda p: pathlib.Path(p).resolve(),
-                        default=pathlib.Path("hard_materials").resolve())
-    parser.add_argument("--parameters", default=here.parent.parent / "parameters",
-                        type=lambda p: pathlib.Path(p).resolve())
-    options = parser.parse_args()
+    options = argument_parser(__doc__, "hard_materials").parse_args()
+    options.output = options.output.resolve()
     jobs = [(case.name, rule) for case in CASES for rule in ("nodal", "mortar")
             if (case.name in options.cases or not options.cases) and
             case.in_space == options.space]
