@@ -20,6 +20,8 @@ from zone_check import Problem
 
 # Of the sum of all forces: a hundred times the program's own tolerance.
 EQUILIBRIUM = 1e-6
+# The program's own, on the norm of all residuals.
+TOLERANCE = 1e-8
 # Turned by more than this, small strain means nothing.
 ROTATION = 0.2
 # Surfaces that bend by more have forces whose sum is not that of their sizes.
@@ -264,7 +266,8 @@ def clusters(scene, model):
 
 
 def check_balance(scene, model, state):
-    """What the bodies exert on each other adds up to nothing."""
+    """What the bodies exert on each other adds up to nothing, but for what the
+    program leaves; most of it where the forces are gone that once acted."""
     found = []
     for zones, nodes in clusters(scene, model):
         if any(zone.obstacle for zone in zones):
@@ -272,8 +275,9 @@ def check_balance(scene, model, state):
         nodes = np.array(sorted(nodes))
         force = state.residual[nodes]
         scale = np.abs(force).sum()
-        allowed = (EQUILIBRIUM * max(scale, state.scale * 1e-2) +
-                   3 * state.error[nodes].sum(0))
+        # Of n nodes what is left adds up to sqrt(n) times its norm.
+        allowed = (max(EQUILIBRIUM * scale, TOLERANCE * state.scale *
+                       len(nodes) ** 0.5) + 3 * state.error[nodes].sum(0))
         for d in range(model.dim):
             # A ring carries radial forces by itself, and so does the axis.
             if state.held[nodes, d].any() or (model.axisymmetric and d == 0):

@@ -1,6 +1,7 @@
 """What all kinds of scenes draw: materials, sizes, rules, loops."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import math
+import random
 
 import materials
 from scene import RAMP
@@ -128,7 +129,7 @@ def swap(rng, a, b):
 # Laws of materials.py.
 def plastic_law(rng, young, poisson, hardens=False):
     """Yields at a strain of 0.05 to 0.5 %; perfectly plastic at times unless it
-    has to harden."""
+    has to harden; one in four by a curve."""
     initial = round_to(young * math.exp(rng.uniform(math.log(5e-4),
                                                     math.log(5e-3))))
     modulus = lambda: round_to(young * log_uniform(rng, 2e-3, 0.2))
@@ -144,7 +145,27 @@ def plastic_law(rng, young, poisson, hardens=False):
         keywords["rate"] = log_uniform(rng, 5, 300)
         if choice == "Voce":
             keywords["linear"] = round_to(2e-3 * young)
+    # Drawn apart: scenes that are known by their numbers stay what they are.
+    own = random.Random("curve %r %r" % (initial, keywords))
+    if own.random() < 0.25:
+        keywords = {"curve": hardening_curve(own, initial, young, hardens),
+                    "kinematic": keywords.get("kinematic", 0.0)}
     return materials.Plastic(young, poisson, initial, **keywords)
+
+
+def hardening_curve(rng, initial, young, hardens):
+    """One to five pairs of plastic strain and yield stress, with steps of any
+    size, of the stress none at times."""
+    strain, stress, pairs = 0.0, initial, []
+    for _ in range(rng.randint(1, 5)):
+        strain = round_to(strain + log_uniform(rng, 2e-4, 2e-2))
+        stress = round_to(stress + rng.choice([0, 1, 1]) * rng.uniform(
+            0.02, 0.5) * initial)
+        pairs.append((strain, stress))
+    if hardens:
+        pairs.append((strain + 0.1, round_to(max(2 * stress, 4 * initial,
+                                                 stress + 2e-4 * young))))
+    return tuple(pairs)
 
 
 def rubber_law(rng, young, poisson):

@@ -114,15 +114,19 @@ class Rubber(Elastic):
 class Plastic(Elastic):
     """Of von Mises in small strain. The yield stress is
         Y(a) = Y0 + H a + (Ys - Y0) (1 - exp(-r a))
-    of the equivalent plastic strain a; the back stress 2/3 Hk times the plastic
-    strain. The history is (a, plastic strain)."""
+    of the equivalent plastic strain a, or linear between the pairs (a, Y) of a
+    curve and constant beyond; the back stress 2/3 Hk times the plastic strain.
+    The history is (a, plastic strain)."""
 
     has_history = True
 
     def __init__(self, young, poisson, yield_stress, linear=0.0, kinematic=0.0,
-                 saturation=None, rate=0.0):
+                 saturation=None, rate=0.0, curve=()):
         super().__init__(young, poisson)
         self.bulk = self.lame + 2 * self.mu / 3
+        self.curve = curve
+        self.knots, self.stresses = np.array([(0, yield_stress), *curve]).T
+        self.slopes = np.append(np.diff(self.stresses) / np.diff(self.knots), 0)
         self.initial, self.linear, self.kinematic = (yield_stress, linear,
                                                      kinematic)
         self.saturation, self.rate = saturation, rate
@@ -137,6 +141,9 @@ class Plastic(Elastic):
         if self.saturation is not None:
             found["Saturation stress"] = "%.12g" % self.saturation
             found["Saturation rate"] = "%.12g" % self.rate
+        if self.curve:
+            found["Hardening curve"] = ", ".join(
+                "%.12g" % v for pair in self.curve for v in pair)
         return found
 
     def start(self, shape):
@@ -144,6 +151,10 @@ class Plastic(Elastic):
 
     def yield_stress(self, a):
         """Y and dY/da."""
+        if self.curve:
+            k = np.searchsorted(self.knots, a, side="right") - 1
+            return (self.stresses[k] + self.slopes[k] * (a - self.knots[k]),
+                    self.slopes[k])
         more = 0.0 if self.saturation is None else (self.saturation -
                                                     self.initial)
         decay = np.exp(-self.rate * a)
@@ -160,17 +171,33 @@ class Plastic(Elastic):
         stress, _ = self.yield_stress(a)
         yields = size.real > root * stress * (1 + RETURNED)
         direction = times(1 / np.where(yields, size, 1), xi)
+        return self.multiplier(size, a, yields), direction
+
+    def multiplier(self, size, a, yields):
+        """That of the plastic strain, with which
+            size - 2 (mu + Hk/3) gamma - sqrt(2/3) Y(a + sqrt(2/3) gamma)
+        is zero."""
+        root = np.sqrt(2 / 3)
+        falls = 2 * (self.mu + self.kinematic / 3)
+        if self.curve:
+            # It falls from knot to knot: the piece in which it is zero.
+            at = np.maximum(0, self.knots - np.asarray(a)[..., None]) / root
+            left = size[..., None] - falls * at - root * np.interp(
+                a[..., None] + root * at, self.knots, self.stresses)
+            k = np.maximum((left.real > 0).sum(-1) - 1, 0)
+            Y = self.stresses[k] + self.slopes[k] * (a - self.knots[k])
+            return np.where(yields, (size - root * Y) / (
+                falls + 2 / 3 * self.slopes[k]), 0)
         gamma = np.zeros_like(size)
-        # The residual is convex and falls: Newton's method comes from the left.
+        # It is convex: Newton's method comes from the left.
         for _ in range(100):
             stress, slope = self.yield_stress(a + root * gamma)
-            residual = (size - 2 * (self.mu + self.kinematic / 3) * gamma -
-                        root * stress)
-            step = residual / (2 * self.mu + 2 / 3 * (self.kinematic + slope))
+            step = (size - falls * gamma - root * stress) / (
+                falls + 2 / 3 * slope)
             gamma = np.where(yields, gamma + step, 0)
             if not (yields & (np.abs(step) > 1e-15 * np.abs(gamma))).any():
                 break
-        return gamma, direction
+        return gamma
 
     def shear(self, E, history):
         gamma, direction = self.returned(E, history)

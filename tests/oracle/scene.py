@@ -266,7 +266,8 @@ class Scene:
         for body, law in self.laws.items():
             for entry, value in law.entries().items():
                 found.setdefault(entry, {})[body] = value
-        entries = {entry: listing(items) for entry, items in found.items()}
+        entries = {entry: listing(items, "; " if entry == "Hardening curve"
+                                  else ", ") for entry, items in found.items()}
         if self.thermal:
             entries["Thermal strain"] = listing(self.thermal, "; ")
         if self.kinematics:

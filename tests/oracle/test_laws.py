@@ -27,6 +27,8 @@ from scene import Formula, RAMP, Scene, Zone
 from test_fem import body, expect
 
 ROOT = math.sqrt(1.5)
+# Steep behind a part without hardening.
+CURVE = (5e-4, 1.5), (1e-3, 2.0), (2e-3, 2.1), (3e-3, 4.0)
 
 
 def symmetric(rng, size):
@@ -41,7 +43,8 @@ def returns():
     worst = {}
     for keywords in ({}, {"linear": 30.0}, {"kinematic": 20.0},
                      {"linear": 10.0, "kinematic": 15.0, "saturation": 2.5,
-                      "rate": 40.0}):
+                      "rate": 40.0},
+                     {"kinematic": 15.0, "curve": CURVE}):
         law = materials.Plastic(1000.0, 0.3, 1.5, **keywords)
         mu = 1000 / 2.6
         history = law.start((20,))
@@ -55,6 +58,8 @@ def returns():
             Y = 1.5 + keywords.get("linear", 0) * a + (keywords.get(
                 "saturation", 1.5) - 1.5) * (1 - np.exp(-keywords.get(
                     "rate", 0) * a))
+            if "curve" in keywords:
+                Y = np.interp(a, *np.array(((0, 1.5),) + CURVE).T)
             size = np.sqrt((flow * flow).sum((1, 2)))
             yields = da > 0
             along = 1.5 * materials.times(da / q, xi)

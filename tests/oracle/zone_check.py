@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import numpy as np
 
+import dual_weights
 import motions
 import surfaces
 
@@ -69,6 +70,7 @@ class ZoneCheck:
         self.normals = self.master.normals(flat).reshape(self.points.shape)
         self.own = surfaces.Polyline(self.lines, state.x)
         self.shared = shared
+        self.weights = None
         self.judged = ~shared[self.nodes] & ~state.held[self.nodes].any(1)
         self.force = state.residual[self.nodes]
         # Lines of the slave that lie on the master: more than one place of them
@@ -281,11 +283,15 @@ class ZoneCheck:
     def smooth_normals(self, where):
         """Those of the master between the means at its nodes, which this
         discretization weights with the slave's, where places face it."""
+        _, piece, s = self.master.group.closest(
+            self.points[where].reshape(-1, 2))
+        return self.smooth(piece, s)
+
+    def smooth(self, piece, s):
         group = self.master.group
         ends = [group.begin, group.end]
         mean = [sum((np.abs(p[:, None] - other).max(2) == 0) @ group.normal
                     for other in ends) for p in ends]
-        _, piece, s = group.closest(self.points[where].reshape(-1, 2))
         n = ((1 - s)[:, None] * mean[0][piece] + s[:, None] * mean[1][piece])
         return n / np.maximum(np.hypot(*n.T), 1e-300)[:, None]
 
@@ -325,6 +331,7 @@ class ZoneCheck:
         reference = normals.mean(0)
         reference /= np.hypot(*reference)
         angles = [self.turn(n, reference) for n in normals]
+        angles += self.weighted_angles(reference)
         if max(map(abs, angles)) > 0.3:
             return []
         total = self.state.residual[self.nodes[self.is_free]].sum(0)
@@ -338,6 +345,21 @@ class ZoneCheck:
                         "mu %.3g, %.3g N" % (angle, self.zone.mu,
                                              np.hypot(*total)))]
 
+    def weighted_angles(self, reference):
+        """The mortar discretization pushes along means, weighted by dual
+        functions, of the normals of the master between its nodes: a dual function
+        (2 to -1 along an edge) has the integral 4/3 where it is positive and
+        -1/3 where it is not, so that such a mean leaves the range of what it is
+        a mean of by a third of that at most."""
+        if self.rule != "mortar" or self.zone.obstacle:
+            return []
+        where = np.isin(self.lines, self.nodes[self.counts]).any(1)
+        angles = [self.turn(n, reference) for n in self.smooth_normals(where)]
+        if not angles:
+            return []
+        more = np.ptp(angles) / 3
+        return [min(angles) - more, max(angles) + more]
+
     def is_flat(self):
         if self.zone.obstacle:
             return self.zone.obstacle.startswith("half")
@@ -350,14 +372,21 @@ class ZoneCheck:
         if self.zone.mu == 0 or self.zone.obstacle or self.model.degree == 2:
             return []
         step = self.state.u - before.u
-        slip, n, t = self.slip(step)
         force = self.state.residual[self.nodes]
+        if self.rule == "mortar":
+            slip, n, t, judged = self.weighted_slip(step)
+            force = self.weights.forces(force)
+            judged = judged & self.counts
+        else:
+            slip, n, t = self.slip(step)
+            judged = self.counts
         shear = np.einsum("ki,ki->k", force, t)
         push = np.einsum("ki,ki->k", force, n)
         # At the end of a master the tangent is another one.
-        judged = self.counts & (self.parallel(n) > 0.99)
+        judged = judged & (self.parallel(n) > 0.99)
         if self.zone.apart:
             # At a corner of a polygon the way apart is a slip along either edge.
+            self.slip(step)
             judged &= self.inside
         work = (shear * slip)[judged].sum()
         scale = np.abs(shear * slip)[judged].sum()
@@ -368,6 +397,21 @@ class ZoneCheck:
             return [Problem("friction", "does work: %.3g of %.3g N mm" %
                             (work, total))]
         return []
+
+    def weighted_slip(self, step):
+        """Of the mortar discretization, with the normals and tangents of its
+        points, and which of them are known: those of a flat slave are its own,
+        otherwise the weighted ones of the master."""
+        if self.weights is None:
+            self.weights = dual_weights.DualWeights(self)
+        drawn = surfaces.Polyline(self.lines, self.model.X).tangent
+        if np.abs(drawn - drawn[0]).max() < 1e-9:
+            n = -self.weights.normals_of_nodes(self.own)
+        else:
+            n = self.weights.normals(self.smooth)
+        t = np.stack([-n[:, 1], n[:, 0]], 1)
+        return (np.einsum("ki,ki->k", self.weights.jump(step), t), n, t,
+                self.weights.judged)
 
     def slip(self, step):
         """Of the slave's nodes along the master, with its normal and tangent."""
