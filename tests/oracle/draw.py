@@ -126,6 +126,10 @@ def swap(rng, a, b):
     return (a, b) if rng.random() < 0.5 else (b, a)
 
 
+def some(rng, names):
+    return [n for n in names if rng.random() < 0.7] or [names[0]]
+
+
 # Laws of materials.py.
 def plastic_law(rng, young, poisson, hardens=False):
     """Yields at a strain of 0.05 to 0.5 %; perfectly plastic at times unless it
@@ -181,16 +185,27 @@ RUBBERS = ((5, 0.49), (2, 0.499), (10, 0.45), (1, 0.3), (8, 0.4))
 
 
 def plastic_bodies(rng, scene, names, hardens=False):
-    """All in small strain; degree 2 in a single increment: nobody knows the
-    middles of edges in between."""
-    scene.entries["Solids/Kinematics"] = "small strain"
     for name in names:
         scene.laws[name] = plastic_law(rng, *scene.materials[name],
                                        hardens=hardens)
+    return in_small_strain(scene)
+
+
+def in_small_strain(scene):
+    """All bodies, where some yield; degree 2 in a single increment: nobody knows
+    the middles of edges in between."""
+    scene.entries["Solids/Kinematics"] = "small strain"
     if scene.degree == 2:
         scene.entries["Solution/Increments"] = 1
         scene.histories = {entry: RAMP for entry in scene.histories}
     return scene
+
+
+def settle_new(rng, scene, increments, share):
+    """Settled; this share of the scenes gets other materials."""
+    settle(rng, scene, increments)
+    scene.middles_in = "Nodes"
+    return new_bodies(rng, scene) if rng.random() < share else scene
 
 
 def new_bodies(rng, scene, kinds=("plastic", "rubber")):

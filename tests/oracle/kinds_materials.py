@@ -3,18 +3,14 @@
 import math
 
 from draw import (RUBBERS, friction, log_uniform, material, new_bodies,
-                  plastic_bodies, rubber_law, settle, size, split, swap,
-                  uniform)
+                  plastic_bodies, rubber_law, settle, settle_new, size, some,
+                  split, swap, uniform)
 from grids import Body, block, ticks
 from kinds_blocks import two_blocks
 from kinds_parts import half_disk
 from kinds_shapes import annulus
 from scene import (Formula, HOLD_THEN_RAMP, RAMP, RAMP_THEN_HOLD, Scene, TENT,
                    THERE_AND_BACK, scaled)
-
-
-def some(rng, names):
-    return [n for n in names if rng.random() < 0.7] or [names[0]]
 
 
 def plastic(rng, seed):
@@ -186,10 +182,7 @@ def heated(rng, seed):
     scene, s = two_blocks(rng, "heated", seed, rng.choice([0, 0, 0.001]))
     scene.contact(*swap(rng, "Up_below", "Low_above"), friction(rng))
     scene.hold("Up_above", 0, rng.choice([0, -uniform(rng, 0.001, 0.01) * s]))
-    settle(rng, scene, (2, 4))
-    scene.middles_in = "Nodes"
-    if rng.random() < 0.6:
-        new_bodies(rng, scene)
+    settle_new(rng, scene, (2, 4), 0.6)
     history = rng.choice([RAMP, RAMP, TENT])
     for name in some(rng, ["Low", "Up"]):
         most = 0.05 if name in scene.laws and scene.is_large(name) else 0.01
@@ -228,11 +221,7 @@ def shrunk(rng, seed):
     scene.contact(*swap(rng, *pair), friction(rng), apart=scaled(
         most, rng.choice([RAMP, Formula("min(2*t, 1.5 - t)", lambda t: min(
             2 * t, 1.5 - t))])))
-    settle(rng, scene, (2, 4))
-    scene.middles_in = "Nodes"
-    if rng.random() < 0.6:
-        new_bodies(rng, scene)
-    return scene
+    return settle_new(rng, scene, (2, 4), 0.6)
 
 
 def tied(rng, seed):

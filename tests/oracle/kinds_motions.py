@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import math
 
-from draw import (friction, material, new_bodies, settle, size, split, swap,
-                  uniform)
+from draw import (friction, material, new_bodies, settle, settle_new, size,
+                  split, swap, uniform)
 from grids import Body, block, ticks
 from kinds_blocks import stiffness, two_blocks
 from scene import (EITHER, HOLD_THEN_RAMP, RAMP, RAMP_THEN_HOLD, Scene, TENT,
@@ -19,10 +19,7 @@ def platen(rng, seed):
     scene.mesh.points["P"] = rng.choice(head)
     width = X[head, 0].max() - X[head, 0].min()
     scene.contact(*swap(rng, "Up_below", "Low_above"), friction(rng))
-    settle(rng, scene, (2, 4))
-    scene.middles_in = "Nodes"
-    if rng.random() < 0.5:
-        new_bodies(rng, scene)
+    settle_new(rng, scene, (2, 4), 0.5)
     scene.make_rigid("Up_above", "P")
     scene.load("Displacement x", "Up_above", rng.choice([0, uniform(
         rng, -0.005, 0.005) * s]))
@@ -59,10 +56,7 @@ def rigid_end(rng, seed):
     scene.mesh.points["P"] = rng.choice(sorted(
         {n for line in scene.mesh.lines["Beam_right"] for n in line}))
     scene.hold("Beam_left", 0, 0)
-    settle(rng, scene, (4, 8))
-    scene.middles_in = "Nodes"
-    if rng.random() < 0.5:
-        new_bodies(rng, scene)
+    settle_new(rng, scene, (4, 8), 0.5)
     scene.make_rigid("Beam_right", "P")
     young = scene.materials["Beam"][0]
     bends = young * h ** 3 / 12 / length
@@ -118,11 +112,7 @@ def moved(rng, seed):
             [HOLD_THEN_RAMP, RAMP]))
     scene.contact("Body_above", None, friction(rng), obstacle=text,
                   motion=motion, centre=rng.choice([None, centre]))
-    settle(rng, scene, (4, 8))
-    scene.middles_in = "Nodes"
-    if rng.random() < 0.5:
-        new_bodies(rng, scene)
-    return scene
+    return settle_new(rng, scene, (4, 8), 0.5)
 
 
 def driven(rng, seed):
@@ -131,10 +121,7 @@ def driven(rng, seed):
     scene, s, text, centre = body_and_obstacle(rng, "driven", seed, 0.004)
     circle = text.startswith("circle")
     mu = friction(rng)
-    settle(rng, scene, (4, 8))
-    scene.middles_in = "Nodes"
-    if rng.random() < 0.5:
-        new_bodies(rng, scene)
+    settle_new(rng, scene, (4, 8), 0.5)
     soft = min([stiffness(scene)] + [200 * law.initial for law in
                                      scene.laws.values() if law.has_history])
     press = uniform(rng, 0.0005, 0.005) * soft * s

@@ -6,13 +6,21 @@ import numpy as np
 import surfaces
 
 
+def rotation(angle, axis=None):
+    """In the plane, or in space about an axis (Rodrigues)."""
+    cos, sin = np.cos(angle), np.sin(angle)
+    if axis is None:
+        return np.array([[cos, -sin], [sin, cos]])
+    x, y, z = n = np.array(axis) / np.linalg.norm(axis)
+    return (cos * np.eye(3) + (1 - cos) * np.outer(n, n) + sin * np.array(
+        [[0, -z, y], [z, 0, -x], [-y, x, 0]]))
+
+
 class Placement:
     """Where an obstacle is: its point X is at c + d + R (X - c)."""
 
-    def __init__(self, centre, shift=(0.0, 0.0), angle=0.0):
-        self.c, self.d, self.angle = np.array(centre), np.array(shift), angle
-        cos, sin = np.cos(angle), np.sin(angle)
-        self.R = np.array([[cos, -sin], [sin, cos]])
+    def __init__(self, centre, shift, R):
+        self.c, self.d, self.R = np.array(centre), np.array(shift), R
 
     @property
     def centre(self):
@@ -59,10 +67,16 @@ def placement(zone, t, free):
         name = "angle" if name == "moment" else name
         found[name] = free.get(name, 0.0)
     centre = zone.centre
-    if centre is None:
-        centre = [float(v) for v in zone.obstacle.split(": ")[1].split(",")][:2]
-    return Placement(centre, (found.get("x", 0.0), found.get("y", 0.0)),
-                     np.radians(found.get("angle", 0.0)))
+    numbers = [float(v) for v in zone.obstacle.split(": ")[1].split(",")]
+    axes = "xyz" if zone.in_space else "xy"
+    axis = None
+    if zone.in_space:
+        # What does not turn has none.
+        axis = zone.axis or (numbers[3:6] if zone.obstacle.startswith("cyl")
+                             else (0.0, 0.0, 1.0))
+    return Placement(numbers[:len(axes)] if centre is None else centre,
+                     [found.get(a, 0.0) for a in axes],
+                     rotation(np.radians(found.get("angle", 0.0)), axis))
 
 
 def said(zone, record):
@@ -74,20 +88,25 @@ def placements(scene, t, record):
     """By zone: where its obstacle is."""
     found = {}
     for zone in scene.zones:
-        if zone.obstacle and len(scene.axes) == 2:
+        if zone.obstacle:
             values = said(zone, record)
             found[zone.name] = placement(zone, t, {
-                "x": values.get("obstacle_motion_x", 0.0),
-                "y": values.get("obstacle_motion_y", 0.0),
-                "angle": values.get("obstacle_turn", 0.0)})
+                "angle": values.get("obstacle_turn", 0.0), **{
+                    axis: values.get("obstacle_motion_" + axis, 0.0)
+                    for axis in scene.axes}})
     return found
+
+
+def obstacle_of(zone, state):
+    master = surfaces.obstacle(zone.obstacle)
+    if zone.motion or zone.force:
+        return MovedObstacle(master, state.placements[zone.name])
+    return master
 
 
 def master_of(model, zone, state):
     if zone.obstacle:
-        master = surfaces.obstacle(zone.obstacle)
-        if zone.motion or zone.force:
-            master = MovedObstacle(master, state.placements[zone.name])
+        master = obstacle_of(zone, state)
     else:
         master = surfaces.DeformedBody(model, zone, state.x)
     return KeptApart(master, zone.apart(state.t)) if zone.apart else master

@@ -32,13 +32,14 @@ import kinds_shapes
 import results
 import scene as scenes
 import space_blocks
+import space_materials
 import space_round
 import variants
 
 KINDS = {f.__name__: f for f in kinds_blocks.KINDS + kinds_shapes.KINDS +
          kinds_parts.KINDS + kinds_materials.KINDS + kinds_motions.KINDS}
 SPACE = {"space_" + f.__name__: f for f in space_blocks.KINDS +
-         space_round.KINDS}
+         space_round.KINDS + space_materials.KINDS}
 COLUMNS = ("run", "converged", "differs", "refused", "not converged", "wrong",
            "crash", "seconds", "most s", "most MB", "steps")
 

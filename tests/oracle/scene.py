@@ -45,7 +45,8 @@ class Zone:
 
     def __init__(self, slave, master=None, mu=0.0, name="", rule=None,
                  obstacle=None, tied=False, motion=None, force=None,
-                 centre=None, apart=None, preload=None, preload_end=1.0):
+                 centre=None, axis=None, apart=None, preload=None,
+                 preload_end=1.0):
         self.slave = slave
         self.master = master
         self.mu = mu
@@ -58,9 +59,16 @@ class Zone:
         self.force = force or {}
         # None: the point that the obstacle begins with.
         self.centre = centre
+        # In space; None: that of a cylinder.
+        self.axis = axis
         self.apart = apart
         self.preload = preload
         self.preload_end = preload_end
+
+    @property
+    def in_space(self):
+        """Of an obstacle."""
+        return self.obstacle.startswith(("half space", "sphere", "cylinder"))
 
     @property
     def section(self):
@@ -78,6 +86,8 @@ class Zone:
             entries["Obstacle moment"] = self.force["moment"].text
         if self.centre is not None:
             entries["Obstacle centre"] = ", ".join(map(number, self.centre))
+        if self.axis is not None:
+            entries["Obstacle axis"] = ", ".join(map(number, self.axis))
         if self.apart:
             entries["Interference"] = self.apart.text
         if self.preload:

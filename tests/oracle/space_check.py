@@ -5,7 +5,7 @@ import numpy as np
 
 import check
 import results
-import space_zone
+import space_motion
 import surfaces
 from check import EQUILIBRIUM, State, Tools
 from space_fem import SpaceModel
@@ -66,16 +66,22 @@ def states_of(scene, model, run):
     rows = model.reported()
     if rows is None:
         return None
-    fields = [(model.nodes.u[rows], increments[-1]["load_factor"])]
+    fields = [(model.nodes.u[rows], increments[-1])]
     if scene.is_probed:
-        fields = [(results.vertex_displacements(i, len(model.X), "xyz"),
-                   i["load_factor"]) for i in increments]
+        fields = [(results.vertex_displacements(i, len(model.X), "xyz"), i)
+                  for i in increments]
+    elif model.has_history and len(increments) > 1:
+        # Cut: nobody knows the middles of edges in between.
+        return []
     found, so_far = [], 0.0
-    for u, t in fields:
+    model.reset()
+    for u, increment in fields:
         size = np.abs(u).max() + np.abs(model.X).max()
         error = np.full(len(u), 32 * np.finfo(float).eps * size)
-        found.append(State(model, u, t, error))
+        found.append(State(model, u, increment["load_factor"], error,
+                           increment))
         found[-1].scale = so_far = max(so_far, found[-1].scale)
+        model.advance(u)
     if not scene.is_probed:
         found[-1].scale = max([so_far] + [
             sum(abs(f) for force in i.get("reactions", {}).values()
@@ -109,5 +115,5 @@ def check_following(model, state):
     return []
 
 
-TOOLS = Tools(ReportedModel, states_of, space_zone.SpaceZoneCheck,
+TOOLS = Tools(ReportedModel, states_of, space_motion.zone_check_of,
               check_output)

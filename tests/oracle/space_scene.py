@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import numpy as np
 
-from scene import Formula, Scene, number
+from scene import Formula, Scene, number, scaled
 from space_grids import SpaceMesh
 
 
@@ -58,8 +58,10 @@ class SpaceScene(Scene):
                 numbers = [float(v) for v in text.split(",")]
                 zone.obstacle = kind + ": " + ", ".join(map(number,
                     turned_numbers(kind, numbers, R)))
+            self.turn_motion(zone, R)
         square = np.abs(np.abs(R) - np.round(np.abs(R))).max() < 1e-12
-        if not square and (self.histories or self.has_formulas()):
+        pushed = any(zone.force for zone in self.zones)
+        if not square and (self.histories or self.has_formulas() or pushed):
             return None
         if self.has_formulas():
             return None
@@ -81,6 +83,22 @@ class SpaceScene(Scene):
             to = np.abs(R[:, self.axes.index(entry[-1])]).argmax()
             other.histories[entry[:-1] + self.axes[to]] = formula
         return other
+
+    def turn_motion(self, zone, R):
+        """Of an obstacle: its formulas in each direction are sums of those of
+        before."""
+        for items in (zone.motion, zone.force):
+            before = [(d, items.pop(axis)) for d, axis in enumerate(self.axes)
+                      if axis in items]
+            for k, axis in enumerate(self.axes):
+                parts = [scaled(R[k, d], formula) for d, formula in before
+                         if abs(R[k, d]) > 1e-12]
+                if parts:
+                    items[axis] = summed(parts)
+        if zone.centre is not None:
+            zone.centre = tuple(map(float, R @ np.array(zone.centre)))
+        if zone.axis is not None:
+            zone.axis = tuple(map(float, R @ np.array(zone.axis)))
 
     def turn_value(self, other, kind, axis, name, value, R, square):
         d = self.axes.index(axis)
@@ -109,6 +127,11 @@ def turned_numbers(kind, numbers, R):
     n = len(numbers) // 3 * 3
     vectors = np.array(numbers[:n]).reshape(-1, 3) @ R.T
     return [float(v) for v in vectors.ravel()] + list(numbers[n:])
+
+
+def summed(formulas):
+    return Formula(" + ".join("(%s)" % f.text for f in formulas),
+                   lambda t: sum(f(t) for f in formulas))
 
 
 def rotation(rng):

@@ -5,6 +5,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 import elements
+import motions
 import surfaces
 
 # Cuts of a face along each side, by degree.
@@ -308,10 +309,10 @@ def depths(outline, points):
     return depth
 
 
-def master_of(model, zone, x):
+def master_of(model, zone, state):
     if zone.obstacle:
-        return surfaces.obstacle(zone.obstacle)
-    return DeformedBody(model, zone, x)
+        return motions.obstacle_of(zone, state)
+    return DeformedBody(model, zone, state.x)
 
 
 def samples(faces, x, n=4):

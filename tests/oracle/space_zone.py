@@ -88,7 +88,7 @@ class SpaceZoneCheck:
         self.rule = scene.rule_of(zone)
         self.faces = model.lines[zone.slave]
         self.nodes = np.unique(self.faces)
-        self.master = space_surfaces.master_of(model, zone, state.x)
+        self.master = space_surfaces.master_of(model, zone, state)
         self.largest = largest
         # The largest displacement, but at least the resolution of the mesh file.
         self.slack = largest + 1e-9 * scene.size

@@ -9,6 +9,7 @@ program.
 - Forces of rubber are the derivatives of an energy summed up here once more, and
   a stretched strip has its closed form; bodies that grow freely are without
   stress, in all materials.
+- Slips weighted by dual functions are those of closed forms.
 - Another yield stress, a rigid boundary that is none or has another force, a
   surface that parts are found."""
 import math
@@ -17,11 +18,13 @@ import sys
 import numpy as np
 
 import check
+import dual_weights
 import fem
 import materials
 import motions
 import rigid_check
 import test_fem
+import zone_check
 from grids import block
 from scene import Formula, RAMP, Scene, Zone
 from test_fem import body, expect
@@ -212,6 +215,45 @@ def grown():
     expect("free growth", worst < 1e-12, "%.1e" % worst)
 
 
+def weights():
+    """Dual functions: of edges that are covered a field of the slave is that of
+    the nodes, and a shear works on the slip; a master above the middle of two
+    edges has one function, a constant."""
+    for low, high in ((-0.5, 2.5), (0.3, 1.7)):
+        up = block("U", low, 1, high, 2, 3, 1)
+        scene = Scene("weights", 0, [block("L", 0, 0, 2, 1, 2, 1), up],
+                      {"L": (100.0, 0.3), "U": (100.0, 0.3)})
+        scene.hold("L_below", 0, 0).contact("L_above", "U_below", 0.3)
+        model = fem.Model(scene)
+        check_ = zone_check.ZoneCheck(
+            scene, model, state_of(model, 0 * model.X), scene.zones[0], 1.0,
+            np.zeros(len(model.X), bool))
+        w = dual_weights.DualWeights(check_)
+        order = np.argsort(model.X[w.nodes, 0])
+        field = np.stack([model.X[:, 0] ** 2, 0 * model.X[:, 0]], 1)
+        of_slave = np.where(model.body_of[:, None] == 0, field, 0)
+        jump, D = w.jump(of_slave)[order, 0], w.D[order]
+        if low < 0:
+            off = np.abs(jump - (0, 1, 4)).max() + np.abs(D - (
+                0.5, 1, 0.5)).max()
+            force = np.zeros((3, 2))
+            force[order, 0] = 1, 2, 3
+            off += np.abs(w.forces(force) - force).max()
+        else:
+            # Linear from 0 to 1 to 4, from 0.3 to 1.7.
+            mean = (0.5 * (1 - 0.3 ** 2) + 0.7 + 1.5 * 0.7 ** 2) / 1.4
+            off = np.abs(jump - (0, mean, 0)).max() + np.abs(D - (
+                0, 1.4, 0)).max()
+            # A uniform shear of 1/1.4 on the three nodes.
+            force = np.zeros((3, 2))
+            force[order, 0] = np.array([0.245, 0.91, 0.245]) / 1.4
+            off += np.abs(w.forces(force)[order, 0] - (0, 1, 0)).max()
+            work = (force * of_slave[w.nodes]).sum()
+            off += abs(work - mean)
+        expect("dual functions below %g to %g" % (low, high),
+               off < 0.02 and w.known.all(), "%.1e" % off)
+
+
 # Damage.
 def state_of(model, u, t=1.0, record=None):
     return check.State(model, u, t, np.full(len(u), 1e-16), record)
@@ -280,6 +322,23 @@ def rigid():
     expect("found: another moment", bool(judge()))
 
 
+def in_space(point):
+    """A cylinder about its own axis, and a ball, whose points turn to the side
+    of the right-handed axis."""
+    turn = {"angle": Formula("", lambda t: 90 * t)}
+    point = np.array([[*point, 0.5]])
+    drum = motions.placement(Zone("S", obstacle="cylinder: 1, 0, 0, 0, 0, 2, 1",
+                                  motion=turn), 1.0, {})
+    wanted = np.array([[1 - point[0, 1], point[0, 0] - 1, 0.5]])
+    off = np.abs(drum.at(point) - wanted).max()
+    ball = motions.placement(Zone("S", obstacle="sphere: 0, 0, 0, 1", motion={
+        "z": RAMP, **turn}, axis=(1.0, 1.0, 0.0)), 1.0, {})
+    r = 0.5 ** 0.5
+    off = max(off, np.abs(ball.at(np.eye(3)) - [
+        [0.5, 0.5, 1 - r], [0.5, 0.5, 1 + r], [r, -r, 1]]).max())
+    expect("a drum and a ball turned", off < 1e-14, "%.1e" % off)
+
+
 def obstacles():
     """Placed and back; a plane that has turned about a point of its own."""
     zone = Zone("S", obstacle="half plane: 0, 0, 0, 1", centre=(2.0, 0.0),
@@ -293,6 +352,7 @@ def obstacles():
     off = max(np.abs(master.gap(x) + x[:, 0] - 5).max(),
               np.abs(master.normals(x) - (-1, 0)).max())
     expect("a plane turned about its centre", off < 1e-14, "%.1e" % off)
+    in_space(x[0])
     zone.apart = Formula("", lambda t: 0.25)
     off = np.abs(motions.master_of(None, zone, state).gap(x) + x[:, 0] - 4.75)
     expect("kept apart", off.max() < 1e-14)
@@ -300,6 +360,6 @@ def obstacles():
 
 if __name__ == "__main__":
     for test in (returns, sheared, hill, rubber, strip, grown,
-                 other_yield_stress, rigid, obstacles):
+                 other_yield_stress, rigid, obstacles, weights):
         test()
     sys.exit(test_fem.failures > 0)

@@ -4,7 +4,7 @@
 
 - Forces are the derivatives of an energy, tangents those of the forces, of
   hexahedra of 8, 20 and 27 nodes.
-- A patch of skewed elements carries a uniform stress; a rotation costs nothing;
+- A patch of skewed elements carries a uniform stress, of all materials; a rotation costs nothing;
   a bar stretches and a cantilever bends as beams do, also where it hardly
   changes its volume.
 - Closest places, what is inside, and angles to cones are those of closed forms.
@@ -22,6 +22,7 @@ import scipy.sparse as sp
 import scipy.sparse.linalg as spl
 
 import check
+import materials
 import oracle
 import space_surfaces
 import test_fem
@@ -89,6 +90,49 @@ def patch():
         f = model.forces(u)
         worst = max(worst, np.abs(f[inside]).max() / np.abs(f).max())
     expect("patch", worst < 1e-12, "%.1e" % worst)
+
+
+def laws():
+    """A skewed patch that yields, and one of rubber: the mean of f X^T is the
+    stress, which is on the yield surface, or the derivative of the energy."""
+    H = np.array([[0.02, 0.03, 0.01], [-0.01, 0.01, 0], [0.005, -0.01, -0.02]])
+    worst = 0.0
+    for degree, centre in ELEMENTS:
+        for law in (materials.Plastic(100.0, 0.3, 0.5, curve=((1e-3, 0.7),)),
+                    materials.Rubber(100.0, 0.45, 5.0)):
+            scene = body(degree, centre, "small strain" if law.has_history else
+                         "large displacement", 0.3, 0.1)
+            scene.laws["B"] = law
+            model = SpaceModel(scene)
+            f = model.forces(model.X @ H.T)
+            inside = np.ones(len(model.X), bool)
+            for faces in model.lines.values():
+                inside[faces] = False
+            volume = sum(block.w.sum() for block in model.blocks)
+            P = f.T @ model.X / volume
+            if law.has_history:
+                s = materials.deviator(P)
+                off = abs(math.sqrt(1.5 * (s * s).sum()) / 0.7 - 1) + abs(
+                    np.trace(P) / (3 * law.bulk * np.trace(H)) - 1)
+            else:
+                off = np.abs(P / stress_of(law, H) - 1).max() / 1e6
+            worst = max(worst, off, np.abs(f[inside]).max() / np.abs(f).max())
+    expect("patches of new materials", worst < 1e-12, "%.1e" % worst)
+
+
+def stress_of(law, H, h=1e-6):
+    """By differences of the energy."""
+    def W(F):
+        E = (F.T @ F - np.eye(3)) / 2
+        return law.shear_energy(E) + law.volume_energy(law.volume(E)[0])
+    P = np.zeros((3, 3))
+    for i in range(3):
+        for j in range(3):
+            step = np.zeros((3, 3))
+            step[i, j] = h
+            P[i, j] = (W(np.eye(3) + H + step) - W(np.eye(3) + H - step)) / (
+                2 * h)
+    return P
 
 
 def rigid():
@@ -380,7 +424,7 @@ def scenes():
 
 
 if __name__ == "__main__":
-    for test in (derivatives, patch, rigid, bar, cantilever, geometry,
+    for test in (derivatives, patch, laws, rigid, bar, cantilever, geometry,
                  bent_face, damage, turned, scenes):
         test()
     sys.exit(test_fem.failures > 0)

@@ -5,6 +5,7 @@ import numpy as np
 import dual_weights
 import motions
 import surfaces
+import zone_normals
 
 # Of the largest displacement: what a geometry loop may leave (0.001), and by
 # how much a weighted gap lets single places overlap.
@@ -49,7 +50,7 @@ def connected(lines):
     return found
 
 
-class ZoneCheck:
+class ZoneCheck(zone_normals.Normals):
     """Forces and gaps of a zone."""
 
     def __init__(self, scene, model, state, zone, largest, shared):
@@ -75,7 +76,8 @@ class ZoneCheck:
         self.force = state.residual[self.nodes]
         # Lines of the slave that lie on the master: more than one place of them
         # touches.
-        self.touching = self.gaps <= APART * self.slack
+        self.reach = APART * self.slack
+        self.touching = self.gaps <= self.reach
         self.lying = self.touching.sum(1) > 1
         self.is_free = self.judged.copy()
         # The lines that what acts on a node may come from.
@@ -111,9 +113,9 @@ class ZoneCheck:
         not face the master as a whole, the nodes around are taken together."""
         lengths = np.bincount(self.own.line, self.own.length)
         near = 0.05 * lengths + self.slack
-        partly = ((self.gaps.max(1) > APART * self.slack) &
+        partly = ((self.gaps.max(1) > self.reach) &
                   (self.gaps.min(1) <= near))
-        misses = ((self.gaps > APART * self.slack) & ~self.master.faces(
+        misses = ((self.gaps > self.reach) & ~self.master.faces(
             self.points.reshape(-1, 2)).reshape(self.gaps.shape)).any(1)
         bundles = connected(self.lines[partly])
         if any(self.bends(nodes) > BUNDLE for nodes in bundles):
@@ -136,7 +138,7 @@ class ZoneCheck:
         for k, line in enumerate(self.lines if corners else []):
             part = surfaces.Polyline(line[None], self.state.x)
             found[k] = part.closest(np.array(corners))[0].min() - (
-                self.apart) <= APART * self.slack
+                self.apart) <= self.reach
         return found
 
     def take_together(self, bundles):
@@ -219,7 +221,7 @@ class ZoneCheck:
         inside of the cone."""
         where = self.around[k]
         gap = min(self.gaps[where].min(), self.distance_of_master(where))
-        if gap > APART * self.slack + self.facets():
+        if gap > self.reach + self.facets():
             return self.problem("force without contact", k, "gap %.3g mm" % gap)
         if self.rule == "Gauss" and self.model.degree == 2:
             return None
@@ -241,72 +243,6 @@ class ZoneCheck:
             return np.inf
         part = surfaces.Polyline(self.lines[where], self.state.x)
         return part.closest(self.master.group.begin)[0].min() - self.apart
-
-    def range_of_normals(self, k, where):
-        """The directions in which the master may push here: its normals where
-        the slave's edges face it, and the slave's own, turned round, where
-        those lie on it."""
-        normals = self.normals[where].reshape(-1, 2)
-        gaps = self.gaps[where].ravel()
-        near = gaps <= gaps.min() + 0.5 * self.own.length.max()
-        candidates = list(normals[near])
-        lying = np.intersect1d(where, np.flatnonzero(self.lying))
-        own = -self.own.normal[np.isin(self.own.line, lying)]
-        if self.rule == "mortar" and len(lying):
-            # The last node of a contact has the mean of its two edges.
-            own = np.concatenate([own, self.mean_normals(lying)])
-        self.reference = normals[gaps.argmin()]
-        candidates += [n for n in own if n @ self.reference > 0]
-        candidates += self.corners(where)
-        if self.rule == "mortar" and not self.zone.obstacle:
-            candidates += list(self.smooth_normals(where)[near])
-        angles = [self.turn(n, self.reference) for n in candidates]
-        angles = [a for a in angles if abs(a) < np.pi / 2]
-        return min(angles), max(angles)
-
-    def corners(self, where):
-        """The normals on both sides of the master's corners that touch these
-        lines: what acts there has any direction between them."""
-        if self.zone.obstacle:
-            return []
-        group = self.master.group
-        part = surfaces.Polyline(self.lines[where], self.state.x)
-        touch = part.closest(group.begin)[0] - self.apart <= (
-            APART * self.slack)
-        found = []
-        for k in np.flatnonzero(touch):
-            before = (group.end == group.begin[k]).all(1)
-            if before.any():
-                found += [group.normal[k], group.normal[before][0]]
-        return [n for n in found if n @ self.reference > 0]
-
-    def smooth_normals(self, where):
-        """Those of the master between the means at its nodes, which this
-        discretization weights with the slave's, where places face it."""
-        _, piece, s = self.master.group.closest(
-            self.points[where].reshape(-1, 2))
-        return self.smooth(piece, s)
-
-    def smooth(self, piece, s):
-        group = self.master.group
-        ends = [group.begin, group.end]
-        mean = [sum((np.abs(p[:, None] - other).max(2) == 0) @ group.normal
-                    for other in ends) for p in ends]
-        n = ((1 - s)[:, None] * mean[0][piece] + s[:, None] * mean[1][piece])
-        return n / np.maximum(np.hypot(*n.T), 1e-300)[:, None]
-
-    def mean_normals(self, lying):
-        """Those of the nodes of lines, turned round."""
-        found = []
-        for n in np.unique(self.lines[lying]):
-            around = np.flatnonzero((self.lines == n).any(1))
-            normal = -self.own.normal[np.isin(self.own.line, around)].sum(0)
-            found.append(normal / max(np.hypot(*normal), 1e-300))
-        return found
-
-    @staticmethod
-    def turn(a, b):
-        return np.arctan2(b[0] * a[1] - b[1] * a[0], a @ b)
 
     def problem(self, reason, k, detail):
         n = self.nodes[k]
@@ -344,21 +280,6 @@ class ZoneCheck:
         return [Problem("resultant", "turned by %.3g from the master's normal, "
                         "mu %.3g, %.3g N" % (angle, self.zone.mu,
                                              np.hypot(*total)))]
-
-    def weighted_angles(self, reference):
-        """The mortar discretization pushes along means, weighted by dual
-        functions, of the normals of the master between its nodes: a dual function
-        (2 to -1 along an edge) has the integral 4/3 where it is positive and
-        -1/3 where it is not, so that such a mean leaves the range of what it is
-        a mean of by a third of that at most."""
-        if self.rule != "mortar" or self.zone.obstacle:
-            return []
-        where = np.isin(self.lines, self.nodes[self.counts]).any(1)
-        angles = [self.turn(n, reference) for n in self.smooth_normals(where)]
-        if not angles:
-            return []
-        more = np.ptp(angles) / 3
-        return [min(angles) - more, max(angles) + more]
 
     def is_flat(self):
         if self.zone.obstacle:
@@ -429,7 +350,7 @@ class ZoneCheck:
         """The force on a flat master, whose nodes may be free where supports
         hold those of the slave: within the cone, and where all of the contact
         slips to the same side, the shear is mu times the pressure."""
-        near = (self.gaps <= APART * self.slack).any(1)
+        near = (self.gaps <= self.reach).any(1)
         if self.zone.obstacle or self.model.degree == 2 or (
                 not near.any() or not self.is_flat()):
             return []
