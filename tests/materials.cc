@@ -267,6 +267,41 @@ namespace
       }
     check_small("cyclic, " + name, error, 1e-13);
   }
+
+
+
+  // Sheared by any angle at once, a curve that is flat, steep and flat again
+  // is met: sqrt(3) tau = Y(a).
+  void steps()
+  {
+    Hardening hardening{10};
+    hardening.kinematic = 1;
+    hardening.curve     = {{0, 10},
+                           {0.01, 10},
+                           {0.0101, 18},
+                           {0.0102, 18},
+                           {0.011, 40}};
+    const Material       elastic(1000, 0.3);
+    const ElasticPlastic law(elastic, hardening);
+    double               error = 0;
+    for (unsigned int k = 1; k <= 1000; ++k)
+      {
+        SymmetricTensor<2, 3> E;
+        E[0][1] = 5e-5 * k;
+        std::vector<double> history(law.n_history());
+        const double        tau =
+          law.shear_part(E, history.data(), false).stress[0][1];
+        law.advance(E, history.data());
+        const double a = history[0];
+        if (a > 0)
+          error =
+            std::max(error,
+                     std::abs(std::sqrt(3.) * tau - hardening.kinematic * a -
+                              hardening.at(a).stress) /
+                       hardening.initial);
+      }
+    check_small("sheared, a curve of steps", error, 1e-12);
+  }
 } // namespace
 
 
@@ -294,4 +329,5 @@ int main()
   curve.kinematic = 20;
   curve.curve     = {{0, 10}, {0.02, 18}, {0.1, 20}, {0.15, 30}};
   cyclic("curve and kinematic", curve);
+  steps();
 }

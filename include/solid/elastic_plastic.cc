@@ -76,14 +76,30 @@ namespace Contact
 
 
   // The solution x = da of q - (3 mu + H_k) x = Y(a + x), q = sqrt(3/2) |xi| of
-  // the trial state. The left side falls, the right one does not: Newton's
-  // method, kept between bounds.
+  // the trial state. The left side falls, the right one does not: on a curve it
+  // is in the first piece whose end the right side is above at; otherwise
+  // Newton's method, kept between bounds. Newton's method would jump to and fro
+  // over a steep piece between two flat ones.
   double ElasticPlastic::plastic_increment(const double q, const double a) const
   {
     const double stiffness = 3 * mu + hardening.kinematic;
-    double       low       = 0;
-    double       high      = (q - hardening.at(a).stress) / stiffness;
-    double       x         = 0;
+    const auto  &curve     = hardening.curve;
+    if (!curve.empty())
+      {
+        unsigned int k = 1;
+        while (k < curve.size() &&
+               (curve[k].first <= a ||
+                q - stiffness * (curve[k].first - a) > curve[k].second))
+          ++k;
+        const auto [from, before] = curve[k - 1];
+        const double slope = k < curve.size() ? (curve[k].second - before) /
+                                                  (curve[k].first - from)
+                                              : 0.;
+        return (q - before - slope * (a - from)) / (stiffness + slope);
+      }
+    double low  = 0;
+    double high = (q - hardening.at(a).stress) / stiffness;
+    double x    = 0;
     while (true)
       {
         const auto   Y = hardening.at(a + x);
