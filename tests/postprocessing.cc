@@ -179,12 +179,16 @@ namespace
     stress[2][2] = -2;
     stress[0][1] = 3;
     const Stresses stresses(model.mesh.triangulation.n_vertices(), stress);
+    Place<2>       place;
+    place.vertices = {{3, 1.}};
+    for (unsigned int c = 0; c < 2; ++c)
+      place.unknowns[c] = {{model.discretization.vertex_dofs[3][c], 1.}};
     for (const auto &[name, quantity] : named_values(Parameters::Quantity()))
       if ((is_displacement(quantity) || is_stress(quantity)) &&
           !is_in_space(quantity))
         std::cout << "  " << name << ' '
                   << probe_value(quantity,
-                                 3,
+                                 place,
                                  model.discretization,
                                  stresses,
                                  model.solution)

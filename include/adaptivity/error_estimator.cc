@@ -307,6 +307,9 @@ namespace Contact
           typename Triangulation<dim>::cell_iterator ancestor = cell;
           while (ancestor->level() > 0)
             ancestor = ancestor->parent();
+          if (elasticity.dead_loads.carries_inner_force(
+                ancestor->id().get_coarse_cell_id()))
+            eta_square[cell->active_cell_index()] = 0;
           for (const unsigned int v : ancestor->vertex_indices())
             if (carries_force(ancestor->vertex_index(v)))
               eta_square[cell->active_cell_index()] = 0;

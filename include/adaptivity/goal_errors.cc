@@ -93,10 +93,12 @@ namespace Contact
     unsigned int k = 0;
     for (const auto &[name, probe] : probes)
       {
-        GhostedVector      &dual        = duals[k];
-        GhostedVector       transferred = dual;
-        const GhostedVector functional =
+        GhostedVector &dual        = duals[k];
+        GhostedVector  transferred = dual;
+        GhostedVector  functional =
           probe_derivative(probe, fine, refined->state.solution);
+        fine.discretization->constraints.condense(
+          static_cast<Vector<double> &>(functional));
         std::copy(recovered[k].begin(), recovered[k].end(), dual.begin());
         add_lift(probe, 1, fine, dual);
         add_lift(probe, 1, fine, transferred);
@@ -104,7 +106,9 @@ namespace Contact
         std::vector<unsigned int> vertices;
         if (!is_integral(probe.quantity))
           for (const std::string &point : probe.places)
-            vertices.push_back(model.mesh->point(point, "Probes/Probes"));
+            for (const auto &[vertex, weight] :
+                 fine.discretization->place(point, "Probes/Probes").vertices)
+              vertices.push_back(vertex);
         system.solve_dual_around(vertices, functional, dual);
         fine.discretization->constrain_homogeneously(dual);
         errors.mesh[name] =
@@ -361,28 +365,48 @@ namespace Contact
 
 
   // Functionals converge twice as fast as the energy norm. Not so the pressure
-  // of contact, which is as accurate as its space, and a stress on a boundary,
-  // which is recovered from one side.
+  // of contact, which is as accurate as its space, a stress on a boundary,
+  // which is recovered from one side, and what is interpolated between nodes:
+  // a displacement as well as its space can, a stress linearly.
   double GoalErrors::order(const Definition &probe) const
   {
     const double p = parameters.element.degree;
     if (is_contact_traction(probe.quantity))
       return p;
-    if (!is_stress(probe.quantity))
+    if (is_integral(probe.quantity))
       return 2 * p;
+    const bool is_inside = is_between_nodes(probe);
+    if (!is_stress(probe.quantity))
+      return is_inside ? p + 1 : 2 * p;
     const StressRecovery<2> recovery(*model.discretization);
     for (const std::string &point : probe.places)
-      for (const auto &cell :
-           recovery.cells_at(model.mesh->point(point, "Probes/Probes")))
-        if (cell->at_boundary())
-          return p;
-    return 2 * p;
+      for (const auto &[vertex, cells] : recovery.cells_at(
+             model.discretization->place(point, "Probes/Probes")))
+        for (const auto &cell : cells)
+          if (cell->at_boundary())
+            return p;
+    return is_inside ? 2 : 2 * p;
+  }
+
+
+
+  bool GoalErrors::is_between_nodes(const Definition &probe) const
+  {
+    return !is_integral(probe.quantity) &&
+           std::any_of(probe.places.begin(),
+                       probe.places.end(),
+                       [&](const std::string &point) {
+                         return model.discretization
+                           ->place(point, "Probes/Probes")
+                           .is_between_nodes();
+                       });
   }
 
 
 
   // J(x_h + e) - J_h(x_h). An energy is quadratic, and where the supports are
-  // at rest its error is that of second order.
+  // at rest its error is that of second order. In a curved cell the place
+  // between the nodes of the mesh refined once is not quite that of this one.
   double GoalErrors::change_of_probe(const Definition    &probe,
                                      const GhostedVector &functional,
                                      const GhostedVector &relaxed) const
@@ -394,8 +418,9 @@ namespace Contact
         return probe_value(probe, refined->model, better) -
                probe_value(probe, model, state);
       }
-    const bool is_recovered =
-      is_stress(probe.quantity) || is_force(probe.quantity);
+    const bool is_recovered = is_stress(probe.quantity) ||
+                              is_force(probe.quantity) ||
+                              is_between_nodes(probe);
     return functional * relaxed +
            (is_recovered ? probe_value(probe, refined->model, refined->state) -
                              probe_value(probe, model, state)

@@ -30,7 +30,7 @@ namespace Contact
    * the functional: errors fall by 2^-q from mesh to mesh, and the change is
    * divided by 1 - 2^-q. Where solution and dual solution are smooth q is 2p, p
    * the degree of the elements; of pressures and of stresses on
-   * boundaries p.
+   * boundaries p; between nodes p + 1 of displacements, 2 of stresses.
    *
    * Not seen: a contact area that ends elsewhere on a finer mesh, beyond what
    * the transfer of the surfaces extrapolates; the history of friction before
@@ -77,6 +77,7 @@ namespace Contact
     void                       impose_contact(const GhostedVector &functional,
                                               GhostedVector       &dual) const;
     double                     order(const Definition &probe) const;
+    bool                       is_between_nodes(const Definition &probe) const;
     double                     change_of_probe(const Definition    &probe,
                                                const GhostedVector &functional,
                                                const GhostedVector &relaxed) const;

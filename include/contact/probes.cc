@@ -224,14 +224,16 @@ namespace Contact
 
   template<int dim>
   double probe_value(const Quantity                            quantity,
-                     const unsigned int                        vertex,
+                     const Place<dim>                         &place,
                      const Discretization<dim>                &discretization,
                      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                      const GhostedVector                      &u)
   {
     if (is_displacement(quantity))
-      return u[discretization.vertex_dofs[vertex][component_of(quantity)]];
-    return stress_component(quantity, vertex_stresses[vertex]);
+      return place.displacement(component_of(quantity), u);
+    return stress_component(quantity,
+                            place.interpolate(vertex_stresses,
+                                              discretization.communicator));
   }
 
 
@@ -239,14 +241,13 @@ namespace Contact
   namespace
   {
     template<int dim>
-    void add_derivative_of_displacement(const Quantity           quantity,
-                                        const unsigned int       vertex,
-                                        const double             factor,
-                                        const ContactModel<dim> &model,
-                                        GhostedVector           &derivative)
+    void add_derivative_of_displacement(const Quantity    quantity,
+                                        const Place<dim> &place,
+                                        const double      factor,
+                                        GhostedVector    &derivative)
     {
-      const NodeDoFs<dim> &dofs = model.discretization->vertex_dofs[vertex];
-      derivative[dofs[component_of(quantity)]] += factor;
+      for (const auto &[dof, weight] : place.unknowns[component_of(quantity)])
+        derivative[dof] += factor * weight;
     }
 
 
@@ -277,28 +278,29 @@ namespace Contact
 
 
 
-    // Central differences over the unknowns of the cells at the vertex.
+    // Central differences over the unknowns of the cells around the place.
     template<int dim>
     void add_derivative_of_stress(const Quantity           quantity,
-                                  const unsigned int       vertex,
+                                  const Place<dim>        &place,
                                   const double             factor,
                                   const ContactModel<dim> &model,
                                   const GhostedVector     &solution,
                                   GhostedVector           &derivative)
     {
       const StressRecovery<dim> recovery(*model.discretization);
-      const auto                cells = recovery.cells_at(vertex);
+      const auto                cells = recovery.cells_at(place);
 
       std::set<types::global_dof_index>    unknowns;
       std::vector<types::global_dof_index> dofs;
       double                               diameter = 0;
-      for (const auto &cell : cells)
-        {
-          dofs.resize(cell->get_fe().dofs_per_cell);
-          cell->get_dof_indices(dofs);
-          unknowns.insert(dofs.begin(), dofs.end());
-          diameter = std::max(diameter, cell->diameter());
-        }
+      for (const auto &[vertex, at_vertex] : cells)
+        for (const auto &cell : at_vertex)
+          {
+            dofs.resize(cell->get_fe().dofs_per_cell);
+            cell->get_dof_indices(dofs);
+            unknowns.insert(dofs.begin(), dofs.end());
+            diameter = std::max(diameter, cell->diameter());
+          }
 
       const double step =
         std::cbrt(std::numeric_limits<double>::epsilon()) * diameter;
@@ -308,7 +310,7 @@ namespace Contact
         u[dof]              = value;
         const double stress = stress_component(
           quantity,
-          recovery.stress_at(vertex, cells, *model.elasticity, u));
+          recovery.stress_at(place, cells, *model.elasticity, u));
         u[dof] = solution[dof];
         return stress;
       };
@@ -323,23 +325,25 @@ namespace Contact
 
     template<int dim>
     void add_derivative_at(const Quantity           quantity,
-                           const unsigned int       vertex,
+                           const std::string       &point,
                            const double             factor,
                            const ContactModel<dim> &model,
                            const GhostedVector     &solution,
                            GhostedVector           &derivative)
     {
+      const std::string entry = "Probes/Probes";
+      if (is_contact_traction(quantity))
+        return add_derivative_of_traction(quantity,
+                                          model.mesh->point(point, entry),
+                                          factor,
+                                          model,
+                                          derivative);
+      const Place<dim> &place = model.discretization->place(point, entry);
       if (is_displacement(quantity))
-        add_derivative_of_displacement(quantity,
-                                       vertex,
-                                       factor,
-                                       model,
-                                       derivative);
-      else if (is_contact_traction(quantity))
-        add_derivative_of_traction(quantity, vertex, factor, model, derivative);
+        add_derivative_of_displacement(quantity, place, factor, derivative);
       else
         add_derivative_of_stress(quantity,
-                                 vertex,
+                                 place,
                                  factor,
                                  model,
                                  solution,
@@ -353,44 +357,40 @@ namespace Contact
   {
     template<int dim>
     double value_at(const Quantity             quantity,
-                    const std::string         &place,
+                    const std::string         &name,
                     const ContactModel<dim>   &model,
                     const IncrementState<dim> &state)
     {
       if (is_force(quantity))
-        return resultant(quantity, place, model)
+        return resultant(quantity, name, model)
           .value(state.solution, state.load_factor);
       if (is_energy(quantity))
-        return body_energy(place, model, state.solution);
+        return body_energy(name, model, state.solution);
       if (is_of_rigid(quantity))
         return rigid_value(quantity,
-                           place,
+                           name,
                            model,
                            state.solution,
                            state.load_factor);
-      const unsigned int vertex = model.mesh->point(place, "Probes/Probes");
-      if (quantity == Quantity::plastic_strain)
-        return model.elasticity->has_history()
-                 ? StressRecovery<dim>(*model.discretization)
-                     .vertex_strains(*model.elasticity)
-                     .at(vertex)
-                 : 0.;
+      const std::string entry = "Probes/Probes";
       if (is_contact_traction(quantity))
         return contact_traction(quantity,
-                                vertex,
+                                model.mesh->point(name, entry),
                                 model.interface.get(),
                                 *model.discretization,
                                 state.solution);
-      if (is_displacement(quantity))
-        return probe_value(quantity,
-                           vertex,
-                           *model.discretization,
-                           {},
-                           state.solution);
+      const Place<dim> &place = model.discretization->place(name, entry);
       const StressRecovery<dim> recovery(*model.discretization);
+      if (quantity == Quantity::plastic_strain)
+        return model.elasticity->has_history()
+                 ? place.interpolate(recovery.vertex_strains(*model.elasticity),
+                                     model.discretization->communicator)
+                 : 0.;
+      if (is_displacement(quantity))
+        return place.displacement(component_of(quantity), state.solution);
       return stress_component(quantity,
-                              recovery.stress_at(vertex,
-                                                 recovery.cells_at(vertex),
+                              recovery.stress_at(place,
+                                                 recovery.cells_at(place),
                                                  *model.elasticity,
                                                  state.solution));
     }
@@ -435,7 +435,7 @@ namespace Contact
             derivative);
         else
           add_derivative_at(probe.quantity,
-                            model.mesh->point(place, "Probes/Probes"),
+                            place,
                             factor,
                             model,
                             solution,
@@ -467,13 +467,13 @@ namespace Contact
                                    const GhostedVector       &solution);
   template double
   probe_value(const Parameters::Quantity                quantity,
-              const unsigned int                        vertex,
+              const Place<2>                           &place,
               const Discretization<2>                  &discretization,
               const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
               const GhostedVector                      &u);
   template double
                   probe_value(const Parameters::Quantity                quantity,
-                              const unsigned int                        vertex,
+                              const Place<3>                           &place,
                               const Discretization<3>                  &discretization,
                               const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                               const GhostedVector                      &u);

@@ -51,11 +51,11 @@ namespace Contact
   double stress_component(const Parameters::Quantity   quantity,
                           const SymmetricTensor<2, 3> &stress);
 
-  /// A displacement [mm] or a stress [MPa] at a vertex of the triangulation.
-  /// For a displacement @p vertex_stresses may be empty.
+  /// A displacement [mm] or a stress [MPa] at a place. For a displacement @p
+  /// vertex_stresses may be empty. Collective.
   template<int dim>
   double probe_value(const Parameters::Quantity                quantity,
-                     const unsigned int                        vertex,
+                     const Place<dim>                         &place,
                      const Discretization<dim>                &discretization,
                      const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                      const GhostedVector                      &u);
@@ -67,7 +67,7 @@ namespace Contact
                      const GhostedVector     &u);
 
   /// A probe in a state [mm, MPa, N or N mm per mm of thickness]; at points by
-  /// the cells around them alone.
+  /// the cells around them alone. On one rank.
   template<int dim>
   double probe_value(const Parameters::Probes::Definition &probe,
                      const ContactModel<dim>              &model,

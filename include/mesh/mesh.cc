@@ -124,33 +124,46 @@ namespace Contact
 
 
 
-    /// The places that the user names are vertices, in the coordinates of the
-    /// file, where two bodies that touch may have one each. What is typed has
-    /// fewer digits than the file.
+    /// The coordinates of a place that the user names, which has to be new.
     template<int dim>
-    void name_points(const Parameters::Mesh              &parameters,
-                     const std::vector<Point<dim>>       &vertices,
-                     std::map<std::string, unsigned int> &points)
+    Point<dim> read_place(const std::string         &name,
+                          const std::vector<double> &numbers,
+                          const bool                 is_taken)
     {
       const std::string entry = "entry 'Mesh/Points'";
-      double            size  = 0;
+      if (is_taken)
+        throw InputError("the mesh file has a point '" + name + "' of its own",
+                         entry,
+                         "choose another name");
+      if (numbers.size() != dim)
+        throw InputError("the point '" + name + "' is no place",
+                         entry,
+                         std::string("write ") +
+                           (dim == 2 ? "'x, y'" : "'x, y, z'") + ", in mm");
+      Point<dim> X;
+      std::copy(numbers.begin(), numbers.end(), &X[0]);
+      return X;
+    }
+
+
+
+    /// The places that the user names, in the coordinates of the file, where
+    /// two bodies that touch may have a vertex each.
+    template<int dim>
+    void name_points(const Parameters::Mesh        &parameters,
+                     const Placement<dim>          &placement,
+                     const std::vector<Point<dim>> &vertices,
+                     Mesh<dim>                     &mesh)
+    {
+      const double typed = 1e-4; // of the size of the mesh
+      double       size  = 0;
       for (const Point<dim> &vertex : vertices)
         size = std::max(size, vertex.distance(vertices.front()));
+      mesh.typed_digits = typed * size * placement.scale;
       for (const auto &[name, numbers] : parameters.points)
         {
-          if (numbers.size() != dim || points.count(name) > 0)
-            throw InputError(points.count(name) > 0
-                               ? "the mesh file has a point '" + name +
-                                   "' of its own"
-                               : "the point '" + name + "' is no place",
-                             entry,
-                             points.count(name) > 0
-                               ? "choose another name"
-                               : std::string("write ") +
-                                   (dim == 2 ? "'x, y'" : "'x, y, z'") +
-                                   ", in mm");
-          Point<dim> X;
-          std::copy(numbers.begin(), numbers.end(), &X[0]);
+          const Point<dim> X =
+            read_place<dim>(name, numbers, mesh.points.count(name) > 0);
           const auto closest =
             std::min_element(vertices.begin(),
                              vertices.end(),
@@ -158,18 +171,21 @@ namespace Contact
                                return X.distance_square(a) <
                                       X.distance_square(b);
                              });
-          if (X.distance(*closest) > 1e-4 * size)
-            throw InputError("there is no corner of a cell at the point '" +
-                               name + "'",
-                             entry,
-                             "the closest one is at " + to_string(*closest) +
-                               " mm, in the coordinates of the file");
+          if (X.distance(*closest) > typed * size)
+            {
+              NamedPlace<dim> &place = mesh.places[name];
+              for (unsigned int body = 0; body < mesh.bodies.size(); ++body)
+                place.in_body.push_back(placement(X, body));
+              place.closest_node = *closest;
+              place.distance     = X.distance(*closest);
+              continue;
+            }
           if (std::count(vertices.begin(), vertices.end(), *closest) > 1)
             throw InputError("two bodies have a node at the point '" + name +
                                "'",
-                             entry,
+                             "entry 'Mesh/Points'",
                              "name the point in the mesh file");
-          points[name] = closest - vertices.begin();
+          mesh.points[name] = closest - vertices.begin();
         }
     }
   } // namespace
@@ -209,7 +225,7 @@ namespace Contact
     curves                 = coarse.curves;
     points                 = coarse.points;
     with_inner_faces       = coarse.with_inner_faces;
-    name_points(parameters, coarse.vertices, points);
+    name_points(parameters, placement, coarse.vertices, *this);
     place_vertices(placement, msh, coarse);
     order_cells(coarse.cells);
     triangulation.create_triangulation(coarse.vertices,
@@ -238,6 +254,8 @@ namespace Contact
     , curves(other.curves)
     , with_inner_faces(other.with_inner_faces)
     , points(other.points)
+    , places(other.places)
+    , typed_digits(other.typed_digits)
     , pieces(other.pieces)
   {
     AssertDimension(Utilities::MPI::n_mpi_processes(communicator), 1);
@@ -291,12 +309,32 @@ namespace Contact
   unsigned int Mesh<dim>::point(const std::string &name,
                                 const std::string &entry) const
   {
+    refuse_place(name, entry);
     const unsigned int vertex = find_group(points, "point", name, entry);
     if (vertex == numbers::invalid_unsigned_int)
       throw InputError("the point group '" + name + "' has more than one point",
                        "entry '" + entry + "'",
                        "name a group of one point");
     return vertex;
+  }
+
+
+
+  template<int dim>
+  void Mesh<dim>::refuse_place(const std::string &name,
+                               const std::string &entry) const
+  {
+    if (const auto place = places.find(name); place != places.end())
+      throw InputError("the point '" + name +
+                         "' lies between nodes, where forces and probes of "
+                         "displacements, stresses and plastic strains can be, "
+                         "and nothing else",
+                       "entry '" + entry + "'",
+                       "name a corner of a cell in 'Mesh/Points': the closest "
+                       "one is at " +
+                         to_string(place->second.closest_node) + " mm, " +
+                         brief(place->second.distance) +
+                         " mm away, in the coordinates of the file");
   }
 
 

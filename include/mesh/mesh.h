@@ -32,6 +32,22 @@ namespace Contact
 
 
 
+  /// A place that the user names, at which no corner of a cell is.
+  template<int dim>
+  struct NamedPlace
+  {
+    /// Where it is in each body, by material id: bodies may be moved by
+    /// themselves [mm].
+    std::vector<Point<dim>> in_body;
+
+    /// The corner of a cell next to it, and how far that is, both in the
+    /// coordinates of the file [mm].
+    Point<dim> closest_node;
+    double     distance;
+  };
+
+
+
   /**
    * The triangulation of all bodies and the names of its parts: bodies are
    * material ids (0, 1, ... in the order of gmsh's tags), boundaries are sets
@@ -89,6 +105,13 @@ namespace Contact
     /// which are no corners of cells are left out.
     std::map<std::string, unsigned int> points;
 
+    /// Named places that are none of the points above.
+    std::map<std::string, NamedPlace<dim>> places;
+
+    /// How far a place may be from what is meant: what is typed has fewer
+    /// digits than the file [mm].
+    double typed_digits = 0;
+
     /// The pieces, each of which can move as a rigid body.
     MeshPieces<dim> pieces;
 
@@ -99,6 +122,9 @@ namespace Contact
     const std::set<types::boundary_id> &
     boundary(const std::string &name, const std::string &entry) const;
     unsigned int point(const std::string &name, const std::string &entry) const;
+
+    /// An InputError on a place between nodes, where there has to be a node.
+    void refuse_place(const std::string &name, const std::string &entry) const;
 
     /// The vertices of the coarse mesh on a boundary, curve or point group.
     std::set<unsigned int> coarse_vertices(const std::string &name) const;

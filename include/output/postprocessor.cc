@@ -59,7 +59,7 @@ namespace Contact
               model.mesh->body(point, "Probes/Probes");
               continue;
             }
-          model.mesh->point(point, "Probes/Probes");
+          model.discretization->place(point, "Probes/Probes");
           if (probe.quantity == Parameters::Quantity::plastic_strain &&
               !model.elasticity->has_history())
             throw InputError("no body is elastic-plastic",
@@ -333,17 +333,19 @@ namespace Contact
                             parameters.solution.has_moving_bound());
     if (is_energy(quantity))
       return body_energy(point, model, state.solution);
-    const unsigned int vertex = model.mesh->point(point, "Probes/Probes");
-    if (quantity == Parameters::Quantity::plastic_strain)
-      return recovered_plastic_strains().at(vertex);
+    const std::string entry = "Probes/Probes";
     if (is_contact_traction(quantity))
       return contact_traction(quantity,
-                              vertex,
+                              model.mesh->point(point, entry),
                               model.interface.get(),
                               *model.discretization,
                               state.solution);
+    const Place<dim> &place = model.discretization->place(point, entry);
+    if (quantity == Parameters::Quantity::plastic_strain)
+      return place.interpolate(recovered_plastic_strains(),
+                               model.discretization->communicator);
     return probe_value(quantity,
-                       vertex,
+                       place,
                        *model.discretization,
                        is_stress(quantity) ? recovered_stresses() : stresses,
                        state.solution);

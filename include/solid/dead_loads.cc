@@ -64,7 +64,7 @@ namespace Contact
 
 
 
-  // Forces in the direction c, spread over a boundary and on a point.
+  // Forces in the direction c, spread over a boundary and at a point.
   template<int dim>
   void DeadLoads<dim>::collect_forces(const unsigned int c)
   {
@@ -95,11 +95,14 @@ namespace Contact
       {
         if (boundary.rigid.count(name) > 0)
           continue; // it turns with the boundary
-        const auto dof =
-          discretization
-            .vertex_dofs[discretization.mesh.point(name, section + nodal)][c];
-        load_of(nodal)[dof] += force;
-        nodal_forces.insert(dof);
+        const Place<dim> &place = discretization.place(name, section + nodal);
+        for (const auto &[dof, weight] : place.unknowns[c])
+          {
+            load_of(nodal)[dof] += force * weight;
+            nodal_forces.insert(dof);
+          }
+        loaded_cells.insert(place.coarse_cells.begin(),
+                            place.coarse_cells.end());
       }
   }
 

@@ -47,6 +47,12 @@ namespace Contact
       return nodal_forces.count(dof) > 0;
     }
 
+    /// Whether a force acts between the nodes of a cell of the coarse mesh.
+    bool carries_inner_force(const types::coarse_cell_id cell) const
+    {
+      return loaded_cells.count(cell) > 0;
+    }
+
     /// Whether a resultant force, a pressure or a traction acts on a boundary.
     bool is_loaded(const types::boundary_id id) const
     {
@@ -86,6 +92,7 @@ namespace Contact
     const Discretization<dim>           &discretization;
     std::map<std::string, GhostedVector> loads; // at their full values
     std::set<types::global_dof_index>    nodal_forces;
+    std::set<types::coarse_cell_id>      loaded_cells;
     std::set<types::boundary_id>         loaded;
   };
 } // namespace Contact

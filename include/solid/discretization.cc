@@ -14,6 +14,7 @@
 #include "base/string_utilities.h"
 #include "parameters/formula.h"
 #include "solid/followers.h"
+#include "solid/place_search.h"
 
 namespace Contact
 {
@@ -139,6 +140,7 @@ namespace Contact
     updates_vanish = true;
     collect_vertex_dofs();
     gather_named_points();
+    find_places();
     normal_supports.find_nodes(dof_handler);
     collect_supports();
     collect_ties();
@@ -168,6 +170,10 @@ namespace Contact
     for (const auto &[name, vertex] : mesh.points)
       if (vertex != numbers::invalid_unsigned_int)
         shared.insert(vertex_dofs[vertex].begin(), vertex_dofs[vertex].end());
+    for (const auto &[name, place] : places)
+      for (const auto &unknowns : place.unknowns)
+        for (const auto &[dof, weight] : unknowns)
+          shared.insert(dof);
 
     IndexSet ghosts = DoFTools::extract_locally_relevant_dofs(dof_handler);
     for (const DoFs &of_rank : Utilities::MPI::all_gather(communicator, shared))
@@ -243,6 +249,52 @@ namespace Contact
     Utilities::MPI::min(dofs, communicator, dofs);
     for (unsigned int i = 0; i < shared.size(); ++i)
       *shared[i] = dofs[i];
+  }
+
+
+
+  // The first rank with a cell at a node owns it: it knows all cells around it.
+  template<int dim>
+  void Discretization<dim>::find_places()
+  {
+    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+    std::map<unsigned int, unsigned int> owner;
+    for (const auto &[name, vertex] : mesh.points)
+      if (vertex != numbers::invalid_unsigned_int)
+        owner[vertex] = numbers::invalid_unsigned_int;
+    if (!owner.empty())
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int v : cell->vertex_indices())
+            if (const auto at = owner.find(cell->vertex_index(v));
+                at != owner.end())
+              at->second = rank;
+    places.clear();
+    for (const auto &[name, vertex] : mesh.points)
+      if (vertex != numbers::invalid_unsigned_int)
+        {
+          Place<dim> &place = places[name];
+          for (unsigned int c = 0; c < dim; ++c)
+            place.unknowns[c] = {{vertex_dofs[vertex][c], 1.}};
+          if (Utilities::MPI::min(owner.at(vertex), communicator) == rank)
+            place.vertices = {{vertex, 1.}};
+        }
+    const PlaceSearch<dim> search(mesh, mapping, dof_handler, communicator);
+    for (const auto &[name, named] : mesh.places)
+      places[name] = search.find(name);
+  }
+
+
+
+  template<int dim>
+  const Place<dim> &Discretization<dim>::place(const std::string &name,
+                                               const std::string &entry) const
+  {
+    if (const auto found = places.find(name); found != places.end())
+      return found->second;
+    mesh.point(name, entry); // says why not
+    AssertThrow(false, ExcInternalError());
+    return places.begin()->second;
   }
 
 

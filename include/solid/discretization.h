@@ -20,6 +20,7 @@
 #include "parameters/parameters.h"
 #include "solid/element_spaces.h"
 #include "solid/normal_supports.h"
+#include "solid/place.h"
 #include "solid/rigid_boundaries.h"
 
 namespace Contact
@@ -43,9 +44,9 @@ namespace Contact
    * for.
    *
    * With several ranks each has the unknowns of its cells and their neighbors;
-   * supports and the unknowns of named points are known to all. Vectors of the
+   * supports and the unknowns at named places are known to all. Vectors of the
    * displacement hold the former and, on every rank, the unknowns of all
-   * contact faces and of named points.
+   * contact faces and at named places.
    */
   template<int dim>
   class Discretization
@@ -124,6 +125,11 @@ namespace Contact
     /// The unknowns of each vertex of the triangulation; invalid where no cell
     /// of this rank or its neighbors has it.
     std::vector<NodeDoFs<dim>> vertex_dofs;
+
+    /// A point by its name, at a node or between nodes. Throws InputError with
+    /// the @p entry that names it if there is none.
+    const Place<dim> &place(const std::string &name,
+                            const std::string &entry) const;
 
     /**
      * Make the constraints such that the next update brings the supported
@@ -271,6 +277,7 @@ namespace Contact
     void collect_vertex_dofs();
     void distribute_vectors();
     void gather_named_points();
+    void find_places();
     void collect_supports();
     using NodeVisitor = std::function<void(const types::global_dof_index dof,
                                            const Point<dim>             &X,
@@ -296,6 +303,7 @@ namespace Contact
 
     using History = std::function<double(const Point<1> &)>;
 
+    std::map<std::string, Place<dim>>                          places;
     std::map<std::string, History>                             histories;
     std::vector<typename SupportMotion<dim>::Formula>          formulas;
     std::map<types::global_dof_index, Prescribed<dim>>         prescribed;

@@ -93,7 +93,7 @@ namespace Contact
   {
     for (const auto &[name, value] : values)
       {
-        if (mesh.points.count(name) > 0)
+        if (mesh.points.count(name) + mesh.places.count(name) > 0)
           throw InputError("the point '" + name + "' has no normal",
                            entry,
                            "name a boundary, or set 'Displacement x' and the "

@@ -5,11 +5,9 @@
 
 #include "solid/stress_recovery.h"
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/grid/reference_cell.h>
 
 #include <algorithm>
-#include <set>
 
 namespace Contact
 {
@@ -83,7 +81,6 @@ namespace Contact
     for (unsigned int v = 0; v < n_vertices; ++v)
       if (n_cells[v] > 0)
         at_vertices[v] /= n_cells[v];
-    gather_named_points(at_vertices);
     return at_vertices;
   }
 
@@ -106,14 +103,17 @@ namespace Contact
 
 
   template<int dim>
-  typename StressRecovery<dim>::Cells
-  StressRecovery<dim>::cells_at(const unsigned int vertex) const
+  typename StressRecovery<dim>::CellsOfVertices
+  StressRecovery<dim>::cells_at(const Place<dim> &place) const
   {
-    Cells cells;
+    CellsOfVertices cells;
+    for (const auto &[vertex, weight] : place.vertices)
+      cells[vertex];
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       for (const unsigned int v : cell->vertex_indices())
-        if (cell->vertex_index(v) == vertex)
-          cells.push_back(cell);
+        if (const auto at = cells.find(cell->vertex_index(v));
+            at != cells.end())
+          at->second.push_back(cell);
     return cells;
   }
 
@@ -121,48 +121,25 @@ namespace Contact
 
   template<int dim>
   SymmetricTensor<2, 3>
-  StressRecovery<dim>::stress_at(const unsigned int     vertex,
-                                 const Cells           &cells,
+  StressRecovery<dim>::stress_at(const Place<dim>      &place,
+                                 const CellsOfVertices &cells,
                                  const Elasticity<dim> &elasticity,
                                  const GhostedVector   &u) const
   {
-    SymmetricTensor<2, 3> sum;
-    for (const auto &cell : cells)
-      for (const unsigned int v : cell->vertex_indices())
-        if (cell->vertex_index(v) == vertex)
-          sum += at_vertex(cell,
-                           v,
-                           elasticity.stresses(cell->active_cell_index(), u));
-    return sum / cells.size();
-  }
-
-
-
-  // A rank that has a cell at a vertex knows all cells around it.
-  template<int dim>
-  template<typename Value>
-  void StressRecovery<dim>::gather_named_points(
-    std::vector<Value> &at_vertices) const
-  {
-    const MPI_Comm communicator = discretization.communicator;
-    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
-      return;
-
-    std::set<unsigned int> own;
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int v : cell->vertex_indices())
-          own.insert(cell->vertex_index(v));
-    for (const auto &[name, vertex] : discretization.mesh.points)
-      if (vertex != numbers::invalid_unsigned_int)
-        {
-          const bool knows = own.count(vertex) > 0;
-          const auto sum =
-            Utilities::MPI::sum(knows ? at_vertices[vertex] : Value(),
-                                communicator);
-          at_vertices[vertex] =
-            sum / Utilities::MPI::sum(knows ? 1. : 0., communicator);
-        }
+    SymmetricTensor<2, 3> stress;
+    for (const auto &[vertex, weight] : place.vertices)
+      {
+        SymmetricTensor<2, 3> sum;
+        for (const auto &cell : cells.at(vertex))
+          for (const unsigned int v : cell->vertex_indices())
+            if (cell->vertex_index(v) == vertex)
+              sum +=
+                at_vertex(cell,
+                          v,
+                          elasticity.stresses(cell->active_cell_index(), u));
+        stress += weight * (sum / cells.at(vertex).size());
+      }
+    return stress;
   }
 
 

@@ -35,11 +35,14 @@ namespace Contact
     /// The same of the equivalent plastic strain [-].
     std::vector<double> vertex_strains(const Elasticity<dim> &elasticity) const;
 
-    /// The cells around a vertex, and the stress there by them alone.
-    using Cells = std::vector<typename DoFHandler<dim>::active_cell_iterator>;
-    Cells                 cells_at(const unsigned int vertex) const;
-    SymmetricTensor<2, 3> stress_at(const unsigned int     vertex,
-                                    const Cells           &cells,
+    /// The cells around the vertices of a place, by vertex, and the stress
+    /// there by them alone. On one rank.
+    using CellsOfVertices =
+      std::map<unsigned int,
+               std::vector<typename DoFHandler<dim>::active_cell_iterator>>;
+    CellsOfVertices       cells_at(const Place<dim> &place) const;
+    SymmetricTensor<2, 3> stress_at(const Place<dim>      &place,
+                                    const CellsOfVertices &cells,
                                     const Elasticity<dim> &elasticity,
                                     const GhostedVector   &u) const;
 
@@ -53,9 +56,6 @@ namespace Contact
     Value at_vertex(const typename DoFHandler<dim>::active_cell_iterator &cell,
                     const unsigned int                                    v,
                     const std::vector<Value> &at_points) const;
-
-    template<typename Value>
-    void gather_named_points(std::vector<Value> &at_vertices) const;
 
     const Discretization<dim> &discretization;
 

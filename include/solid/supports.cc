@@ -24,6 +24,7 @@ namespace Contact
                                         const std::string &name,
                                         const NodeVisitor &visitor) const
   {
+    mesh.refuse_place(name, entry);
     if (mesh.points.count(name) > 0)
       {
         const unsigned int vertex = mesh.point(name, entry);

@@ -1,0 +1,242 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solid/place_search.h"
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe.h>
+
+#include <algorithm>
+#include <boost/serialization/vector.hpp>
+#include <cmath>
+#include <limits>
+
+#include "base/errors.h"
+#include "base/string_utilities.h"
+#include "mesh/coarse_mesh.h"
+
+namespace Contact
+{
+  template<int dim>
+  PlaceSearch<dim>::PlaceSearch(const Mesh<dim>                  &mesh,
+                                const hp::MappingCollection<dim> &mapping,
+                                const DoFHandler<dim>            &dof_handler,
+                                const MPI_Comm                    communicator)
+    : mesh(mesh)
+    , mapping(mapping)
+    , dof_handler(dof_handler)
+    , communicator(communicator)
+  {
+    if (!mesh.places.empty() && mesh.triangulation.has_hanging_nodes())
+      DoFTools::make_hanging_node_constraints(dof_handler, hanging);
+    hanging.close();
+  }
+
+
+
+  namespace
+  {
+    const std::string place_entry = "entry 'Mesh/Points'";
+
+    /// The point of the reference cell that is closest to @p xi.
+    template<int dim>
+    Point<dim> closest_in_unit_cell(const ReferenceCell &cell,
+                                    const Point<dim>    &xi)
+    {
+      Point<dim> closest = GeometryInfo<dim>::project_to_unit_cell(xi);
+      if constexpr (dim == 2)
+        if (!cell.is_hyper_cube() && closest[0] + closest[1] > 1)
+          {
+            closest[0] = std::clamp((1 + xi[0] - xi[1]) / 2, 0., 1.);
+            closest[1] = 1 - closest[0];
+          }
+      return closest;
+    }
+
+
+
+    /// Whether two places are the same point of a body: the weights of the
+    /// same unknowns. Points of two bodies have none in common, and differ by
+    /// two; points close to each other by next to nothing.
+    template<int dim>
+    bool are_the_same(const Place<dim> &a, const Place<dim> &b)
+    {
+      typename Place<dim>::Weights difference = a.unknowns[0];
+      for (const auto &[dof, weight] : b.unknowns[0])
+        difference[dof] -= weight;
+      double sum = 0;
+      for (const auto &[dof, weight] : difference)
+        sum += std::abs(weight);
+      return sum < 1;
+    }
+  } // namespace
+
+
+
+  // The smallest distance wins; where cells have the place in common, the first
+  // of them on any number of ranks.
+  template<int dim>
+  Place<dim> PlaceSearch<dim>::find(const std::string &name) const
+  {
+    const NamedPlace<dim> &named = mesh.places.at(name);
+    const auto             all =
+      Utilities::MPI::all_gather(communicator, candidates(named));
+    const Candidate *best  = nullptr;
+    unsigned int     owner = 0;
+    for (unsigned int rank = 0; rank < all.size(); ++rank)
+      for (const Candidate &candidate : all[rank])
+        if (const double ahead = best ? best->distance - candidate.distance
+                                      : std::numeric_limits<double>::max();
+            ahead > candidate.round_off ||
+            (ahead >= -candidate.round_off && candidate.cell < best->cell))
+          {
+            best  = &candidate;
+            owner = rank;
+          }
+    if (best == nullptr || best->distance > best->allowed)
+      throw InputError("no body is at the point '" + name + "'",
+                       place_entry,
+                       "the closest corner of a cell is at " +
+                         to_string(named.closest_node) + " mm, " +
+                         brief(named.distance) +
+                         " mm away, in the coordinates of the file");
+
+    Place<dim> place = best->place;
+    if (owner != Utilities::MPI::this_mpi_process(communicator))
+      place.vertices.clear();
+    for (const auto &of_rank : all)
+      for (const Candidate &candidate : of_rank)
+        {
+          if (candidate.distance > best->distance + candidate.close)
+            continue;
+          if (!are_the_same(candidate.place, best->place))
+            throw InputError("two bodies, or two sides of one, are at the "
+                             "point '" +
+                               name + "', which could be either's",
+                             place_entry,
+                             "move the point into one of them, by more than " +
+                               brief(mesh.typed_digits) +
+                               " mm, or name a node in the mesh file");
+          place.coarse_cells.insert(candidate.place.coarse_cells.begin(),
+                                    candidate.place.coarse_cells.end());
+        }
+    return place;
+  }
+
+
+
+  // Cells farther away than a diameter from their centre are not looked at.
+  template<int dim>
+  std::vector<typename PlaceSearch<dim>::Candidate>
+  PlaceSearch<dim>::candidates(const NamedPlace<dim> &named) const
+  {
+    std::vector<Candidate> found;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        if (!cell->is_locally_owned())
+          continue;
+        const Point<dim> &X        = named.in_body[cell->material_id()];
+        const double      diameter = cell->diameter();
+        Candidate         candidate;
+        Point<dim>        xi;
+        if (X.distance(cell->center()) > diameter ||
+            !closest_point(cell, X, xi, candidate.distance))
+          continue;
+        candidate.allowed   = mesh.typed_digits + distance_from_curve(cell);
+        candidate.round_off = 1e-10 * diameter;
+        candidate.close     = std::min(mesh.typed_digits, 1e-2 * diameter);
+        candidate.cell      = cell->id();
+        candidate.place     = place_in(cell, xi);
+        if (candidate.distance <= candidate.allowed)
+          found.push_back(candidate);
+      }
+    return found;
+  }
+
+
+
+  // False where the mapping has no inverse, far outside a curved cell.
+  template<int dim>
+  bool PlaceSearch<dim>::closest_point(const Cell       &cell,
+                                       const Point<dim> &X,
+                                       Point<dim>       &xi,
+                                       double           &distance) const
+  {
+    const auto &of_cell = mapping[cell->active_fe_index()];
+    try
+      {
+        xi = closest_in_unit_cell<dim>(cell->reference_cell(),
+                                       of_cell.transform_real_to_unit_cell(cell,
+                                                                           X));
+      }
+    catch (const typename Mapping<dim>::ExcTransformationFailed &)
+      {
+        return false;
+      }
+    distance = X.distance(of_cell.transform_unit_to_real_cell(cell, xi));
+    return true;
+  }
+
+
+
+  // The straight side of length L is s = L^2/(8 R) off a circle of radius R,
+  // the parabola through its middle L^4/(512 R^3) = s (s/L)^2.
+  template<int dim>
+  double PlaceSearch<dim>::distance_from_curve(const Cell &cell) const
+  {
+    double largest = 0;
+    for (const auto &face : cell->face_iterators())
+      if (face->at_boundary())
+        {
+          const double s =
+            face->center(/*respect_manifold=*/true).distance(face->center());
+          largest = std::max(largest,
+                             cell->get_fe().degree == 1
+                               ? s
+                               : s * std::pow(s / face->diameter(), 2));
+        }
+    return largest;
+  }
+
+
+
+  template<int dim>
+  Place<dim> PlaceSearch<dim>::place_in(const Cell       &cell,
+                                        const Point<dim> &xi) const
+  {
+    const double round_off = 1e-12;
+    Place<dim>   place;
+    place.coarse_cells = {cell->id().get_coarse_cell_id()};
+    for (const unsigned int v : cell->vertex_indices())
+      if (const double weight =
+            cell->reference_cell().d_linear_shape_function(xi, v);
+          std::abs(weight) > round_off)
+        place.vertices[cell->vertex_index(v)] = weight;
+
+    const auto                          &fe = cell->get_fe();
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    cell->get_dof_indices(dofs);
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      if (const double weight = fe.shape_value(i, xi);
+          std::abs(weight) > round_off)
+        {
+          auto &of_component =
+            place.unknowns[fe.system_to_component_index(i).first];
+          if (const auto *leaders = hanging.get_constraint_entries(dofs[i]))
+            for (const auto &[dof, factor] : *leaders)
+              of_component[dof] += weight * factor;
+          else
+            of_component[dofs[i]] += weight;
+        }
+    return place;
+  }
+
+
+
+  template class PlaceSearch<2>;
+  template class PlaceSearch<3>;
+} // namespace Contact
