@@ -137,7 +137,7 @@ def named_points():
     found = values(summary) if status == 0 else {"tip": 0, "foot": 0, "C": 1}
     check("points by their place", found["tip"] < 0 and
           found["foot"] == found["C"], f"{found} {said[:300]}")
-    for points, reason in (("tip: 4, 1.2", "at (4, 1.33333)"),
+    for points, reason in (("tip: 5, 1.2", "at (4, 1.33333)"),
                            ("tip: 4", "no place"), ("C: 4, 2", "of its own")):
         status, said, _ = run("points", {**scene, "Mesh/Points": points})
         check(f"'{points}' is refused", status == 2 and reason in said,

@@ -55,47 +55,72 @@ namespace Contact
 
   namespace
   {
-    /// A node of the slave of a contact pair, with a pressure.
+    /// A place on the slave of a contact pair: nodes with a pressure, and
+    /// their weights.
     template<int dim>
-    struct SlaveNode
+    struct PlaceOnSlave
     {
-      const ContactPair<dim> *contact_pair;
-      unsigned int            number;
+      const ContactPair<dim>                      *contact_pair;
+      std::vector<std::pair<unsigned int, double>> nodes;
     };
 
 
 
-    /// The slave nodes with these unknowns, at most one of each contact pair.
+    /// The node of a surface that has this unknown, or none.
     template<int dim>
-    std::vector<SlaveNode<dim>>
-    slave_nodes_at(const NodeDoFs<dim>         &dofs,
-                   const ContactInterface<dim> *interface)
+    unsigned int node_with(const Surface<dim>           &surface,
+                           const types::global_dof_index dof)
     {
-      std::vector<SlaveNode<dim>> found;
-      if (interface != nullptr)
-        for (const auto &contact_pair : interface->pairs)
-          for (unsigned int n = 0; n < contact_pair->slave.nodes.size(); ++n)
-            if (contact_pair->slave.nodes[n].dofs == dofs &&
-                !contact_pair->pressure_at(n).empty())
-              found.push_back({contact_pair.get(), n});
+      for (unsigned int n = 0; n < surface.nodes.size(); ++n)
+        if (surface.nodes[n].dofs[0] == dof)
+          return n;
+      return numbers::invalid_unsigned_int;
+    }
+
+
+
+    /// The place on all slaves that have it, at most one of each contact pair.
+    template<int dim>
+    std::vector<PlaceOnSlave<dim>>
+    on_slaves(const Place<dim> &place, const ContactInterface<dim> *interface)
+    {
+      std::vector<PlaceOnSlave<dim>> found;
+      if (interface == nullptr)
+        return found;
+      for (const auto &contact_pair : interface->pairs)
+        {
+          PlaceOnSlave<dim> here{contact_pair.get(), {}};
+          for (const auto &[dof, weight] : place.unknowns[0])
+            {
+              const unsigned int n = node_with(contact_pair->slave, dof);
+              if (n != numbers::invalid_unsigned_int &&
+                  !contact_pair->pressure_at(n).empty())
+                here.nodes.emplace_back(n, weight);
+            }
+          if (here.nodes.size() == place.unknowns[0].size())
+            found.push_back(here);
+        }
       return found;
     }
 
 
 
     template<int dim>
-    bool has_node(const Surface<dim> &surface, const NodeDoFs<dim> &dofs)
+    bool is_on(const Surface<dim> &surface, const Place<dim> &place)
     {
-      return std::any_of(surface.nodes.begin(),
-                         surface.nodes.end(),
-                         [&](const auto &node) { return node.dofs == dofs; });
+      return std::all_of(place.unknowns[0].begin(),
+                         place.unknowns[0].end(),
+                         [&](const auto &term) {
+                           return node_with(surface, term.first) !=
+                                  numbers::invalid_unsigned_int;
+                         });
     }
 
 
 
-    /// Why no multiplier is at a node.
+    /// Why no multiplier is at a place.
     template<int dim>
-    std::string why_no_multiplier(const NodeDoFs<dim>         &dofs,
+    std::string why_no_multiplier(const Place<dim>            &place,
                                   const ContactInterface<dim> *interface)
     {
       if (interface == nullptr)
@@ -106,10 +131,9 @@ namespace Contact
             contact_pair->name.empty()
               ? ""
               : " of the contact pair '" + contact_pair->name + "'";
-          if (has_node<dim>(contact_pair->slave, dofs))
+          if (is_on(contact_pair->slave, place))
             return "it is on the slave" + name + ", but no point of contact is";
-          if (contact_pair->master &&
-              has_node<dim>(*contact_pair->master, dofs))
+          if (contact_pair->master && is_on(*contact_pair->master, place))
             return "it is on the master" + name +
                    ", and the tractions are those of the slave";
         }
@@ -126,14 +150,18 @@ namespace Contact
                               const ContactInterface<dim> *interface,
                               const Discretization<dim>   &discretization)
   {
-    const NodeDoFs<dim> &dofs =
-      discretization
-        .vertex_dofs[discretization.mesh.point(point, "Probes/Probes")];
-    const auto found = slave_nodes_at<dim>(dofs, interface);
+    const Place<dim> &place = discretization.place(point, "Probes/Probes");
+    if (dim == 3 && quantity == Quantity::shear && place.is_between_nodes())
+      throw InputError("the point '" + point +
+                         "' lies between nodes, whose shears have directions "
+                         "of their own",
+                       "Probes/Probes, '" + probe + "'",
+                       "name a node; 'Output/Profile' has the vectors");
+    const auto found = on_slaves(place, interface);
     if (found.empty())
       throw InputError("there is no " + Choice<Quantity>(quantity).name() +
                          " of contact at the point '" + point +
-                         "': " + why_no_multiplier<dim>(dofs, interface),
+                         "': " + why_no_multiplier(place, interface),
                        "Probes/Probes, '" + probe + "'",
                        "name a point group on a slave, or a stress");
     if (found.size() > 1)
@@ -149,35 +177,54 @@ namespace Contact
 
 
 
+  namespace
+  {
+    /// The shear at a node of the slave without the force of a corner; in space
+    /// its magnitude.
+    template<int dim>
+    double shear_of_node(const ContactInterface<dim> &interface,
+                         const ContactPair<dim>      &contact_pair,
+                         const unsigned int           n,
+                         const GhostedVector         &solution)
+    {
+      const unsigned int k = contact_pair.multipliers.of_node[n];
+      if (contact_pair.law.is_frictionless() ||
+          k == numbers::invalid_unsigned_int)
+        return 0;
+      if (dim == 2)
+        return solution[interface.tangential_index(k)];
+      Tensor<1, dim - 1> shear;
+      for (unsigned int t = 0; t < dim - 1; ++t)
+        shear[t] = solution[interface.tangential_index(k, t)];
+      return shear.norm();
+    }
+  } // namespace
+
+
+
   template<int dim>
   double contact_traction(const Quantity               quantity,
-                          const unsigned int           vertex,
+                          const Place<dim>            &place,
                           const ContactInterface<dim> *interface,
-                          const Discretization<dim>   &discretization,
                           const GhostedVector         &solution)
   {
-    const auto found =
-      slave_nodes_at<dim>(discretization.vertex_dofs[vertex], interface);
+    const auto found = on_slaves(place, interface);
     if (found.empty())
       return 0;
-    const auto [contact_pair, n] = found[0];
-    const bool   normal          = quantity == Quantity::pressure;
-    const auto   of_corners = corner_loads(*interface, *contact_pair, solution);
-    const double of_corner =
-      of_corners.empty() ? 0. : of_corners[n].traction()[normal ? 0 : 1];
-    if (normal)
-      return interface->pressure(contact_pair->pressure_at(n), solution) +
-             of_corner;
-    const unsigned int k = contact_pair->multipliers.of_node[n];
-    if (contact_pair->law.is_frictionless() ||
-        k == numbers::invalid_unsigned_int)
-      return of_corner;
-    if (dim == 2)
-      return solution[interface->tangential_index(k)] + of_corner;
-    Tensor<1, dim - 1> shear;
-    for (unsigned int t = 0; t < dim - 1; ++t)
-      shear[t] = solution[interface->tangential_index(k, t)];
-    return shear.norm();
+    const ContactPair<dim> &contact_pair = *found[0].contact_pair;
+    const bool              is_normal    = quantity == Quantity::pressure;
+    const auto of_corners = corner_loads(*interface, contact_pair, solution);
+    double     sum        = 0;
+    for (const auto &[n, weight] : found[0].nodes)
+      {
+        const double of_multiplier =
+          is_normal ? interface->pressure(contact_pair.pressure_at(n), solution)
+                    : shear_of_node(*interface, contact_pair, n, solution);
+        const double of_corner =
+          of_corners.empty() ? 0. : of_corners[n].traction()[is_normal ? 0 : 1];
+        sum += weight * (of_multiplier + of_corner);
+      }
+    return sum;
   }
 
 
@@ -254,26 +301,21 @@ namespace Contact
 
     template<int dim>
     void add_derivative_of_traction(const Quantity           quantity,
-                                    const unsigned int       vertex,
+                                    const Place<dim>        &place,
                                     const double             factor,
                                     const ContactModel<dim> &model,
                                     GhostedVector           &derivative)
     {
       const ContactInterface<dim> &interface = *model.interface;
-      const auto [contact_pair, n] =
-        slave_nodes_at<dim>(model.discretization->vertex_dofs[vertex],
-                            &interface)
-          .at(0);
-      if (quantity == Quantity::pressure)
-        {
+      const auto [contact_pair, nodes] = on_slaves(place, &interface).at(0);
+      for (const auto &[n, weight] : nodes)
+        if (quantity == Quantity::pressure)
           for (const auto &[k, part] : contact_pair->pressure_at(n))
-            derivative[interface.normal_index(k)] += factor * part;
-          return;
-        }
-      const unsigned int k = contact_pair->multipliers.of_node[n];
-      if (!contact_pair->law.is_frictionless() &&
-          k != numbers::invalid_unsigned_int)
-        derivative[interface.tangential_index(k)] += factor;
+            derivative[interface.normal_index(k)] += factor * weight * part;
+        else if (const unsigned int k = contact_pair->multipliers.of_node[n];
+                 !contact_pair->law.is_frictionless() &&
+                 k != numbers::invalid_unsigned_int)
+          derivative[interface.tangential_index(k)] += factor * weight;
     }
 
 
@@ -331,15 +373,11 @@ namespace Contact
                            const GhostedVector     &solution,
                            GhostedVector           &derivative)
     {
-      const std::string entry = "Probes/Probes";
+      const Place<dim> &place =
+        model.discretization->place(point, "Probes/Probes");
       if (is_contact_traction(quantity))
-        return add_derivative_of_traction(quantity,
-                                          model.mesh->point(point, entry),
-                                          factor,
-                                          model,
-                                          derivative);
-      const Place<dim> &place = model.discretization->place(point, entry);
-      if (is_displacement(quantity))
+        add_derivative_of_traction(quantity, place, factor, model, derivative);
+      else if (is_displacement(quantity))
         add_derivative_of_displacement(quantity, place, factor, derivative);
       else
         add_derivative_of_stress(quantity,
@@ -372,14 +410,13 @@ namespace Contact
                            model,
                            state.solution,
                            state.load_factor);
-      const std::string entry = "Probes/Probes";
+      const Place<dim> &place =
+        model.discretization->place(name, "Probes/Probes");
       if (is_contact_traction(quantity))
         return contact_traction(quantity,
-                                model.mesh->point(name, entry),
+                                place,
                                 model.interface.get(),
-                                *model.discretization,
                                 state.solution);
-      const Place<dim> &place = model.discretization->place(name, entry);
       const StressRecovery<dim> recovery(*model.discretization);
       if (quantity == Quantity::plastic_strain)
         return model.elasticity->has_history()
@@ -456,14 +493,12 @@ namespace Contact
                                          const ContactInterface<3> *interface,
                                          const Discretization<3> &discretization);
   template double contact_traction(const Parameters::Quantity quantity,
-                                   const unsigned int         vertex,
+                                   const Place<2>            &place,
                                    const ContactInterface<2> *interface,
-                                   const Discretization<2>   &discretization,
                                    const GhostedVector       &solution);
   template double contact_traction(const Parameters::Quantity quantity,
-                                   const unsigned int         vertex,
+                                   const Place<3>            &place,
                                    const ContactInterface<3> *interface,
-                                   const Discretization<3>   &discretization,
                                    const GhostedVector       &solution);
   template double
   probe_value(const Parameters::Quantity                quantity,

@@ -30,7 +30,8 @@ namespace Contact
 
   /// Check that there is one traction of contact at a named point. Throws
   /// InputError with the name of the @p probe and the reason if no slave, or
-  /// those of two contact pairs, carry a multiplier there.
+  /// those of two contact pairs, carry a multiplier there, and for the shear in
+  /// space between nodes, whose directions differ.
   template<int dim>
   void check_contact_traction(const std::string           &probe,
                               const Parameters::Quantity   quantity,
@@ -38,13 +39,13 @@ namespace Contact
                               const ContactInterface<dim> *interface,
                               const Discretization<dim>   &discretization);
 
-  /// The traction [MPa] at a vertex of the triangulation: the multiplier there;
-  /// zero where there is none, as for the shear without friction.
+  /// The traction [MPa] at a place: the multiplier there, between nodes by the
+  /// shape functions; zero where there is none, as for the shear without
+  /// friction.
   template<int dim>
   double contact_traction(const Parameters::Quantity   quantity,
-                          const unsigned int           vertex,
+                          const Place<dim>            &place,
                           const ContactInterface<dim> *interface,
-                          const Discretization<dim>   &discretization,
                           const GhostedVector         &solution);
 
   /// The stress [MPa] that a quantity means.

@@ -124,20 +124,16 @@ namespace Contact
 
 
 
-    /// The coordinates of a place that the user names, which has to be new.
+    const std::string points_entry = "entry 'Mesh/Points'";
+
+    /// The coordinates of a place that the user names.
     template<int dim>
     Point<dim> read_place(const std::string         &name,
-                          const std::vector<double> &numbers,
-                          const bool                 is_taken)
+                          const std::vector<double> &numbers)
     {
-      const std::string entry = "entry 'Mesh/Points'";
-      if (is_taken)
-        throw InputError("the mesh file has a point '" + name + "' of its own",
-                         entry,
-                         "choose another name");
       if (numbers.size() != dim)
         throw InputError("the point '" + name + "' is no place",
-                         entry,
+                         points_entry,
                          std::string("write ") +
                            (dim == 2 ? "'x, y'" : "'x, y, z'") + ", in mm");
       Point<dim> X;
@@ -147,45 +143,100 @@ namespace Contact
 
 
 
+    /// The bodies that a place may belong to: the one of 'name in body', which
+    /// is taken off the name, or all.
+    template<int dim>
+    std::set<types::material_id> bodies_of(std::string     &name,
+                                           const Mesh<dim> &mesh)
+    {
+      const std::string            in = " in ";
+      std::set<types::material_id> ids;
+      if (const auto position = name.rfind(in); position != std::string::npos)
+        {
+          ids.insert(
+            mesh.body(name.substr(position + in.size()), "Mesh/Points"));
+          name.erase(position);
+        }
+      else
+        for (const auto &[body, id] : mesh.bodies)
+          ids.insert(id);
+      return ids;
+    }
+
+
+
+    /// The vertices that cells of these bodies have.
+    template<int dim>
+    std::vector<unsigned int>
+    vertices_of(const std::set<types::material_id> &bodies,
+                const CoarseMesh<dim>              &coarse)
+    {
+      std::set<unsigned int> vertices;
+      for (const auto &cell : coarse.cells)
+        if (bodies.count(cell.material_id) > 0)
+          vertices.insert(cell.vertices.begin(), cell.vertices.end());
+      return {vertices.begin(), vertices.end()};
+    }
+
+
+
     /// The places that the user names, in the coordinates of the file, where
     /// two bodies that touch may have a vertex each.
     template<int dim>
-    void name_points(const Parameters::Mesh        &parameters,
-                     const Placement<dim>          &placement,
-                     const std::vector<Point<dim>> &vertices,
-                     Mesh<dim>                     &mesh)
+    void name_points(const Parameters::Mesh &parameters,
+                     const Placement<dim>   &placement,
+                     const CoarseMesh<dim>  &coarse,
+                     Mesh<dim>              &mesh)
     {
       const double typed = 1e-4; // of the size of the mesh
       double       size  = 0;
-      for (const Point<dim> &vertex : vertices)
-        size = std::max(size, vertex.distance(vertices.front()));
+      for (const Point<dim> &vertex : coarse.vertices)
+        size = std::max(size, vertex.distance(coarse.vertices.front()));
       mesh.typed_digits = typed * size * placement.scale;
-      for (const auto &[name, numbers] : parameters.points)
+      for (const auto &[key, numbers] : parameters.points)
         {
-          const Point<dim> X =
-            read_place<dim>(name, numbers, mesh.points.count(name) > 0);
+          std::string      name   = key;
+          const auto       bodies = bodies_of(name, mesh);
+          const Point<dim> X      = read_place<dim>(name, numbers);
+          if (mesh.points.count(name) + mesh.places.count(name) > 0)
+            throw InputError(coarse.points.count(name) > 0
+                               ? "the mesh file has a point '" + name +
+                                   "' of its own"
+                               : "the point '" + name + "' is named twice",
+                             points_entry,
+                             "choose another name");
+          const auto vertices = vertices_of(bodies, coarse);
+          const auto distance = [&](const unsigned int v) {
+            return X.distance(coarse.vertices[v]);
+          };
           const auto closest =
             std::min_element(vertices.begin(),
                              vertices.end(),
-                             [&](const auto &a, const auto &b) {
-                               return X.distance_square(a) <
-                                      X.distance_square(b);
+                             [&](const auto a, const auto b) {
+                               return distance(a) < distance(b);
                              });
-          if (X.distance(*closest) > typed * size)
+          const Point<dim> node = coarse.vertices[*closest];
+          if (distance(*closest) > typed * size)
             {
               NamedPlace<dim> &place = mesh.places[name];
-              for (unsigned int body = 0; body < mesh.bodies.size(); ++body)
-                place.in_body.push_back(placement(X, body));
-              place.closest_node = *closest;
-              place.distance     = X.distance(*closest);
+              for (const auto body : bodies)
+                place.in_body[body] = placement(X, body);
+              place.closest_node = node;
+              place.distance     = distance(*closest);
               continue;
             }
-          if (std::count(vertices.begin(), vertices.end(), *closest) > 1)
+          if (std::count_if(vertices.begin(),
+                            vertices.end(),
+                            [&](const auto v) {
+                              return coarse.vertices[v] == node;
+                            }) > 1)
             throw InputError("two bodies have a node at the point '" + name +
                                "'",
-                             "entry 'Mesh/Points'",
-                             "name the point in the mesh file");
-          mesh.points[name] = closest - vertices.begin();
+                             points_entry,
+                             "name the body, '" + name +
+                               " in BODY: x, y', or the point in the mesh "
+                               "file");
+          mesh.points[name] = *closest;
         }
     }
   } // namespace
@@ -225,7 +276,7 @@ namespace Contact
     curves                 = coarse.curves;
     points                 = coarse.points;
     with_inner_faces       = coarse.with_inner_faces;
-    name_points(parameters, placement, coarse.vertices, *this);
+    name_points(parameters, placement, coarse, *this);
     place_vertices(placement, msh, coarse);
     order_cells(coarse.cells);
     triangulation.create_triangulation(coarse.vertices,
@@ -326,9 +377,8 @@ namespace Contact
   {
     if (const auto place = places.find(name); place != places.end())
       throw InputError("the point '" + name +
-                         "' lies between nodes, where forces and probes of "
-                         "displacements, stresses and plastic strains can be, "
-                         "and nothing else",
+                         "' lies between nodes, where there can be forces "
+                         "and probes, and nothing else",
                        "entry '" + entry + "'",
                        "name a corner of a cell in 'Mesh/Points': the closest "
                        "one is at " +

@@ -36,9 +36,9 @@ namespace Contact
   template<int dim>
   struct NamedPlace
   {
-    /// Where it is in each body, by material id: bodies may be moved by
+    /// Where it is in each body that it may belong to: bodies may be moved by
     /// themselves [mm].
-    std::vector<Point<dim>> in_body;
+    std::map<types::material_id, Point<dim>> in_body;
 
     /// The corner of a cell next to it, and how far that is, both in the
     /// coordinates of the file [mm].

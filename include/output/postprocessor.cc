@@ -333,14 +333,13 @@ namespace Contact
                             parameters.solution.has_moving_bound());
     if (is_energy(quantity))
       return body_energy(point, model, state.solution);
-    const std::string entry = "Probes/Probes";
+    const Place<dim> &place =
+      model.discretization->place(point, "Probes/Probes");
     if (is_contact_traction(quantity))
       return contact_traction(quantity,
-                              model.mesh->point(point, entry),
+                              place,
                               model.interface.get(),
-                              *model.discretization,
                               state.solution);
-    const Place<dim> &place = model.discretization->place(point, entry);
     if (quantity == Parameters::Quantity::plastic_strain)
       return place.interpolate(recovered_plastic_strains(),
                                model.discretization->communicator);

@@ -59,6 +59,24 @@ namespace Contact
 
 
 
+    /// The point of the face @p f of the reference cell across from @p xi.
+    template<int dim>
+    Point<dim> across_face(const ReferenceCell &cell,
+                           const unsigned int   f,
+                           const Point<dim>    &xi)
+    {
+      Point<dim> across = xi;
+      if (cell.is_hyper_cube())
+        across[f / 2] = f % 2;
+      else if (f == 1)
+        across *= 1 / (xi[0] + xi[1]);
+      else
+        across[f == 0 ? 1 : 0] = 0;
+      return across;
+    }
+
+
+
     /// Whether two places are the same point of a body: the weights of the
     /// same unknowns. Points of two bodies have none in common, and differ by
     /// two; points close to each other by next to nothing.
@@ -118,9 +136,10 @@ namespace Contact
                              "point '" +
                                name + "', which could be either's",
                              place_entry,
-                             "move the point into one of them, by more than " +
-                               brief(mesh.typed_digits) +
-                               " mm, or name a node in the mesh file");
+                             "name the body, '" + name +
+                               " in BODY: x, y', or "
+                               "move the point into one, by more than " +
+                               brief(mesh.typed_digits) + " mm");
           place.coarse_cells.insert(candidate.place.coarse_cells.begin(),
                                     candidate.place.coarse_cells.end());
         }
@@ -137,9 +156,10 @@ namespace Contact
     std::vector<Candidate> found;
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
-        if (!cell->is_locally_owned())
+        if (!cell->is_locally_owned() ||
+            named.in_body.count(cell->material_id()) == 0)
           continue;
-        const Point<dim> &X        = named.in_body[cell->material_id()];
+        const Point<dim> &X        = named.in_body.at(cell->material_id());
         const double      diameter = cell->diameter();
         Candidate         candidate;
         Point<dim>        xi;
@@ -150,9 +170,11 @@ namespace Contact
         candidate.round_off = 1e-10 * diameter;
         candidate.close     = std::min(mesh.typed_digits, 1e-2 * diameter);
         candidate.cell      = cell->id();
-        candidate.place     = place_in(cell, xi);
-        if (candidate.distance <= candidate.allowed)
-          found.push_back(candidate);
+        if (candidate.distance > candidate.allowed)
+          continue;
+        move_to_boundary(cell, X, candidate.close, xi);
+        candidate.place = place_in(cell, xi);
+        found.push_back(candidate);
       }
     return found;
   }
@@ -179,6 +201,25 @@ namespace Contact
       }
     distance = X.distance(of_cell.transform_unit_to_real_cell(cell, xi));
     return true;
+  }
+
+
+
+  template<int dim>
+  void PlaceSearch<dim>::move_to_boundary(const Cell       &cell,
+                                          const Point<dim> &X,
+                                          const double      close,
+                                          Point<dim>       &xi) const
+  {
+    const auto &of_cell = mapping[cell->active_fe_index()];
+    for (const unsigned int f : cell->face_indices())
+      if (cell->at_boundary(f))
+        {
+          const auto across = across_face<dim>(cell->reference_cell(), f, xi);
+          if (X.distance(of_cell.transform_unit_to_real_cell(cell, across)) <=
+              close)
+            xi = across;
+        }
   }
 
 
