@@ -57,9 +57,11 @@ namespace Contact
                         "tube' [mm].");
       prm.add_parameter("Points",
                         points,
-                        "Names for nodes by their place: 'name: x, y', of "
-                        "volumes 'x, y, z' [mm], separated by ';'; the corner "
-                        "of a cell there, in the coordinates of the file.");
+                        "Names for places: 'name: x, y', of volumes 'x, y, z' "
+                        "[mm], separated by ';', in the coordinates of the "
+                        "file; 'name in body: x, y' where bodies touch. The "
+                        "corner of a cell there, as a point group of the "
+                        "file; between nodes a place for forces and probes.");
       prm.add_parameter("Move",
                         move,
                         "'body: dx, dy' [mm], separated by ';', of volumes "
