@@ -30,7 +30,7 @@ namespace Contact
    * the functional: errors fall by 2^-q from mesh to mesh, and the change is
    * divided by 1 - 2^-q. Where solution and dual solution are smooth q is 2p, p
    * the degree of the elements; of pressures and of stresses on
-   * boundaries p; between nodes p + 1 of displacements, 2 of stresses.
+   * boundaries p; of stresses between nodes 2.
    *
    * Not seen: a contact area that ends elsewhere on a finer mesh, beyond what
    * the transfer of the surfaces extrapolates; the history of friction before
