@@ -12,6 +12,7 @@ Proves that, between nodes,
 - the pressure of contact is the nodes', interpolated;
 - a force is balanced by the supports, and the displacement at P by a force at Q
   is that at Q by the force at P (Maxwell and Betti);
+- estimated effects are those of runs of their own;
 - displacements and stresses in and on a ring are those of the closed form, and
   their estimated errors what they are off it;
 - what no body holds, or two, is refused, and so are supports there.
@@ -71,18 +72,21 @@ def linear_field():
     grad = ((1e-3, 2e-3, 5e-4), (-1.5e-3, 5e-4, 1e-3), (7e-4, -3e-4, -4e-4))
     for what, more, ranks in (
             ("quadrangles", {}, 1), ("quadrangles", {}, 2),
-            ("degree 2", {"Element/Degree": 2}, 1),
+            ("degree 2, turned", {"Element/Degree": 2, "Mesh/Rotation": 30}, 1),
             ("triangles", {"Mesh/File": "triangles.msh"}, 2),
             ("triangles, degree 2", {"Mesh/File": "triangles.msh",
                                      "Element/Degree": 2}, 1),
             ("rings", {"Solids/Symmetry": "axisymmetric",
-                       "Mesh/Shift": "1, 0"}, 1),
+                       "Mesh/Move": "A: 1, 0"}, 1),
             ("space", {}, 1), ("space, degree 2", {"Element/Degree": 2}, 1)):
         dim = 3 if "space" in what else 2
         g = [row[:dim] for row in grad[:dim]]
         if what == "rings":
             g = [[1e-3, 0], [0, 5e-4]]
         X = (place[0] + (what == "rings"), *place[1:])
+        if "turned" in what:
+            cos, sin = math.cos(math.pi / 6), math.sin(math.pi / 6)
+            X = cos * X[0] - sin * X[1], sin * X[0] + cos * X[1]
         group = "A_S" if dim == 3 else "S"
         scene = {**SOLID, "Mesh/File": "quads.msh", **more, "Mesh/Points":
                  "P: " + ", ".join(map(str, place[:dim]))}
@@ -145,33 +149,41 @@ PROBES = "; ".join(f"{name}: {name}, P" for name in (
 
 def nodes_of_finer_meshes():
     """The middle of a cell, and of a side."""
-    for place in ("1.5, 1", "2, 1"):
-        for degree in (1, 2):
-            found = []
-            for mesh in ({"Mesh/File": "coarse.msh", "Mesh/Refinements": 1},
-                         {"Mesh/File": "fine.msh"}):
-                status, said, summary = run("finer", {
-                    **BENT, **mesh, "Element/Degree": degree,
-                    "Mesh/Points": f"P: {place}", "Probes/Probes": PROBES})
-                found.append(values(summary) if status == 0 else {})
-            a, b = found
-            check(f"a node of a finer mesh at ({place}), degree {degree}",
-                  len(a) == 5 and all(abs(a[k] / b[k] - 1) < 1e-10 for k in a),
-                  f"{a} {b} {said[:300]}")
+    for place, degree in (("1.5, 1", 1), ("2, 1", 2)):
+        found = []
+        for mesh in ({"Mesh/File": "coarse.msh", "Mesh/Refinements": 1},
+                     {"Mesh/File": "fine.msh"}):
+            status, said, summary = run("finer", {
+                **BENT, **mesh, "Element/Degree": degree,
+                "Mesh/Points": f"P: {place}", "Probes/Probes": PROBES})
+            found.append(values(summary) if status == 0 else {})
+        a, b = found
+        check(f"a node of a finer mesh at ({place}), degree {degree}",
+              len(a) == 5 and all(abs(a[k] / b[k] - 1) < 1e-10 for k in a),
+              f"{a} {b} {said[:300]}")
 
 
 def processes():
-    adaptive = {"Refinement/Levels": 3, "Refinement/Strategy": "adaptive"}
-    for degree in (1, 2):
+    """Where nodes hang, with a force between nodes too."""
+    block = Volumes()
+    block.block("A", (3, 2, 2), lambda r, s, t: (4 * r, 2 * s, 2 * t),
+                {"x0": "L"}, {})
+    block.write("bar")
+    space = {**SOLID, "Mesh/File": "bar.msh", "Boundary conditions/Force z": "Q: -1",
+             "Mesh/Points": "P: 1.234, 0.71, 1.63; Q: 3.9, 1.2, 0.7"}
+    for c in "xyz":
+        space["Boundary conditions/Displacement " + c] = "A_L: 0"
+    plane = {**BENT, "Mesh/File": "coarse.msh", "Mesh/Points": "P: 3.777, 1.93"}
+    for what, scene in (("in the plane", plane), ("in space", space),
+                        ("of degree 2", {**plane, "Element/Degree": 2})):
         found = []
         for ranks in (1, 2):
             status, said, summary = run("ranks", {
-                **BENT, **adaptive, "Mesh/File": "coarse.msh",
-                "Element/Degree": degree, "Output/Nodes": "true",
-                "Mesh/Points": "P: 3.777, 1.93", "Probes/Probes": PROBES}, ranks)
+                **scene, "Refinement/Levels": 2, "Probes/Probes": PROBES,
+                "Refinement/Strategy": "adaptive"}, ranks)
             found.append(values(summary) if status == 0 else {})
         a, b = found
-        check(f"two processes, degree {degree}", len(a) == 5 and all(
+        check(f"two processes, {what}", len(a) == 5 and all(
             abs(a[k] / b[k] - 1) < 1e-8 for k in a), f"{a} {b} {said[:300]}")
 
 
@@ -190,18 +202,55 @@ def forces():
                                   "x: reaction x, L; y: reaction y, L"}
         found = []
         for force in ({"Boundary conditions/Force x": "Q: 2"},
-                      {"Boundary conditions/Force y": "P: 2"},
-                      {"Boundary conditions/Force x": "Q: 2",
-                       "Boundary conditions/Force y": "P: 2"}):
+                      {"Boundary conditions/Force y": "P: 2"}):
             status, said, summary = run("force", {**scene, **force}, ranks)
             found.append(values(summary) if status == 0 else
                          dict.fromkeys("PQxy", 9))
-        x, y, both = found
+        x, y = found
         check("forces between nodes" + what,
-              max(abs(x["x"] + 2), abs(y["y"] + 2), abs(x["y"]), abs(y["x"]),
-                  abs(both["x"] + 2), abs(both["y"] + 2)) < 1e-9 and
-              ("two" in what or abs(x["P"] / y["Q"] - 1) < 1e-9),
+              max(abs(x["x"] + 2), abs(y["y"] + 2), abs(x["y"]),
+                  abs(y["x"])) < 1e-9 and ("two" in what or
+                                           abs(x["P"] / y["Q"] - 1) < 1e-9),
               f"{found} {said[:300]}")
+
+
+def effects():
+    """The change by large displacement, estimated and by a run of its own."""
+    scene = {**SOLID, "Mesh/File": "coarse.msh",
+             "Mesh/Points": "P: 2.2, 1.3; Q: 3.77, 1.9",
+             "Boundary conditions/Displacement x": "L: 0",
+             "Boundary conditions/Displacement y": "L: 0",
+             "Boundary conditions/Force y": "Q: -1",
+             "Probes/Probes": "y: displacement y, P; xx: stress xx, P"}
+    _, said, base = run("effects", {**scene, "Solution/Estimate effects": "true"})
+    _, _, large = run("effects", {**scene,
+                                  "Solids/Kinematics": "large displacement"})
+    small, other = values(base), values(large)
+    changes = [e["changes"] for e in base.get("estimated_effects", [])
+               if e["effect"] == "large displacement"]
+    check("an estimated effect", len(changes) == 1 and all(
+        abs(changes[0][k] / (other[k] - small[k]) - 1) < 0.05 for k in small),
+        f"{changes} {small} {other} {said[:300]}")
+
+
+def shared_nodes():
+    """Two bodies that share nodes: a place on their interface is one point."""
+    mesh = Mesh()
+    mesh.block("A", 4, 2, box(0, 0, 4, 1), {"bottom": "B"})
+    mesh.block("C", 4, 2, box(0, 1, 4, 2), {"top": "T"})
+    mesh.merge()
+    mesh.write("merged")
+    status, said, summary = run("merged", {
+        "Mesh/File": "merged.msh", "Solids/Young's modulus": "A: 1000, C: 3000",
+        "Solids/Poisson's ratio": "A: 0.3, C: 0.3",
+        "Boundary conditions/Displacement x": "B: 0, T: 0.1",
+        "Boundary conditions/Displacement y": "B: 0, T: 0",
+        "Mesh/Points": "P: 1.3, 1; Q in C: 1.3, 1",
+        "Probes/Probes": "P: stress xy, P; Q: stress xy, Q; "
+                         "u: displacement x, P, Q"})
+    found = values(summary) if status == 0 else {"P": 0, "Q": 1, "u": 1}
+    check("bodies that share nodes", found["P"] == found["Q"] and
+          found["u"] == 0, f"{found} {said[:300]}")
 
 
 def contact():
@@ -343,6 +392,8 @@ quadratic_field()
 nodes_of_finer_meshes()
 processes()
 forces()
+effects()
+shared_nodes()
 contact()
 lame()
 sys.exit(len(failures) > 0)
