@@ -33,6 +33,10 @@ SOLID = {"Solids/Young's modulus": f"A: {E}", "Solids/Poisson's ratio": f"A: {NU
 SIDES = {"left": "S", "right": "S", "top": "S", "bottom": "S"}
 
 
+def why(status, said):
+    return said[:300] if status != 0 else ""
+
+
 def values(summary):
     return {p["name"]: p["value"] for p in summary.get("probes", [])}
 
@@ -117,7 +121,7 @@ def linear_field():
                 size = 1e-3 * E
             wrong = max(wrong, abs(value - exact) / size)
         check(f"linear field, {what}, {ranks} processes", wrong < 1e-11,
-              f"{wrong:.1e} {said[:300]}")
+              f"{wrong:.1e} {why(status, said)}")
 
 
 def quadratic_field():
@@ -137,7 +141,7 @@ def quadratic_field():
     wrong = max([abs(found.get(name, 9) / value - 1)
                  for name, value in exact.items()])
     check("quadratic field at degree 2", wrong < 1e-11,
-          f"{wrong:.1e} {said[:300]}")
+          f"{wrong:.1e} {why(status, said)}")
 
 
 BENT = {**SOLID, "Boundary conditions/Displacement formula x":
@@ -160,7 +164,7 @@ def nodes_of_finer_meshes():
         a, b = found
         check(f"a node of a finer mesh at ({place}), degree {degree}",
               len(a) == 5 and all(abs(a[k] / b[k] - 1) < 1e-10 for k in a),
-              f"{a} {b} {said[:300]}")
+              f"{a} {b} {why(status, said)}")
 
 
 def processes():
@@ -174,8 +178,7 @@ def processes():
     for c in "xyz":
         space["Boundary conditions/Displacement " + c] = "A_L: 0"
     plane = {**BENT, "Mesh/File": "coarse.msh", "Mesh/Points": "P: 3.777, 1.93"}
-    for what, scene in (("in the plane", plane), ("in space", space),
-                        ("of degree 2", {**plane, "Element/Degree": 2})):
+    for what, scene in (("in the plane", plane), ("in space", space)):
         found = []
         for ranks in (1, 2):
             status, said, summary = run("ranks", {
@@ -184,7 +187,7 @@ def processes():
             found.append(values(summary) if status == 0 else {})
         a, b = found
         check(f"two processes, {what}", len(a) == 5 and all(
-            abs(a[k] / b[k] - 1) < 1e-8 for k in a), f"{a} {b} {said[:300]}")
+            abs(a[k] / b[k] - 1) < 1e-8 for k in a), f"{a} {b} {why(status, said)}")
 
 
 def forces():
@@ -211,7 +214,7 @@ def forces():
               max(abs(x["x"] + 2), abs(y["y"] + 2), abs(x["y"]),
                   abs(y["x"])) < 1e-9 and ("two" in what or
                                            abs(x["P"] / y["Q"] - 1) < 1e-9),
-              f"{found} {said[:300]}")
+              f"{found} {why(status, said)}")
 
 
 def effects():
@@ -222,7 +225,7 @@ def effects():
              "Boundary conditions/Displacement y": "L: 0",
              "Boundary conditions/Force y": "Q: -1",
              "Probes/Probes": "y: displacement y, P; xx: stress xx, P"}
-    _, said, base = run("effects", {**scene, "Solution/Estimate effects": "true"})
+    status, said, base = run("effects", {**scene, "Solution/Estimate effects": "true"})
     _, _, large = run("effects", {**scene,
                                   "Solids/Kinematics": "large displacement"})
     small, other = values(base), values(large)
@@ -230,7 +233,7 @@ def effects():
                if e["effect"] == "large displacement"]
     check("an estimated effect", len(changes) == 1 and all(
         abs(changes[0][k] / (other[k] - small[k]) - 1) < 0.05 for k in small),
-        f"{changes} {small} {other} {said[:300]}")
+        f"{changes} {small} {other} {why(status, said)}")
 
 
 def shared_nodes():
@@ -250,7 +253,7 @@ def shared_nodes():
                          "u: displacement x, P, Q"})
     found = values(summary) if status == 0 else {"P": 0, "Q": 1, "u": 1}
     check("bodies that share nodes", found["P"] == found["Q"] and
-          found["u"] == 0, f"{found} {said[:300]}")
+          found["u"] == 0, f"{found} {why(status, said)}")
 
 
 def contact():
@@ -307,9 +310,7 @@ def contact():
             ("an interface", {"Mesh/Points": "P: 0.2, 0"}, "name the body"),
             ("no body", {"Mesh/Points": "P: 5, 2"}, "at (3, 2) mm, 2 mm away"),
             ("another body", {"Mesh/Points": "P in B: 0.2, -1"}, "no body is at"),
-            ("a wrong body", {"Mesh/Points": "P in C: 0.2, -1"}, "'A', 'B'"),
             ("the master", {"Mesh/Points": "P in A: 0.2, 0"}, "on the master"),
-            ("inside", {"Mesh/Points": "P: 0.2, 1"}, "on no slave"),
             ("two of a name", {"Mesh/Points": "P in A: 0.2, 0; P in B: 0.2, 0"},
              "named twice"),
             ("a support", {"Boundary conditions/Displacement x":
@@ -321,9 +322,8 @@ def contact():
              "has no normal"),
             ("an excluded point", {"Contact/Excluded points": "P"},
              "lies between nodes")):
-        for ranks in (1, 2) if what == "no body" else (1,):
-            status, said, _ = run("refused", {**base, **more}, ranks)
-            check(f"refused: {what}", status == 2 and reason in said, said[:300])
+        status, said, _ = run("refused", {**base, **more})
+        check(f"refused: {what}", status == 2 and reason in said, said[:300])
 
 
 def lame():
@@ -378,7 +378,7 @@ def lame():
             check(f"a ring of degree {degree}, {kind}", error / size < (
                 stress if kind == "v" else displacement),
                   f"error {error / size:.1e}")
-            check("  the estimates of its errors", wrong < 0.5 * error,
+            check("  the estimates of its errors", wrong < 0.3 * error,
                   f"off by {wrong / error:.2f} of them")
     for r in (18.5, 51.5):
         status, said, _ = run("lame", entries([(r, 0.27)]))
