@@ -55,8 +55,8 @@ def main():
     # A way of 2 mm is enough.
     roller = course(
         "roller", "Solution/Increments=16",
-        "Contact/Obstacle motion=y: table(0 0, 0.25 -0.012, 0.9 -0.012, 1 0.05);"
-        " x: 1.6*max(0, t - 0.25); angle: -9.16732*max(0, t - 0.25)")
+        "Contact/Obstacle motion=y: table(0 0, 0.25 -0.024, 0.9 -0.024, 1 0.05);"
+        " x: 1.6*max(0, t - 0.25); angle: -1.83346*max(0, t - 0.25)")
     check("the roller presses, and leaves", roller and
           min(roller["press"]) < -100 and abs(roller["press"][-1]) < 1e-9,
           str(roller))
