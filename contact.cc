@@ -590,11 +590,13 @@ namespace Contact
 
   // @sect4{ContactProblem::start_from_coarser_level}
   //
-  // A motion that stays is where this mesh has left it.
+  // A motion that stays is where this mesh has left it. The bodies have given
+  // way to thermal strains already.
   template<int dim>
   void
   ContactProblem<dim>::start_from_coarser_level(const unsigned int increment)
   {
+    model.elasticity->end_first_step();
     const GhostedVector &u = coarser.solutions[increment - 1];
     std::copy(u.begin(), u.end(), state.solution.begin());
     if (model.interface)

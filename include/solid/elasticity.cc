@@ -154,6 +154,7 @@ namespace Contact
   {
     if (thermal_strains.empty())
       return;
+    tangents_are_of_start = false;
     for (auto *part : {&tables.own, &tables.neighbors})
       for (CellTable<dim> &cell : *part)
         if (const auto found = thermal_strains.find(cell.body);
@@ -166,6 +167,9 @@ namespace Contact
             ++discretization.counters.thermal_cells;
             cell.thermal_before = from > 0 ? at(from) : 0.;
             cell.thermal        = at(to);
+            tangents_are_of_start =
+              tangents_are_of_start || (cell.thermal != cell.thermal_before &&
+                                        !cell.kernel->is_small_strain());
           }
     present_thermal_forces =
       internal_forces(GhostedVector(discretization.distribution)).l1_norm();
@@ -199,7 +203,15 @@ namespace Contact
         counters.enhanced_cells += !cell.stress_modes.empty();
         counters.return_mappings += cell.history.empty() ? 0 : cell.JxW.size();
       }
-    return cell.kernel->forces(cell, u, stress_stiffness, tangent, forces);
+    if (tangent == nullptr || !tangents_are_of_start ||
+        cell.thermal == cell.thermal_before || cell.kernel->is_small_strain())
+      return cell.kernel->forces(cell, u, stress_stiffness, tangent, forces);
+
+    CellTable<dim> start = cell;
+    start.thermal        = cell.thermal_before;
+    Vector<double> forces_before(forces.size());
+    cell.kernel->forces(start, u, stress_stiffness, tangent, forces_before);
+    return cell.kernel->forces(cell, u, stress_stiffness, nullptr, forces);
   }
 
 

@@ -163,10 +163,10 @@ namespace Contact
                              GhostedVector           &forces) const;
 
     /// Grows whenever the tangent becomes another one under the same u: with
-    /// the stabilization.
+    /// the stabilization, and see end_first_step().
     unsigned int tangent_version() const
     {
-      return springs.version();
+      return springs.version() + n_first_steps;
     }
 
     /// Whether the dilatation of the quadrangles of a body is projected.
@@ -210,6 +210,17 @@ namespace Contact
     /// An increment changes the thermal strains from those at one load factor
     /// to those at another; at the start of a run there are none.
     void heat(const double from, const double to);
+
+    /// Until the first Newton step after heat() is made, in a state where the
+    /// bodies have not yet moved, tangents of large displacement are those of
+    /// the thermal strains before: with them and the stresses of a heat that
+    /// nothing has given way to yet, the tangent of a nearly incompressible
+    /// body would not be definite.
+    void end_first_step()
+    {
+      n_first_steps += tangents_are_of_start;
+      tangents_are_of_start = false;
+    }
 
     /// Whether a body has a thermal strain that may change, and the forces that
     /// those of now exert on undeformed bodies, the sum of their magnitudes.
@@ -299,6 +310,8 @@ namespace Contact
                     thermal_strains;
     double          present_thermal_forces = 0;
     unsigned int    n_heats                = 0;
+    bool            tangents_are_of_start  = false;
+    unsigned int    n_first_steps          = 0;
     CellTables<dim> tables;
 
   public:

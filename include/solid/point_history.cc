@@ -30,6 +30,7 @@ namespace Contact
   template<int dim>
   void Elasticity<dim>::accept(const GhostedVector &u)
   {
+    end_first_step();
     for (auto *part : {&tables.own, &tables.neighbors})
       for (CellTable<dim> &cell : *part)
         if (!cell.history.empty())

@@ -325,6 +325,7 @@ namespace Contact
                                                 /*continues=*/false};
     unsigned int n = system->make_step(step, rhs, state);
     n += search_statuses(step);
+    model.elasticity->end_first_step();
     last_residual = step.residual;
     part          = part_until_touch();
     if (part < 1)
