@@ -10,14 +10,11 @@
 #include <limits>
 #include <set>
 
-#include "base/errors.h"
-#include "contact/contact_results.h"
 #include "contact/obstacle_forces.h"
 #include "solid/stress_recovery.h"
 
 namespace Contact
 {
-  using Parameters::Choice;
   using Parameters::Quantity;
 
   bool is_displacement(const Quantity quantity)
@@ -25,13 +22,6 @@ namespace Contact
     return quantity == Quantity::displacement_x ||
            quantity == Quantity::displacement_y ||
            quantity == Quantity::displacement_z;
-  }
-
-
-
-  bool is_contact_traction(const Quantity quantity)
-  {
-    return quantity == Quantity::pressure || quantity == Quantity::shear;
   }
 
 
@@ -49,182 +39,6 @@ namespace Contact
            !is_force(quantity) && !is_energy(quantity) &&
            !is_of_obstacle(quantity) && !is_of_rigid(quantity) &&
            quantity != Quantity::plastic_strain;
-  }
-
-
-
-  namespace
-  {
-    /// A place on the slave of a contact pair: nodes with a pressure, and
-    /// their weights.
-    template<int dim>
-    struct PlaceOnSlave
-    {
-      const ContactPair<dim>                      *contact_pair;
-      std::vector<std::pair<unsigned int, double>> nodes;
-    };
-
-
-
-    /// The node of a surface that has this unknown, or none.
-    template<int dim>
-    unsigned int node_with(const Surface<dim>           &surface,
-                           const types::global_dof_index dof)
-    {
-      for (unsigned int n = 0; n < surface.nodes.size(); ++n)
-        if (surface.nodes[n].dofs[0] == dof)
-          return n;
-      return numbers::invalid_unsigned_int;
-    }
-
-
-
-    /// The place on all slaves that have it, at most one of each contact pair.
-    template<int dim>
-    std::vector<PlaceOnSlave<dim>>
-    on_slaves(const Place<dim> &place, const ContactInterface<dim> *interface)
-    {
-      std::vector<PlaceOnSlave<dim>> found;
-      if (interface == nullptr)
-        return found;
-      for (const auto &contact_pair : interface->pairs)
-        {
-          PlaceOnSlave<dim> here{contact_pair.get(), {}};
-          for (const auto &[dof, weight] : place.unknowns[0])
-            {
-              const unsigned int n = node_with(contact_pair->slave, dof);
-              if (n != numbers::invalid_unsigned_int &&
-                  !contact_pair->pressure_at(n).empty())
-                here.nodes.emplace_back(n, weight);
-            }
-          if (here.nodes.size() == place.unknowns[0].size())
-            found.push_back(here);
-        }
-      return found;
-    }
-
-
-
-    template<int dim>
-    bool is_on(const Surface<dim> &surface, const Place<dim> &place)
-    {
-      return std::all_of(place.unknowns[0].begin(),
-                         place.unknowns[0].end(),
-                         [&](const auto &term) {
-                           return node_with(surface, term.first) !=
-                                  numbers::invalid_unsigned_int;
-                         });
-    }
-
-
-
-    /// Why no multiplier is at a place.
-    template<int dim>
-    std::string why_no_multiplier(const Place<dim>            &place,
-                                  const ContactInterface<dim> *interface)
-    {
-      if (interface == nullptr)
-        return "the scene has no contact";
-      for (const auto &contact_pair : interface->pairs)
-        {
-          const std::string name =
-            contact_pair->name.empty()
-              ? ""
-              : " of the contact pair '" + contact_pair->name + "'";
-          if (is_on(contact_pair->slave, place))
-            return "it is on the slave" + name + ", but no point of contact is";
-          if (contact_pair->master && is_on(*contact_pair->master, place))
-            return "it is on the master" + name +
-                   ", and the tractions are those of the slave";
-        }
-      return "it is on no slave";
-    }
-  } // namespace
-
-
-
-  template<int dim>
-  void check_contact_traction(const std::string           &probe,
-                              const Quantity               quantity,
-                              const std::string           &point,
-                              const ContactInterface<dim> *interface,
-                              const Discretization<dim>   &discretization)
-  {
-    const Place<dim> &place = discretization.place(point, "Probes/Probes");
-    if (dim == 3 && quantity == Quantity::shear && place.is_between_nodes())
-      throw InputError("the point '" + point +
-                         "' lies between nodes, whose shears have directions "
-                         "of their own",
-                       "Probes/Probes, '" + probe + "'",
-                       "name a node; 'Output/Profile' has the vectors");
-    const auto found = on_slaves(place, interface);
-    if (found.empty())
-      throw InputError("there is no " + Choice<Quantity>(quantity).name() +
-                         " of contact at the point '" + point +
-                         "': " + why_no_multiplier(place, interface),
-                       "Probes/Probes, '" + probe + "'",
-                       "name a point group on a slave, or a stress");
-    if (found.size() > 1)
-      throw InputError("the point '" + point + "' has a " +
-                         Choice<Quantity>(quantity).name() +
-                         " of contact in two contact pairs, '" +
-                         found[0].contact_pair->name + "' and '" +
-                         found[1].contact_pair->name + "'",
-                       "Probes/Probes, '" + probe + "'",
-                       "name a point of one contact pair only, or a stress; "
-                       "'Output/Profile' has both");
-  }
-
-
-
-  namespace
-  {
-    /// The shear at a node of the slave without the force of a corner; in space
-    /// its magnitude.
-    template<int dim>
-    double shear_of_node(const ContactInterface<dim> &interface,
-                         const ContactPair<dim>      &contact_pair,
-                         const unsigned int           n,
-                         const GhostedVector         &solution)
-    {
-      const unsigned int k = contact_pair.multipliers.of_node[n];
-      if (contact_pair.law.is_frictionless() ||
-          k == numbers::invalid_unsigned_int)
-        return 0;
-      if (dim == 2)
-        return solution[interface.tangential_index(k)];
-      Tensor<1, dim - 1> shear;
-      for (unsigned int t = 0; t < dim - 1; ++t)
-        shear[t] = solution[interface.tangential_index(k, t)];
-      return shear.norm();
-    }
-  } // namespace
-
-
-
-  template<int dim>
-  double contact_traction(const Quantity               quantity,
-                          const Place<dim>            &place,
-                          const ContactInterface<dim> *interface,
-                          const GhostedVector         &solution)
-  {
-    const auto found = on_slaves(place, interface);
-    if (found.empty())
-      return 0;
-    const ContactPair<dim> &contact_pair = *found[0].contact_pair;
-    const bool              is_normal    = quantity == Quantity::pressure;
-    const auto of_corners = corner_loads(*interface, contact_pair, solution);
-    double     sum        = 0;
-    for (const auto &[n, weight] : found[0].nodes)
-      {
-        const double of_multiplier =
-          is_normal ? interface->pressure(contact_pair.pressure_at(n), solution)
-                    : shear_of_node(*interface, contact_pair, n, solution);
-        const double of_corner =
-          of_corners.empty() ? 0. : of_corners[n].traction()[is_normal ? 0 : 1];
-        sum += weight * (of_multiplier + of_corner);
-      }
-    return sum;
   }
 
 
@@ -299,27 +113,6 @@ namespace Contact
 
 
 
-    template<int dim>
-    void add_derivative_of_traction(const Quantity           quantity,
-                                    const Place<dim>        &place,
-                                    const double             factor,
-                                    const ContactModel<dim> &model,
-                                    GhostedVector           &derivative)
-    {
-      const ContactInterface<dim> &interface = *model.interface;
-      const auto [contact_pair, nodes] = on_slaves(place, &interface).at(0);
-      for (const auto &[n, weight] : nodes)
-        if (quantity == Quantity::pressure)
-          for (const auto &[k, part] : contact_pair->pressure_at(n))
-            derivative[interface.normal_index(k)] += factor * weight * part;
-        else if (const unsigned int k = contact_pair->multipliers.of_node[n];
-                 !contact_pair->law.is_frictionless() &&
-                 k != numbers::invalid_unsigned_int)
-          derivative[interface.tangential_index(k)] += factor * weight;
-    }
-
-
-
     // Central differences over the unknowns of the cells around the place.
     template<int dim>
     void add_derivative_of_stress(const Quantity           quantity,
@@ -376,7 +169,11 @@ namespace Contact
       const Place<dim> &place =
         model.discretization->place(point, "Probes/Probes");
       if (is_contact_traction(quantity))
-        add_derivative_of_traction(quantity, place, factor, model, derivative);
+        add_traction_derivative(quantity,
+                                place,
+                                factor,
+                                *model.interface,
+                                derivative);
       else if (is_displacement(quantity))
         add_derivative_of_displacement(quantity, place, factor, derivative);
       else
@@ -482,24 +279,6 @@ namespace Contact
     return derivative;
   }
 
-  template void   check_contact_traction(const std::string         &probe,
-                                         const Parameters::Quantity quantity,
-                                         const std::string         &point,
-                                         const ContactInterface<2> *interface,
-                                         const Discretization<2> &discretization);
-  template void   check_contact_traction(const std::string         &probe,
-                                         const Parameters::Quantity quantity,
-                                         const std::string         &point,
-                                         const ContactInterface<3> *interface,
-                                         const Discretization<3> &discretization);
-  template double contact_traction(const Parameters::Quantity quantity,
-                                   const Place<2>            &place,
-                                   const ContactInterface<2> *interface,
-                                   const GhostedVector       &solution);
-  template double contact_traction(const Parameters::Quantity quantity,
-                                   const Place<3>            &place,
-                                   const ContactInterface<3> *interface,
-                                   const GhostedVector       &solution);
   template double
   probe_value(const Parameters::Quantity                quantity,
               const Place<2>                           &place,

@@ -11,6 +11,7 @@
 
 #include "contact/force_probes.h"
 #include "contact/increment_state.h"
+#include "contact/traction_probes.h"
 
 namespace Contact
 {
@@ -19,34 +20,11 @@ namespace Contact
   /// Whether a quantity is a displacement.
   bool is_displacement(const Parameters::Quantity quantity);
 
-  /// Whether a quantity is a traction of contact.
-  bool is_contact_traction(const Parameters::Quantity quantity);
-
   /// Whether a quantity is an energy of a body.
   bool is_energy(const Parameters::Quantity quantity);
 
   /// Whether a quantity is a stress in a body.
   bool is_stress(const Parameters::Quantity quantity);
-
-  /// Check that there is one traction of contact at a named point. Throws
-  /// InputError with the name of the @p probe and the reason if no slave, or
-  /// those of two contact pairs, carry a multiplier there, and for the shear in
-  /// space between nodes, whose directions differ.
-  template<int dim>
-  void check_contact_traction(const std::string           &probe,
-                              const Parameters::Quantity   quantity,
-                              const std::string           &point,
-                              const ContactInterface<dim> *interface,
-                              const Discretization<dim>   &discretization);
-
-  /// The traction [MPa] at a place: the multiplier there, between nodes by the
-  /// shape functions; zero where there is none, as for the shear without
-  /// friction.
-  template<int dim>
-  double contact_traction(const Parameters::Quantity   quantity,
-                          const Place<dim>            &place,
-                          const ContactInterface<dim> *interface,
-                          const GhostedVector         &solution);
 
   /// The stress [MPa] that a quantity means.
   double stress_component(const Parameters::Quantity   quantity,

@@ -9,6 +9,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe.h>
+#include <deal.II/grid/manifold.h>
 
 #include <algorithm>
 #include <boost/serialization/vector.hpp>
@@ -41,6 +42,9 @@ namespace Contact
   namespace
   {
     const std::string place_entry = "entry 'Mesh/Points'";
+
+    /// Round-off of shape functions and coordinates in the reference cell.
+    const double negligible = 1e-12;
 
     /// The point of the reference cell that is closest to @p xi.
     template<int dim>
@@ -166,7 +170,7 @@ namespace Contact
         if (X.distance(cell->center()) > diameter ||
             !closest_point(cell, X, xi, candidate.distance))
           continue;
-        candidate.allowed   = mesh.typed_digits + distance_from_curve(cell);
+        candidate.allowed   = mesh.typed_digits + distance_from_curve(cell, xi);
         candidate.round_off = 1e-10 * diameter;
         candidate.close     = std::min(mesh.typed_digits, 1e-2 * diameter);
         candidate.cell      = cell->id();
@@ -205,6 +209,8 @@ namespace Contact
 
 
 
+  // The side of a cell stands for its curve: the polygon inside a circle for
+  // the circle.
   template<int dim>
   void PlaceSearch<dim>::move_to_boundary(const Cell       &cell,
                                           const Point<dim> &X,
@@ -216,30 +222,55 @@ namespace Contact
       if (cell->at_boundary(f))
         {
           const auto across = across_face<dim>(cell->reference_cell(), f, xi);
-          if (X.distance(of_cell.transform_unit_to_real_cell(cell, across)) <=
-              close)
+          const Tensor<1, dim> way =
+            X - of_cell.transform_unit_to_real_cell(cell, across);
+          const Tensor<1, dim> to_curve = way_to_curve(cell, f, across);
+          const double         bulge    = to_curve.norm();
+          const bool           is_on_curve =
+            way.norm() <= bulge + close &&
+            std::abs((way - to_curve) * to_curve) <= close * bulge;
+          if (way.norm() <= close || (bulge > close && is_on_curve))
             xi = across;
         }
   }
 
 
 
-  // The straight side of length L is s = L^2/(8 R) off a circle of radius R,
-  // the parabola through its middle L^4/(512 R^3) = s (s/L)^2.
+  // From the point xi of a face to the curve that the face stands for.
   template<int dim>
-  double PlaceSearch<dim>::distance_from_curve(const Cell &cell) const
+  Tensor<1, dim> PlaceSearch<dim>::way_to_curve(const Cell        &cell,
+                                                const unsigned int f,
+                                                const Point<dim>  &xi) const
+  {
+    std::vector<Point<dim>> corners;
+    std::vector<double>     weights;
+    for (const unsigned int v : cell->vertex_indices())
+      if (const double weight =
+            cell->reference_cell().d_linear_shape_function(xi, v);
+          std::abs(weight) > negligible)
+        {
+          corners.push_back(cell->vertex(v));
+          weights.push_back(weight);
+        }
+    return cell->face(f)->get_manifold().get_new_point(make_array_view(corners),
+                                                       make_array_view(
+                                                         weights)) -
+           mapping[cell->active_fe_index()].transform_unit_to_real_cell(cell,
+                                                                        xi);
+  }
+
+
+
+  template<int dim>
+  double PlaceSearch<dim>::distance_from_curve(const Cell       &cell,
+                                               const Point<dim> &xi) const
   {
     double largest = 0;
-    for (const auto &face : cell->face_iterators())
-      if (face->at_boundary())
-        {
-          const double s =
-            face->center(/*respect_manifold=*/true).distance(face->center());
-          largest = std::max(largest,
-                             cell->get_fe().degree == 1
-                               ? s
-                               : s * std::pow(s / face->diameter(), 2));
-        }
+    for (const unsigned int f : cell->face_indices())
+      if (cell->at_boundary(f) &&
+          xi.distance(across_face<dim>(cell->reference_cell(), f, xi)) <
+            negligible)
+        largest = std::max(largest, way_to_curve(cell, f, xi).norm());
     return largest;
   }
 
@@ -249,13 +280,12 @@ namespace Contact
   Place<dim> PlaceSearch<dim>::place_in(const Cell       &cell,
                                         const Point<dim> &xi) const
   {
-    const double round_off = 1e-12;
-    Place<dim>   place;
+    Place<dim> place;
     place.coarse_cells = {cell->id().get_coarse_cell_id()};
     for (const unsigned int v : cell->vertex_indices())
       if (const double weight =
             cell->reference_cell().d_linear_shape_function(xi, v);
-          std::abs(weight) > round_off)
+          std::abs(weight) > negligible)
         place.vertices[cell->vertex_index(v)] = weight;
 
     const auto                          &fe = cell->get_fe();
@@ -263,7 +293,7 @@ namespace Contact
     cell->get_dof_indices(dofs);
     for (unsigned int i = 0; i < dofs.size(); ++i)
       if (const double weight = fe.shape_value(i, xi);
-          std::abs(weight) > round_off)
+          std::abs(weight) > negligible)
         {
           auto &of_component =
             place.unknowns[fe.system_to_component_index(i).first];

@@ -27,8 +27,9 @@ namespace Contact
    * A place may lie off the mesh by the digits that it is typed with, and
    * before a round boundary by what the side of the cell there is off its
    * curve; then it is the closest point of the mesh. One that is as close to a
-   * boundary as these digits is on it. Where two bodies hold it,
-   * as on an interface of contact, it could be either's, and is refused.
+   * boundary as these digits, or to the curve behind it, is on it. Where two
+   * bodies hold it, as on an interface of contact, it could be either's, and is
+   * refused.
    */
   template<int dim>
   class PlaceSearch
@@ -72,7 +73,10 @@ namespace Contact
                                             const Point<dim> &X,
                                             const double      close,
                                             Point<dim>       &xi) const;
-    double                 distance_from_curve(const Cell &cell) const;
+    Tensor<1, dim>         way_to_curve(const Cell        &cell,
+                                        const unsigned int f,
+                                        const Point<dim>  &xi) const;
+    double distance_from_curve(const Cell &cell, const Point<dim> &xi) const;
     Place<dim> place_in(const Cell &cell, const Point<dim> &xi) const;
 
     const Mesh<dim>                  &mesh;
