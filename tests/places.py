@@ -9,7 +9,7 @@ Proves that, between nodes,
   turned, on two processes; those of quadratic fields at degree 2;
 - the values are those of a node where a finer mesh has one, those of one
   process on two, also where nodes hang, and on boundaries that are round;
-- the pressure of contact is the nodes', interpolated;
+- the pressure of contact is the nodes', interpolated, on round sides too;
 - a force is balanced by the supports, and the displacement at P by a force at Q
   is that at Q by the force at P (Maxwell and Betti);
 - estimated effects are those of runs of their own;
@@ -386,6 +386,38 @@ def lame():
               "no body is at" in said, said[:300])
 
 
+def press_fit():
+    """A ring in another one: the pressure is the same all around, on the round
+    and on the hollow side, whose polygons are inside the circle."""
+    mesh = Mesh()
+    for body, r0, r1 in (("A", 20., 50.), ("B", 50., 80.)):
+        mesh.block(body, 16, 3, ring(r0, r1), {
+            "bottom": "Inner" + body, "top": "Outer" + body}, closed=True)
+    mesh.write("press_fit")
+    place = f"{50 * math.cos(0.27)!r}, {50 * math.sin(0.27)!r}"
+    fixed = {"A": 20, "B": 80}
+    scene = {"Mesh/File": "press_fit.msh", "Mesh/Arcs":
+             "InnerA: 0, 0, 20; OuterA: 0, 0, 50; InnerB: 0, 0, 50; "
+             "OuterB: 0, 0, 80",
+             "Solids/Young's modulus": "A: 1000, B: 1000",
+             "Solids/Poisson's ratio": "A: 0.3, B: 0.3",
+             "Solids/Kinematics": "small strain", "Contact/Interference": "0.1",
+             "Boundary conditions/Displacement x": "NA: 0, NB: 0",
+             "Boundary conditions/Displacement y": "EA: 0, WA: 0, EB: 0, WB: 0"}
+    for body, slave, master in (("A", "OuterA", "InnerB"),
+                                ("B", "InnerB", "OuterA")):
+        status, said, summary = run("press_fit", {
+            **scene, "Contact/Slave": slave, "Contact/Master": master,
+            "Probes/Probes": "P: pressure, P; N: pressure, N",
+            "Mesh/Points": f"P in {body}: {place}; N in {body}: 0, 50; " +
+            "; ".join(f"N{b}: 0, {r}; E{b}: {r}, 0; W{b}: {-r}, 0"
+                      for b, r in fixed.items())})
+        found = values(summary) if status == 0 else {"P": 0, "N": 1}
+        check(f"pressure between nodes of a circle, slave {slave}",
+              found["N"] > 0 and abs(found["P"] / found["N"] - 1) < 1e-6,
+              f"{found} {why(status, said)}")
+
+
 meshes()
 linear_field()
 quadratic_field()
@@ -395,5 +427,6 @@ forces()
 effects()
 shared_nodes()
 contact()
+press_fit()
 lame()
 sys.exit(len(failures) > 0)
