@@ -23,10 +23,13 @@ import scipy.sparse.linalg as spl
 
 import check
 import materials
+import motions
 import oracle
+import space_motion
 import space_surfaces
 import test_fem
 from results import Run
+from scene import RAMP, scaled
 from space_fem import SpaceModel
 from space_grids import brick
 from space_scene import SpaceScene, rotation
@@ -380,6 +383,60 @@ def damage():
         friction_damage(place)
 
 
+def obstacle_damage():
+    """A plane that has come up by 0.01: its force and way as they are said, and
+    others; material of it that turns below what is at rest makes shears."""
+    scene = SpaceScene("test", 0, [brick("B", (0, 0, 0), (2, 1, 1), (2, 2, 1))],
+                       {"B": (100.0, 0.3)})
+    scene.entries["Solids/Kinematics"] = "small strain"
+    scene.hold("B_above", 0, 0, 0)
+    up = scaled(0.01, RAMP)
+    scene.contact("B_below", None, 0.0, obstacle="half space: 0, 0, 0, 0, 0, 1",
+                  motion={"z": up})
+    model = SpaceModel(scene)
+    fixed = np.zeros(model.X.shape, bool)
+    sole = model.nodes_of("B_below")
+    fixed[sole, 2] = True
+    u = np.zeros(model.X.shape)
+    u[sole, 2] = 0.01
+    u = model.solve(fixed=fixed, u=u)
+    force = model.forces(u)[sole]
+    moment = np.cross(model.X[sole] + u[sole] - (0, 0, 0.01), force).sum(0)
+    right = {"obstacle_motion_z": 0.01, **{
+        "obstacle_%s_%s" % (name, axis): value
+        for name, values in (("force", force.sum(0)), ("moment", moment))
+        for axis, value in zip("xyz", values)}}
+
+    def judge(**other):
+        state = check.State(model, u, 1.0, np.full(len(u), 1e-16), {
+            "contact": {**right, **other}})
+        return [p.reason for p in space_motion.zone_check_of(
+            scene, model, state, scene.zones[0], 0.01, np.zeros(
+                len(u), bool)).problems(None)]
+    expect("an obstacle that has moved passes", not judge(), str(judge()))
+    for key in ("obstacle_force_z", "obstacle_moment_x", "obstacle_motion_z"):
+        expect("found: another " + key, judge(**{key: 1.001 * right[key]}) == [
+            "obstacle"])
+    scene.zones[0].force["z"] = scaled(1.001 * force[:, 2].sum(), RAMP)
+    expect("found: another force that is given", judge() == ["obstacle"])
+    del scene.zones[0].force["z"]
+    scene.zones[0].motion["z"] = scaled(0.008, RAMP)
+    expect("found: a force at a distance", "force without contact" in judge(
+        obstacle_motion_z=0.008))
+    check_ = space_motion.zone_check_of(
+        scene, model, check.State(model, u, 1.0, np.full(len(u), 1e-16), {}),
+        scene.zones[0], 0.01, np.zeros(len(u), bool))
+    check_.placed_before = motions.placement(scene.zones[0], 0.0, {})
+    scene.zones[0].motion["angle"] = scaled(90, RAMP)
+    check_.state.placements = motions.placements(scene, 1.0, {})
+    slip = check_.slip(u)[0]
+    x = model.X[sole] + u[sole]
+    # What is at (x, y) now was at (y, -x).
+    off = np.abs(slip[:, :2] - u[sole][:, :2] + x[:, :2] - np.stack(
+        [x[:, 1], -x[:, 0]], 1)).max()
+    expect("slip on what turns", off < 1e-14, "%.1e" % off)
+
+
 def friction_damage(place):
     """Shears of equal and opposite size that drive the slip, and that are less
     than mu p where all slips."""
@@ -425,6 +482,6 @@ def scenes():
 
 if __name__ == "__main__":
     for test in (derivatives, patch, laws, rigid, bar, cantilever, geometry,
-                 bent_face, damage, turned, scenes):
+                 bent_face, damage, obstacle_damage, turned, scenes):
         test()
     sys.exit(test_fem.failures > 0)
