@@ -121,6 +121,17 @@ def bars():
         **disc, "Solids/Kinematics": "large displacement",
         "Solution/Newton tolerance": 1e-12},
         {"x": 3 * e, "y": 2 * e, "xx": 0, "zz": 0})
+    # Elastic and slender: a pressure that bends it.
+    mesh = Mesh()
+    mesh.block("A", 30, 1, box(0, 0, 60, 1), {"left": "Left", "corner": "C"})
+    mesh.write("slender")
+    grown = (1 + 2 * (1 + NU) * (e + e * e / 2)) ** 0.5 - 1
+    compare("slender bar, large displacement", {
+        **SOLID, "Mesh/File": "slender.msh", "Mesh/Points": "P: 60, 1",
+        "Solution/Newton tolerance": 1e-12,
+        BC + "Displacement x": "Left: 0", BC + "Displacement y": "C: 0",
+        "Probes/Probes": "x: displacement x, P; y: displacement y, P"},
+        {"x": 60 * grown, "y": grown})
     for material in ("elastic", "neo-Hookean"):
         status, said, _ = run("held_large", {
             **held, "Solids/Kinematics": "large displacement",

@@ -217,6 +217,9 @@ def new_bodies(rng, scene, kinds=("plastic", "rubber")):
     if rng.choice(kinds) == "plastic":
         return plastic_bodies(rng, scene, names)
     scene.entries.pop("Solids/Kinematics", None)
+    if scene.undeformed:
+        # Which small strain alone allows.
+        del scene.entries["Solution/Geometry"]
     for name in names:
         scene.materials[name] = rng.choice(RUBBERS)
         scene.laws[name] = rubber_law(rng, *scene.materials[name])
