@@ -62,11 +62,13 @@ class Normals:
         return n / np.maximum(np.hypot(*n.T), 1e-300)[:, None]
 
     def mean_normals(self, lying):
-        """Those of the nodes of lines, turned round."""
+        """Those of the nodes of lines, turned round: of the pieces that end
+        there, since edges of degree 2 are bent."""
         found = []
         for n in np.unique(self.lines[lying]):
-            around = np.flatnonzero((self.lines == n).any(1))
-            normal = -self.own.normal[np.isin(self.own.line, around)].sum(0)
+            off = np.minimum(*(np.abs(p - self.state.x[n]).max(1) for p in (
+                self.own.begin, self.own.end)))
+            normal = -self.own.normal[off <= 1e-6 * self.own.length].sum(0)
             found.append(normal / max(np.hypot(*normal), 1e-300))
         return found
 
