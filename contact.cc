@@ -527,6 +527,7 @@ namespace Contact
   {
     is_smallest_step = step.is_smallest;
     model.elasticity->heat(step.from, step.to);
+    model.elasticity->begin_first_step();
     if (model.interface &&
         model.interface->move_obstacles(step.from, step.to, state.solution))
       pairing.pair(state.solution);

@@ -154,7 +154,6 @@ namespace Contact
   {
     if (thermal_strains.empty())
       return;
-    tangents_are_of_start = false;
     for (auto *part : {&tables.own, &tables.neighbors})
       for (CellTable<dim> &cell : *part)
         if (const auto found = thermal_strains.find(cell.body);
@@ -167,13 +166,25 @@ namespace Contact
             ++discretization.counters.thermal_cells;
             cell.thermal_before = from > 0 ? at(from) : 0.;
             cell.thermal        = at(to);
-            tangents_are_of_start =
-              tangents_are_of_start || (cell.thermal != cell.thermal_before &&
-                                        !cell.kernel->is_small_strain());
           }
     present_thermal_forces =
       internal_forces(GhostedVector(discretization.distribution)).l1_norm();
     ++n_heats;
+  }
+
+
+
+  template<int dim>
+  void Elasticity<dim>::begin_first_step()
+  {
+    tangents_are_of_start =
+      !thermal_strains.empty() &&
+      std::any_of(tables.own.begin(),
+                  tables.own.end(),
+                  [](const CellTable<dim> &cell) {
+                    return cell.thermal != cell.thermal_before &&
+                           !cell.kernel->is_small_strain();
+                  });
   }
 
 

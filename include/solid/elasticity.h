@@ -211,11 +211,12 @@ namespace Contact
     /// to those at another; at the start of a run there are none.
     void heat(const double from, const double to);
 
-    /// Until the first Newton step after heat() is made, in a state where the
+    /// In the first Newton step of an increment, from a state in which the
     /// bodies have not yet moved, tangents of large displacement are those of
-    /// the thermal strains before: with them and the stresses of a heat that
-    /// nothing has given way to yet, the tangent of a nearly incompressible
-    /// body would not be definite.
+    /// the thermal strains before: with the stresses of a heat that nothing has
+    /// given way to, that of a nearly incompressible body would not be
+    /// definite.
+    void begin_first_step();
     void end_first_step()
     {
       n_first_steps += tangents_are_of_start;
