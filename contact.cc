@@ -531,6 +531,12 @@ namespace Contact
     if (model.interface &&
         model.interface->move_obstacles(step.from, step.to, state.solution))
       pairing.pair(state.solution);
+    if (model.interface && step.increment == 1)
+      model.interface->close_overlaps(step.from *
+                                        parameters.solution.n_increments,
+                                      step.to *
+                                        parameters.solution.n_increments,
+                                      state.solution);
     state.begin(model, step.from, step.to);
     pairing.begin_increment((step.to - step.from) *
                             parameters.solution.n_increments);

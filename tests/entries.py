@@ -7,10 +7,11 @@ Proves that
 - displacements may be formulas of the place and of the load factor: two ends of
   a block that are turned by any angle turn it as a rigid body, in the plane, in
   space and on two processes; a linear field gives the uniform stress of Hooke's
-  law; nodes that hang follow others;
+  law; nodes that hang follow others; two boundaries with the same formula may
+  share nodes;
 - points may be named by their place: supports, forces and probes there are those
   of the points of the mesh file; a place without a node is refused, and the
-  closest node named;
+  closest node named, and so is the name of a boundary;
 - an interference presses two blocks on each other, and a block on an obstacle,
   with the closed form's pressure, and is released again; with every
   discretization, in the plane and in space, and as the mesh would that overlaps;
@@ -122,6 +123,27 @@ def hanging():
               said[:300])
 
 
+def shared_corner():
+    """Two boundaries with a node in common."""
+    mesh = Mesh()
+    mesh.block("A", 4, 3, box(0, 0, 4, 2), {"left": "L", "bottom": "B",
+                                            "corner": "C"})
+    mesh.write("shared")
+    for formulas, taken in (("L: 0.01*t; B: 0.01*t", True),
+                            ("L: 0.01*t; B: 0.01*t + 0.001*x", False)):
+        status, said, summary = run("shared", {
+            **SOLID, "Mesh/File": "shared.msh",
+            "Boundary conditions/Displacement formula x": formulas,
+            "Boundary conditions/Displacement y": "B: 0",
+            "Probes/Probes": "C: displacement x, C"})
+        if taken:
+            check("the same formula on both", status == 0 and
+                  abs(values(summary)["C"] - 0.01) < 1e-14, said[:300])
+        else:
+            check("other formulas are refused", status == 2 and
+                  "the same text" in said, said[:300])
+
+
 def named_points():
     mesh = Mesh()
     mesh.block("A", 4, 3, box(0, 0, 4, 2), {"left": "L", "corner": "C"})
@@ -138,7 +160,9 @@ def named_points():
     check("points by their place", found["tip"] < 0 and
           found["foot"] == found["C"], f"{found} {said[:300]}")
     for points, reason in (("tip: 5, 1.2", "at (4, 1.33333)"),
-                           ("tip: 4", "no place"), ("C: 4, 2", "of its own")):
+                           ("tip: 4", "no place"), ("C: 4, 2", "of its own"),
+                           (scene["Mesh/Points"] + "; L: 4, 2",
+                            "a point as well as a boundary")):
         status, said, _ = run("points", {**scene, "Mesh/Points": points})
         check(f"'{points}' is refused", status == 2 and reason in said,
               said[:300])
@@ -376,6 +400,7 @@ def tied_slave():
 turned()
 stretched()
 hanging()
+shared_corner()
 named_points()
 platen()
 curves()

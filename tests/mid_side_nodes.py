@@ -8,7 +8,8 @@ Proves that
   and hexahedra of 20 and 27, whose boundaries have no formula, is the one of
   named arcs (or cylinders), in an other place as well, and on two processes;
 - on finer meshes the sides stay on their parabolas, whose distance from the
-  circle falls with the fourth power of the size of the elements in the file;
+  circle falls with the fourth power of the size of the elements in the file,
+  and a note says so where surfaces touch;
 - so does the error of the area between two ellipses;
 - meshes without such nodes, and with nodes far from the middle, are refused.
 
@@ -171,6 +172,35 @@ def rings():
           errors[0] > 12 * errors[1] > 140 * errors[2], errors)
 
 
+def tubes():
+    """Of 3 and of 4 cells around: gaps of the size of their distance from the
+    circle, which stays where the sides are refined."""
+    mesh = Second(16, (1, 3), quarter)
+    outer = Second(16, (1, 4), lambda s, t: quarter(s + 1, t))
+    names = {tag: key for key, tag in outer.groups.items()}
+    for kind, tag, nodes in outer.elements:
+        dimension, name = names[tag]
+        key = dimension, "B" if name == "A" else "outer_" + name
+        mesh.elements.append((
+            kind, mesh.groups.setdefault(key, len(mesh.groups) + 1),
+            [n + len(mesh.nodes) for n in nodes]))
+    mesh.nodes += outer.nodes
+    mesh.write("tubes")
+    for refinements in 0, 2:
+        status, said, _ = run("tubes", {
+            "Mesh/File": "tubes.msh", "Element/Degree": 2,
+            "Mesh/Mid-side nodes": "true", "Mesh/Refinements": refinements,
+            "Solids/Young's modulus": "A: 1000, B: 1000",
+            "Solids/Poisson's ratio": "A: 0.3, B: 0.3",
+            "Solids/Kinematics": "small strain",
+            "Boundary conditions/Displacement normal":
+                "y0: 0, y1: 0, outer_y0: 0, outer_y1: 0",
+            "Boundary conditions/Pressure": f"x0: {P}",
+            "Contact/Slave": "x1", "Contact/Master": "outer_x0"})
+        check(f"the sides of the file are off their circles, {refinements}",
+              status == 0 and "mm off their circles" in said, said[-400:])
+
+
 def ellipses():
     """The force of a body force of one is the area."""
     def chart(s, t):
@@ -229,6 +259,7 @@ def refused():
 
 
 rings()
+tubes()
 ellipses()
 refused()
 sys.exit(bool(failures))

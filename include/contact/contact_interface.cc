@@ -358,9 +358,9 @@ namespace Contact
           r -= point.C[a] * way;
       }
     state.gap = point.normal * r;
-    if (const auto *interference = contact_pair(point).interference.get())
+    if (const double overlap = contact_pair(point).interference->added())
       for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
-        state.gap -= interference->now * point.C[a];
+        state.gap -= overlap * point.C[a];
     for (const Tensor<1, dim> &across : point.void_slips)
       dr -= (dr * across) * across;
     state.slip = point.tangential_part(dr);

@@ -157,6 +157,16 @@ namespace Contact
                         const double         to,
                         const GhostedVector &start = {});
 
+    /**
+     * What overlaps where the mesh has it is parted along the first increment,
+     * of which a step goes from the part @p from to the part @p to: until its
+     * end the surfaces of a contact pair are kept apart by (1 - to) of the
+     * largest overlap at its @p start. An increment in one step has it at once.
+     */
+    void close_overlaps(const double         from,
+                        const double         to,
+                        const GhostedVector &start);
+
     /// The obstacles are where they are in @p solution. With @p keeps_place the
     /// pairing stays that of before.
     void place_obstacles(const GhostedVector &solution, const bool keeps_place);

@@ -87,14 +87,38 @@ namespace Contact
             ++discretization.counters.obstacle_moves;
             moves = true;
           }
-        if (auto *interference = contact_pair->interference.get())
+        if (auto &interference = *contact_pair->interference; interference.at)
           {
             ++discretization.counters.interferences;
-            interference->now = interference->at(Point<1>(to));
+            interference.now = interference.at(Point<1>(to));
           }
       }
     obstacles_are_moving = moves && from != to;
     return moves;
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::close_overlaps(const double         from,
+                                             const double         to,
+                                             const GhostedVector &start)
+  {
+    for (const auto &contact_pair : pairs)
+      if (!contact_pair->tied)
+        {
+          auto &interference = *contact_pair->interference;
+          if (from == 0 && to < 1)
+            {
+              interference.at_start = interference.kept_apart = 0;
+              for (const ContactPoint<dim> &point : points_of(*contact_pair))
+                if (point.facing)
+                  interference.at_start =
+                    std::max(interference.at_start,
+                             -state(point, start, start).gap);
+            }
+          interference.kept_apart = (1 - to) * interference.at_start;
+        }
   }
 
 

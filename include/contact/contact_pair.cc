@@ -63,12 +63,13 @@ namespace Contact
     std::unique_ptr<typename ContactPair<dim>::Interference>
     make_interference(const Parameters::Contact &parameters)
     {
-      if (parameters.interference.empty())
-        return nullptr;
-      using Interference = typename ContactPair<dim>::Interference;
-      return std::make_unique<Interference>(
-        Interference{parse_history(parameters.interference,
-                                   parameters.section() + "/Interference")});
+      auto interference =
+        std::make_unique<typename ContactPair<dim>::Interference>();
+      if (!parameters.interference.empty())
+        interference->at =
+          parse_history(parameters.interference,
+                        parameters.section() + "/Interference");
+      return interference;
     }
 
 

@@ -59,14 +59,23 @@ namespace Contact
     const std::optional<Surface<dim>>    master;   // none: an obstacle
     const std::unique_ptr<Obstacle<dim>> obstacle; // none: a surface
 
-    /// By how much the surfaces overlap more than those of the mesh [mm], by
-    /// the load factor, and now.
+    /// By how much the surfaces overlap otherwise than those of the mesh [mm].
     struct Interference
     {
-      std::function<double(const Point<1> &)> at;
-      double                                  now = 0;
+      std::function<double(const Point<1> &)>
+             at;      // by the load factor, if given
+      double now = 0; // what it is of that
+
+      /// How deep the surfaces of the mesh overlap, and by how much they are
+      /// still kept apart for that: see ContactInterface::close_overlaps().
+      double at_start = 0, kept_apart = 0;
+
+      double added() const
+      {
+        return now - kept_apart;
+      }
     };
-    const std::unique_ptr<Interference> interference; // none: not at all
+    const std::unique_ptr<Interference> interference;
 
     /// Motions that follow from forces, and the number of the first one among
     /// those of all contact pairs.

@@ -28,6 +28,7 @@ namespace Contact
       types::material_id                  body;
       unsigned int                        part;
       Point<dim>                          middle;
+      unsigned int                        level;
       FacetName<dim>                      name;
 
       /// The first unknowns of the nodes that a hanging one follows, and by how
@@ -44,7 +45,7 @@ namespace Contact
               archive &dof;
             archive &node.X;
           }
-        archive &body &part &middle;
+        archive &body &part &middle &level;
         for (auto &dof : name)
           archive &dof;
         for (auto &of_node : leaders)
@@ -159,7 +160,8 @@ namespace Contact
       cell->get_dof_indices(of_cell);
 
       LooseFacet<dim> facet;
-      facet.body = cell->material_id();
+      facet.body  = cell->material_id();
+      facet.level = cell->level();
       // Round sides do not make a flat face round.
       facet.middle = face->center(
         /*respect_manifold=*/face->manifold_id() != numbers::flat_manifold_id);
@@ -246,6 +248,7 @@ namespace Contact
           facet.body   = loose.body;
           facet.part   = loose.part;
           facet.middle = loose.middle;
+          facet.level  = loose.level;
           facet.name   = loose.name;
           for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
             {

@@ -198,6 +198,9 @@ namespace Contact
     /// undeformed [mm].
     Point<dim> middle;
 
+    /// How often the facet of the coarse mesh was refined that it is a part of.
+    unsigned int level = 0;
+
     /// The same of all surfaces that have it.
     FacetName<dim> name;
   };

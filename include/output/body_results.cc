@@ -82,6 +82,7 @@ namespace Contact
   {
     return {{"plastic_strain", plastic_strain.value},
             {"von_mises", von_mises.value},
+            {"von_mises_recovered", recovered_von_mises.value},
             {"volume_share_above_yield", volume_share},
             {"contact_share_above_yield", contact_share},
             {"strain", strain.value},
@@ -152,8 +153,17 @@ namespace Contact
                   above += cell.JxW[q];
               }
           }
+        if (is_elastic && may_yield && !vertex_stresses.empty())
+          for (const auto &cell :
+               model.discretization->dof_handler.active_cell_iterators())
+            if (cell->is_locally_owned() && cell->material_id() == body)
+              for (const unsigned int v : cell->vertex_indices())
+                take(von_mises(vertex_stresses[cell->vertex_index(v)]),
+                     cell->vertex(v),
+                     result.recovered_von_mises);
         for (auto *extreme : {&result.plastic_strain,
                               &result.von_mises,
+                              &result.recovered_von_mises,
                               &result.strain,
                               &result.shortening})
           find_among_ranks(communicator, *extreme);
@@ -203,8 +213,15 @@ namespace Contact
              percent(result.plastic_strain.value) + at(result.plastic_strain);
     else if (parameters.yield_stress.count(body) > 0 &&
              parameters.model_of(body) == Parameters::MaterialModel::elastic)
-      text = "von Mises' stress is up to " + brief(result.von_mises.value) +
-             " MPa" + at(result.von_mises) + ", above yield in " + shares;
+      {
+        text = "von Mises' stress is up to " + brief(result.von_mises.value) +
+               " MPa" + at(result.von_mises);
+        if (result.recovered_von_mises.value > result.von_mises.value)
+          text += " inside of the cells, recovered up to " +
+                  brief(result.recovered_von_mises.value) + " MPa" +
+                  at(result.recovered_von_mises);
+        text += ", above yield in " + shares;
+      }
 
     // Beyond the first the law of St. Venant and Kirchhoff is one of many,
     // below the stretch 1/sqrt 3 its stress falls under compression.
@@ -223,6 +240,33 @@ namespace Contact
     if (!beyond.empty())
       text += (text.empty() ? "" : "; ") + beyond;
     return text.empty() ? "" : "Body '" + body + "': " + text;
+  }
+
+
+
+  std::string describe_earlier(const std::string                   &body,
+                               const double                         load_factor,
+                               const std::map<std::string, double> &earlier,
+                               const std::map<std::string, double> &last,
+                               const Parameters::Solids            &parameters)
+  {
+    const double round_off  = 1e-9;
+    const auto   is_farther = [&](const std::string &name) {
+      return earlier.at(name) > (1 + round_off) * last.at(name);
+    };
+    std::string text;
+    if (parameters.model_of(body) == Parameters::MaterialModel::elastic &&
+        is_farther("von_mises"))
+      text = "von Mises' stress up to " + brief(earlier.at("von_mises")) +
+             " MPa, above yield in " +
+             brief(100 * earlier.at("volume_share_above_yield")) +
+             " % of its volume";
+    if (is_farther("strain"))
+      text += (text.empty() ? "" : "; ") + std::string("strains up to ") +
+              brief(100 * earlier.at("strain")) + " %";
+    return text.empty() ? ""
+                        : "Body '" + body + "' at the load factor " +
+                            brief(load_factor) + ": " + text;
   }
 
 

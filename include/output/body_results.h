@@ -28,12 +28,15 @@ namespace Contact
    * yield, the shares of its volume and of its surface in contact that have
    * yielded, or where von Mises' stress is above the yield stress that an
    * elastic body has as a check; of one of St. Venant and Kirchhoff the largest
-   * strain, of Green and Lagrange, and the largest shortening, 1 - stretch.
+   * strain, of Green and Lagrange, and the largest shortening, 1 - stretch. All
+   * but the recovered stress are of the points of the quadrature, which lie
+   * inside of the cells.
    */
   template<int dim>
   struct BodyResult
   {
     Extreme<dim> plastic_strain, von_mises, strain, shortening;
+    Extreme<dim> recovered_von_mises; // at the vertices, of elastic bodies
     double       volume_share  = 0;
     double       contact_share = -1; // none without contact
 
@@ -57,6 +60,14 @@ namespace Contact
   std::string describe(const std::string        &body,
                        const BodyResult<dim>    &result,
                        const Parameters::Solids &parameters);
+
+  /// The same of an earlier increment, by its numbers by name, in which a body
+  /// was farther from its range than in the @p last one; nothing if it was not.
+  std::string describe_earlier(const std::string                   &body,
+                               const double                         load_factor,
+                               const std::map<std::string, double> &earlier,
+                               const std::map<std::string, double> &last,
+                               const Parameters::Solids            &parameters);
 } // namespace Contact
 
 #endif

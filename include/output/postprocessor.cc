@@ -208,7 +208,7 @@ namespace Contact
     const bool with_profile = is_last && output.profile;
     const bool with_nodes   = is_last && output.nodes;
     const bool with_bodies =
-      is_last &&
+      is_complete &&
       (!parameters.solids.yield_stress.empty() ||
        !parameters.solids.kinematics.all_are(Parameters::Strains::small));
     if (!output.vtu && !with_profile && !with_nodes && !with_bodies)
@@ -216,7 +216,7 @@ namespace Contact
     TimerOutput::Scope scope(report.timer, "output");
 
     GhostedVector forces;
-    if (model.interface)
+    if (model.interface && (is_last || output.vtu))
       forces = contact_forces(*model.interface,
                               state.solution,
                               state.start,
@@ -224,12 +224,15 @@ namespace Contact
     if (with_bodies)
       report.record(body_results(model,
                                  parameters.solids,
-                                 parameters.solids.yield_stress.empty()
-                                   ? std::vector<SymmetricTensor<2, 3>>()
-                                   : recovered_stresses(),
-                                 recovered_plastic_strains(),
+                                 is_last &&
+                                     !parameters.solids.yield_stress.empty()
+                                   ? recovered_stresses()
+                                   : std::vector<SymmetricTensor<2, 3>>(),
+                                 is_last ? recovered_plastic_strains()
+                                         : std::vector<double>(),
                                  state.solution,
-                                 forces));
+                                 is_last ? forces : GhostedVector()),
+                    is_last);
     if (with_nodes)
       report.files().write_nodes(state.solution, forces);
     if (!output.vtu && !with_profile)

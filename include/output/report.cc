@@ -223,14 +223,34 @@ namespace Contact
 
 
   template<int dim>
-  void Report<dim>::record(const std::map<std::string, BodyResult<dim>> &bodies)
+  void Report<dim>::record(const std::map<std::string, BodyResult<dim>> &bodies,
+                           const bool is_last)
   {
     for (const auto &[name, result] : bodies)
+      increment().bodies[name] = result.by_name();
+    if (!is_last)
+      return;
+    summary.bodies = increment().bodies;
+    for (const auto &[name, result] : bodies)
       {
-        summary.bodies[name] = result.by_name();
-        const auto text      = describe(name, result, parameters.solids);
-        if (!text.empty())
-          screen << text << std::endl;
+        std::vector<std::string> texts{
+          describe(name, result, parameters.solids)};
+        const IncrementRecord *farthest = &increment();
+        for (const IncrementRecord &record : summary.increments)
+          if (const auto found = record.bodies.find(name);
+              found != record.bodies.end() && record.level == farthest->level)
+            for (const char *quantity : {"von_mises", "strain"})
+              if (found->second.at(quantity) >
+                  farthest->bodies.at(name).at(quantity))
+                farthest = &record;
+        texts.push_back(describe_earlier(name,
+                                         farthest->load_factor,
+                                         farthest->bodies.at(name),
+                                         increment().bodies.at(name),
+                                         parameters.solids));
+        for (const std::string &text : texts)
+          if (!text.empty())
+            screen << text << std::endl;
       }
     const auto &works = increment().works;
     if (const auto found = works.find("plastic_dissipation");

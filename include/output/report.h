@@ -95,8 +95,11 @@ namespace Contact
     /// the standard error.
     void record(const Invariants &found);
 
-    /// The distances of the bodies from the range of their materials.
-    void record(const std::map<std::string, BodyResult<dim>> &bodies);
+    /// The distances of the bodies from the range of their materials, into the
+    /// record of the increment; those of the @p last one are those of the run,
+    /// and told, with that of the increment that was farthest beyond.
+    void record(const std::map<std::string, BodyResult<dim>> &bodies,
+                const bool                                    is_last);
 
     /// The strains and rotations; a note if they are beyond the range of the
     /// kinematics.

@@ -255,10 +255,12 @@ namespace Contact
     // On an arc a chord of length L that rises by f is off by f as a polygon,
     // and with elements of degree 2 by f^3/L^2: there R f = L^2/8, and the
     // parabola through the ends and the middle is R (L/2R)^4/32 from the circle
-    // between them.
+    // between them. The sides of the mesh file keep their parabolas where they
+    // are refined: of L and f a side of level l has 2^-l and 4^-l.
     template<int dim>
     double out_of_round(const Surface<dim>      &surface,
-                        const std::vector<bool> &in_contact)
+                        const std::vector<bool> &in_contact,
+                        const bool               keeps_parabolas)
     {
       double largest = 0;
       for (unsigned int e = 0; e < surface.facets.size(); ++e)
@@ -273,10 +275,14 @@ namespace Contact
             const double rise  = (facet.middle - centre).norm();
             const double chord = surface.nodes[facet.nodes[0]].X.distance(
               surface.nodes[facet.nodes[n_corners - 1]].X);
+            const double parabola = rise * std::pow(rise / chord, 2);
             largest =
               std::max(largest,
-                       surface.degree == 1 ? rise
-                                           : rise * std::pow(rise / chord, 2));
+                       keeps_parabolas
+                         ? std::max(surface.degree == 1 ? rise : 0.,
+                                    parabola * std::pow(16., facet.level))
+                       : surface.degree == 1 ? rise
+                                             : parabola);
           }
       return largest;
     }
@@ -305,9 +311,12 @@ namespace Contact
                 if (!master.empty())
                   master[point.master_facet] = true;
               }
+          const bool   keeps_parabolas = parameters.mesh.mid_side_nodes;
           const double off =
-            out_of_round(contact_pair.slave, slave) +
-            (master.empty() ? 0 : out_of_round(*contact_pair.master, master));
+            out_of_round(contact_pair.slave, slave, keeps_parabolas) +
+            (master.empty()
+               ? 0
+               : out_of_round(*contact_pair.master, master, keeps_parabolas));
           if (off > 0.05 * moved)
             notes.push_back(
               "the elements of '" + entries[z].slave +
@@ -317,7 +326,11 @@ namespace Contact
               brief(100 * off / moved) +
               " % of the largest displacement of the surfaces: where the meshes "
               "do not match, gaps and overlaps of this size are the meshes', and "
-              "pressures follow them. Refine there, or take degree 2");
+              "pressures follow them. " +
+              (keeps_parabolas
+                 ? "Finer sides in the mesh file, or Mesh/Arcs without its "
+                   "mid-side nodes: where they are refined they keep their shape"
+                 : "Refine there, or take degree 2"));
         }
     }
 

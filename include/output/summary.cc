@@ -156,7 +156,8 @@ namespace Contact
                 {"works", increment.works},
                 {"violations", increment.violations},
                 {"probes", increment.probes},
-                {"reactions", increment.reactions}};
+                {"reactions", increment.reactions},
+                {"bodies", increment.bodies}};
       add_pairs(increment.contact, json);
       return json;
     }

@@ -87,13 +87,16 @@ namespace Contact
     /// The reactions of each group of supports, by direction, see Invariants.
     std::map<std::string, std::map<std::string, double>> reactions;
 
+    /// By name, see BodyResult; where steps of a cut increment end, none.
+    std::map<std::string, std::map<std::string, double>> bodies;
+
     template<class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
       archive &level &load_factor &newton_iterations &linear_iterations
         &friction_iterations &geometry_iterations &active &stick &slip
           &halved_steps &cycles &hold_work &converged &message &invariants
-            &works &violations &probes &contact &reactions;
+            &works &violations &probes &contact &reactions &bodies;
     }
   };
 

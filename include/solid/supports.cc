@@ -17,7 +17,8 @@
 
 namespace Contact
 {
-  // The nodes of a point, of a curve in space, or of a boundary.
+  // The nodes of a point, of a curve in space, or of a boundary. A mesh file
+  // may give points and boundaries the same name.
   template<int dim>
   void Discretization<dim>::visit_group(const unsigned int component,
                                         const std::string &entry,
@@ -27,6 +28,11 @@ namespace Contact
     mesh.refuse_place(name, entry);
     if (mesh.points.count(name) > 0)
       {
+        if (mesh.boundaries.count(name) + mesh.curves.count(name) > 0)
+          throw InputError("'" + name + "' is a point as well as a boundary",
+                           entry,
+                           "give one of them another name in the mesh file or "
+                           "in 'Mesh/Points'");
         const unsigned int vertex = mesh.point(name, entry);
         return visitor(vertex_dofs[vertex][component],
                        mesh.triangulation.get_vertices()[vertex],
@@ -107,8 +113,8 @@ namespace Contact
                         "' shares a node with another group that is moved "
                         "differently",
                       entry,
-                      "give both the same displacement, or let the groups "
-                      "end before they meet");
+                      "give both the same displacement, of formulas the same "
+                      "text, or let the groups end before they meet");
                 });
   }
 
@@ -156,14 +162,18 @@ namespace Contact
   {
     const std::string entry =
       std::string("Boundary conditions/Displacement formula ") + "xyz"[c];
+    std::map<std::string, unsigned int> numbers; // of the formulas, by text
     for (const auto &[name, formula] : boundary.displacement_formula[c])
       {
+        const auto [known, is_new] = numbers.emplace(formula, formulas.size());
+        const unsigned int number  = known->second;
         try
           {
-            formulas.push_back(
-              parse_formula_in_time<dim>(formula,
-                                         dim == 2 ? "x,y,t" : "x,y,z,t",
-                                         entry));
+            if (is_new)
+              formulas.push_back(
+                parse_formula_in_time<dim>(formula,
+                                           dim == 2 ? "x,y,t" : "x,y,z,t",
+                                           entry));
           }
         catch (const std::runtime_error &error)
           {
@@ -173,12 +183,12 @@ namespace Contact
           }
         if (boundary.rigid.count(name) > 0)
           {
-            formula_of_rigid[c][name] = formulas.size() - 1;
+            formula_of_rigid[c][name] = number;
             continue;
           }
-        hold(c, entry, name, [&](const Point<dim> &X) {
+        hold(c, entry, name, [number](const Point<dim> &X) {
           Prescribed<dim> here;
-          here.formula = formulas.size() - 1;
+          here.formula = number;
           here.X       = X;
           return here;
         });

@@ -105,8 +105,7 @@ namespace Contact
     if (interface != nullptr)
       for (const auto &contact_pair : interface->pairs)
         {
-          if (contact_pair->interference)
-            way = std::max(way, std::abs(contact_pair->interference->now));
+          way = std::max(way, std::abs(contact_pair->interference->now));
           if (const auto *obstacle = contact_pair->obstacle.get())
             way = std::max(way,
                            obstacle->given_way(

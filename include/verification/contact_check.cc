@@ -128,9 +128,7 @@ namespace Contact
     template<int dim>
     double clearance(const ContactPair<dim> &contact_pair)
     {
-      return contact_pair.interference
-               ? std::max(0., -contact_pair.interference->now)
-               : 0.;
+      return std::max(0., -contact_pair.interference->added());
     }
   } // namespace
 

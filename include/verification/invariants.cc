@@ -207,8 +207,9 @@ namespace Contact
 
 
 
-  // The force scale knows the round-off of the stiffest body. Where that is
-  // more than the loads, these are not in the solution.
+  // The force scale knows the reactions, and the round-off of the stiffest
+  // body. Where what is left over of these is more than the loads, the loads
+  // are not in the solution. Of a coarser level only a start is asked for.
   template<int dim>
   void InvariantCheck<dim>::judge_balance(const double residual,
                                           const Slack &slack,
@@ -221,14 +222,18 @@ namespace Contact
     const double loads   = elasticity.dead_loads.whole();
     const double allowed = (slack.force + slack.shear_force) / slack.reference;
     found.equilibrium    = residual / slack.reference;
-    if (loads > 0 && found.equilibrium <= allowed)
+    if (loads > 0 && found.equilibrium <= allowed &&
+        slack.relative <= parameters.newton_tolerance)
       found.check("resolution",
                   residual / loads,
                   1e-3,
                   "of loads of " + in_words(loads) + " " + in_words(residual) +
-                    " are lost in the round-off of the stiffest body",
-                  "Take a smaller Young's modulus, or an obstacle instead of "
-                  "that body.");
+                    " are lost in the tolerance of " + in_words(slack.force) +
+                    ", of the largest forces and the round-off of the "
+                    "stiffest body",
+                  "Lower 'Solution/Newton tolerance'; if the round-off of a "
+                  "stiff body is the cause, lower its Young's modulus or take "
+                  "an obstacle instead of it.");
     if (is_held)
       found.check("stabilization",
                   end.holds.l2_norm() / slack.reference,
