@@ -141,6 +141,7 @@ namespace Contact
     ProbeErrors estimate_errors();
     void        solve_increment(const LoadSteps::Step &step);
     void        check_turns() const;
+    bool        has_coarser_start(const LoadSteps::Step &step) const;
     void        start_from_coarser_level(const unsigned int increment);
     bool        try_again(LoadSteps             &steps,
                           const LoadSteps::Step &step,
@@ -194,8 +195,9 @@ namespace Contact
     StressPeaks<dim> stress_peaks;
 
     // Whether the ends of the masters are corners, see solve_first_level().
-    bool ends_are_corners = false;
-    bool is_smallest_step = false; // of the load
+    bool ends_are_corners     = false;
+    bool is_smallest_step     = false; // of the load
+    bool coarser_start_failed = false; // of the present increment
   };
 
 
@@ -469,6 +471,7 @@ namespace Contact
           stress_peaks.take(model, parameters.solids, state.solution);
         steps.accept(report.increment().newton_iterations);
         stabilization.end_increment();
+        coarser_start_failed = false;
 
         if (levels.may_be_last() && step.ends_increment)
           {
@@ -543,7 +546,7 @@ namespace Contact
     postprocessor.forget_stresses();
     report.begin_increment(levels.present(), step.increment, step.to);
     check_turns();
-    if (levels.present() > 0 && step.is_whole)
+    if (has_coarser_start(step))
       start_from_coarser_level(step.increment);
 
     // Linear bodies take what is prescribed at once: nothing of it has to go
@@ -591,6 +594,18 @@ namespace Contact
       throw NotConverged("an obstacle turns by more than " +
                          std::string(dim == 2 ? "90" : "20") +
                          " degrees within the increment");
+  }
+
+
+
+  // @sect4{ContactProblem::has_coarser_start}
+  //
+  // Where that start leads nowhere, as it may among bodies that yield, the end
+  // of the last increment on this mesh is another one.
+  template<int dim>
+  bool ContactProblem<dim>::has_coarser_start(const LoadSteps::Step &step) const
+  {
+    return levels.present() > 0 && step.is_whole && !coarser_start_failed;
   }
 
 
@@ -644,6 +659,13 @@ namespace Contact
     stabilization.stabilize_free_pieces(nullptr);
     if (stabilization.has_grown())
       return true;
+    if (has_coarser_start(step))
+      {
+        report.screen << "  once more from the end of the last increment"
+                      << std::endl;
+        coarser_start_failed = true;
+        return true;
+      }
     if (steps.cut())
       {
         report.screen << "  cut in half" << std::endl;
@@ -853,7 +875,8 @@ namespace Contact
     IncrementRecord   &record = report.increment();
     const unsigned int limit  = parameters.solution.newton_limit(
       /*converges_linearly=*/model.interface && !system->has_multipliers());
-    unsigned int max_steps = limit;
+    unsigned int max_steps  = limit;
+    bool         is_checked = false; // whether the solution is stable
     newton.begin();
     for (unsigned int step = 0;; ++step)
       {
@@ -866,16 +889,23 @@ namespace Contact
         report.record_halvings(newton.search_along_line());
         newton.accept();
 
+        // No stable state has an indefinite tangent: it has to be known at the
+        // solution itself, too, not only on the way.
         const bool has_converged = newton.has_converged();
-        if (has_converged && pairing.accepts(state))
+        const bool is_accepted   = has_converged && pairing.accepts(state);
+        if (is_accepted && !system->tangent_is_indefinite())
           return;
+        if (is_accepted && is_checked)
+          throw NotConverged("a body has lost its stability: the tangent of "
+                             "the solution is not positive definite");
+        is_checked = is_accepted;
         if (step >= max_steps)
           throw NotConverged("Newton's method ends with the residual " +
                              brief(newton.convergence.residual()) + " after " +
                              std::to_string(step) + " steps" +
                              newton.unsettled() + newton.changes() +
                              system->contradiction());
-        if (has_converged)
+        if (has_converged && !is_accepted)
           {
             report.screen << "      paired anew: the surfaces have moved by "
                           << pairing.misplacement(state) << " mm of "

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/errors.h"
+#include "base/string_utilities.h"
 #include "parameters/formula.h"
 #include "solid/enhanced_cells.h"
 
@@ -161,6 +163,12 @@ namespace Contact
           {
             const auto at = [&](const double load_factor) {
               const double e = found->second(Point<1>(load_factor));
+              if (e <= -1)
+                throw InputError("a body would shrink to nothing at the load "
+                                 "factor " +
+                                   brief(load_factor),
+                                 "entry 'Solids/Thermal strain'",
+                                 "a thermal strain is above -1");
               return cell.kernel->is_small_strain() ? e : e + 0.5 * e * e;
             };
             ++discretization.counters.thermal_cells;
@@ -194,6 +202,16 @@ namespace Contact
   {
     return std::all_of(laws.begin(), laws.end(), [](const auto &law) {
       return law.second == nullptr;
+    });
+  }
+
+
+
+  template<int dim>
+  bool Elasticity<dim>::is_hyperelastic() const
+  {
+    return std::any_of(laws.begin(), laws.end(), [](const auto &law) {
+      return law.second != nullptr && law.second->n_history() == 0;
     });
   }
 

@@ -12,6 +12,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <set>
@@ -39,6 +40,12 @@ namespace Contact
     double             value = 1;
     types::material_id body  = numbers::invalid_material_id;
     Point<dim>         X;
+
+    /// A body that has shrunk to a point has the round-off of zero.
+    bool is_inside_out() const
+    {
+      return value <= std::numeric_limits<double>::epsilon();
+    }
   };
 
   /// The smallest of all ranks, on all of them. Collective.
@@ -189,6 +196,11 @@ namespace Contact
 
     /// Whether all bodies are linear elastic or St. Venant-Kirchhoff's.
     bool is_elastic() const;
+
+    /// Whether there are materials with a stored energy of their own. Where
+    /// they are nearly incompressible, the pressure of a volume that Newton's
+    /// method has still to correct makes the tangent indefinite.
+    bool is_hyperelastic() const;
 
     /// Whether the tangent changes in cells that yield alone, and these cells
     /// among those with the numbers @p chosen.

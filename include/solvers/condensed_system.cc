@@ -327,6 +327,7 @@ namespace Contact
                              : DefiniteSolver::Modes();
         of_kind.solver   = DefiniteSolver::create(solver_kind,
                                                 symmetric,
+                                                elasticity.is_hyperelastic(),
                                                 modes,
                                                 discretization.counters);
       }

@@ -71,6 +71,12 @@ namespace Contact
     GhostedVector linear_forces(const GhostedVector &solution,
                                 const double         load_factor) const;
 
+    /// Whether the matrix of the last solve is known to be indefinite.
+    bool is_indefinite() const
+    {
+      return current != nullptr && current->is_indefinite();
+    }
+
     /// The matrix of the last solve.
     const DefiniteSolver::Matrix &system_matrix() const
     {

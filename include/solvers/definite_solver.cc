@@ -52,94 +52,6 @@ namespace Contact
 
 
 
-    /// The supernodal Cholesky factorization of SuiteSparse. The analysis is
-    /// kept as long as the pattern stands.
-    class Cholmod : public DefiniteSolver
-    {
-    public:
-      explicit Cholmod(Counters &counters)
-        : DefiniteSolver(counters)
-      {
-        cholmod_start(&common);
-        common.supernodal                 = CHOLMOD_SUPERNODAL;
-        common.print                      = 0;
-        common.quick_return_if_not_posdef = 1;
-      }
-
-      ~Cholmod() override
-      {
-        cholmod_free_factor(&factor, &common);
-        cholmod_finish(&common);
-      }
-
-      void set_matrix(const Matrix &matrix,
-                      const bool,
-                      const bool new_pattern,
-                      const Dofs &) override
-      {
-        const Columns  columns(matrix);
-        cholmod_sparse view{};
-        view.nrow   = columns.n;
-        view.ncol   = columns.n;
-        view.nzmax  = columns.starts[columns.n];
-        view.p      = columns.starts;
-        view.i      = columns.rows;
-        view.x      = columns.values;
-        view.stype  = -1; // symmetric, the lower triangle is read
-        view.itype  = CHOLMOD_INT;
-        view.xtype  = CHOLMOD_REAL;
-        view.dtype  = CHOLMOD_DOUBLE;
-        view.sorted = 0;
-        view.packed = 1;
-
-        if (factor == nullptr || new_pattern)
-          {
-            ++counters.symbolic_factorizations;
-            cholmod_free_factor(&factor, &common);
-            factor = cholmod_analyze(&view, &common);
-          }
-        ++counters.numeric_factorizations;
-        cholmod_factorize(&view, factor, &common);
-        if (common.status == CHOLMOD_NOT_POSDEF)
-          throw NotConverged(not_definite);
-        if (common.status != CHOLMOD_OK)
-          throw NotConverged("CHOLMOD failed with status " +
-                             std::to_string(common.status) +
-                             "; set Solution/Linear solver = AMG if it lacked "
-                             "memory");
-      }
-
-      // It keeps a factor of its own.
-      void release() override
-      {
-      }
-
-      unsigned int solve(const Vector &b, const double, Vector &x) override
-      {
-        ++counters.linear_solves;
-        cholmod_dense view{};
-        view.nrow  = b.size();
-        view.ncol  = 1;
-        view.nzmax = b.size();
-        view.d     = b.size();
-        view.x     = const_cast<double *>(b.begin());
-        view.xtype = CHOLMOD_REAL;
-        view.dtype = CHOLMOD_DOUBLE;
-
-        cholmod_dense *result =
-          cholmod_solve(CHOLMOD_A, factor, &view, &common);
-        std::copy_n(static_cast<double *>(result->x), b.size(), x.begin());
-        cholmod_free_dense(&result, &common);
-        return 1;
-      }
-
-    private:
-      cholmod_common  common;
-      cholmod_factor *factor = nullptr;
-    };
-
-
-
     /// UMFPACK on the compressed rows, which are the columns of the transpose.
     /// The analysis is kept as long as the pattern stands.
     class Umfpack : public DefiniteSolver
@@ -226,6 +138,117 @@ namespace Contact
       std::unique_ptr<Columns>            columns;
       Handle                              symbolic{nullptr, nullptr};
       Handle                              numeric{nullptr, nullptr};
+    };
+
+
+
+    /// The supernodal Cholesky factorization of SuiteSparse. The analysis is
+    /// kept as long as the pattern stands. A matrix that may be indefinite, and
+    /// is, is factorized by UMFPACK.
+    class Cholmod : public DefiniteSolver
+    {
+    public:
+      Cholmod(const bool may_be_indefinite, Counters &counters)
+        : DefiniteSolver(counters)
+        , may_be_indefinite(may_be_indefinite)
+      {
+        cholmod_start(&common);
+        common.supernodal                 = CHOLMOD_SUPERNODAL;
+        common.print                      = 0;
+        common.quick_return_if_not_posdef = 1;
+      }
+
+      ~Cholmod() override
+      {
+        cholmod_free_factor(&factor, &common);
+        cholmod_finish(&common);
+      }
+
+      void set_matrix(const Matrix &matrix,
+                      const bool    symmetric,
+                      const bool    new_pattern,
+                      const Dofs   &eliminated) override
+      {
+        indefinite.reset();
+        const Columns  columns(matrix);
+        cholmod_sparse view{};
+        view.nrow   = columns.n;
+        view.ncol   = columns.n;
+        view.nzmax  = columns.starts[columns.n];
+        view.p      = columns.starts;
+        view.i      = columns.rows;
+        view.x      = columns.values;
+        view.stype  = -1; // symmetric, the lower triangle is read
+        view.itype  = CHOLMOD_INT;
+        view.xtype  = CHOLMOD_REAL;
+        view.dtype  = CHOLMOD_DOUBLE;
+        view.sorted = 0;
+        view.packed = 1;
+
+        if (factor == nullptr || new_pattern)
+          {
+            ++counters.symbolic_factorizations;
+            cholmod_free_factor(&factor, &common);
+            factor = cholmod_analyze(&view, &common);
+          }
+        ++counters.numeric_factorizations;
+        cholmod_factorize(&view, factor, &common);
+        if (common.status == CHOLMOD_NOT_POSDEF)
+          {
+            if (!may_be_indefinite)
+              throw NotConverged(not_definite);
+            indefinite = std::make_unique<Umfpack>(counters);
+            indefinite->set_matrix(matrix,
+                                   symmetric,
+                                   /*new_pattern=*/true,
+                                   eliminated);
+            return;
+          }
+        if (common.status != CHOLMOD_OK)
+          throw NotConverged("CHOLMOD failed with status " +
+                             std::to_string(common.status) +
+                             "; set Solution/Linear solver = AMG if it lacked "
+                             "memory");
+      }
+
+      bool is_indefinite() const override
+      {
+        return indefinite != nullptr;
+      }
+
+      // It keeps a factor of its own.
+      void release() override
+      {
+        indefinite.reset();
+      }
+
+      unsigned int
+      solve(const Vector &b, const double tolerance, Vector &x) override
+      {
+        if (indefinite)
+          return indefinite->solve(b, tolerance, x);
+        ++counters.linear_solves;
+        cholmod_dense view{};
+        view.nrow  = b.size();
+        view.ncol  = 1;
+        view.nzmax = b.size();
+        view.d     = b.size();
+        view.x     = const_cast<double *>(b.begin());
+        view.xtype = CHOLMOD_REAL;
+        view.dtype = CHOLMOD_DOUBLE;
+
+        cholmod_dense *result =
+          cholmod_solve(CHOLMOD_A, factor, &view, &common);
+        std::copy_n(static_cast<double *>(result->x), b.size(), x.begin());
+        cholmod_free_dense(&result, &common);
+        return 1;
+      }
+
+    private:
+      const bool               may_be_indefinite;
+      cholmod_common           common;
+      cholmod_factor          *factor = nullptr;
+      std::unique_ptr<Umfpack> indefinite;
     };
 
 
@@ -450,6 +473,7 @@ namespace Contact
   std::unique_ptr<DefiniteSolver>
   DefiniteSolver::create(const Parameters::SolverKind kind,
                          const bool                   symmetric,
+                         const bool                   may_be_indefinite,
                          const Modes                 &modes,
                          Counters                    &counters)
   {
@@ -457,7 +481,7 @@ namespace Contact
       {
         case Parameters::SolverKind::cholmod:
           if (symmetric)
-            return std::make_unique<Cholmod>(counters);
+            return std::make_unique<Cholmod>(may_be_indefinite, counters);
           return std::make_unique<Umfpack>(counters);
         case Parameters::SolverKind::mumps:
           return std::make_unique<Mumps>(counters);

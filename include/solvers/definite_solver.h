@@ -39,11 +39,14 @@ namespace Contact
      * smoothed aggregation, which takes the @p modes as near null space, and
      * alone needs them. For matrices that are not @p symmetric, but for the
      * rows at the interface alone: UMFPACK instead of CHOLMOD, and GMRES with
-     * the same multigrid. Operations are counted by @p counters.
+     * the same multigrid. A matrix that is not definite, if it @p
+     * may_be_indefinite, CHOLMOD leaves to UMFPACK. Operations are counted by
+     * @p counters.
      */
     static std::unique_ptr<DefiniteSolver>
     create(const Parameters::SolverKind kind,
            const bool                   symmetric,
+           const bool                   may_be_indefinite,
            const Modes                 &modes,
            Counters                    &counters);
 
@@ -77,13 +80,19 @@ namespace Contact
      * is @p symmetric, whether it has another pattern than the last one, and
      * which unknowns are @p eliminated from it, in ascending order, on all
      * ranks the same. Throws NotConverged if it can not be factorized: CHOLMOD
-     * if it is not positive definite, MUMPS if it is singular; AMG finds out
-     * when it solves.
+     * if it is not positive definite and should be, MUMPS if it is singular;
+     * AMG finds out when it solves.
      */
     virtual void set_matrix(const Matrix &matrix,
                             const bool    symmetric,
                             const bool    new_pattern,
                             const Dofs   &eliminated) = 0;
+
+    /// Whether the matrix is known to be indefinite.
+    virtual bool is_indefinite() const
+    {
+      return false;
+    }
 
     /// Let go of the matrix, which is about to become another one: MUMPS looks
     /// at it when it is destroyed (dealii issue 13686).

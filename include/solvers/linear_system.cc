@@ -109,6 +109,11 @@ namespace Contact
         return 0;
       }
 
+      bool tangent_is_indefinite() const override
+      {
+        return false; // nobody knows
+      }
+
       std::string contradiction() const override
       {
         return "";
@@ -251,6 +256,11 @@ namespace Contact
         model.discretization->constrain_update(state.solution,
                                                state.load_factor);
         return n;
+      }
+
+      bool tangent_is_indefinite() const override
+      {
+        return system.is_indefinite();
       }
 
       std::string contradiction() const override

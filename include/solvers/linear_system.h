@@ -78,6 +78,10 @@ namespace Contact
                                    GhostedVector       &rhs,
                                    IncrementState<dim> &state) = 0;
 
+    /// Whether the tangent of the last step is known to be indefinite: no
+    /// stable state has such a one.
+    virtual bool tangent_is_indefinite() const = 0;
+
     /// Of what may be why Newton's method does not converge: a sentence, or
     /// nothing.
     virtual std::string contradiction() const = 0;

@@ -229,7 +229,8 @@ namespace Contact
     if (n_steps == 0)
       return {};
     const auto is_a_state = [&]() {
-      return std::isfinite(convergence.residual()) && smallest_volume.value > 0;
+      return std::isfinite(convergence.residual()) &&
+             !smallest_volume.is_inside_out();
     };
 
     std::vector<double> residuals;
@@ -276,11 +277,11 @@ namespace Contact
                          brief(convergence.residual()) +
                          ", and its round-off above the tolerance " +
                          brief(convergence.tolerance()) + changes());
-    if (smallest_volume.value > 0)
+    if (!smallest_volume.is_inside_out())
       return;
     std::ostringstream message;
     message << "the body '" << model.mesh->body_name(smallest_volume.body)
-            << "' turns inside out at X = (" << smallest_volume.X
+            << "' is empty or turns inside out at X = (" << smallest_volume.X
             << ") mm: det F = " << smallest_volume.value;
     throw NotConverged(message.str());
   }

@@ -173,6 +173,7 @@ int main(int argc, char **argv)
       const auto        definite = DefiniteSolver::create(
         Contact::Parameters::Choice<Contact::Parameters::SolverKind>(solver),
         /*symmetric=*/true,
+        /*may_be_indefinite=*/false,
         modes,
         counters);
       definite->set_matrix(matrix,
