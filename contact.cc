@@ -656,9 +656,6 @@ namespace Contact
       model.interface->move_obstacles(step.from, step.from, state.solution);
     pairing.pair(state.solution);
 
-    stabilization.stabilize_free_pieces(nullptr);
-    if (stabilization.has_grown())
-      return true;
     if (has_coarser_start(step))
       {
         report.screen << "  once more from the end of the last increment"
@@ -666,6 +663,9 @@ namespace Contact
         coarser_start_failed = true;
         return true;
       }
+    stabilization.stabilize_free_pieces(nullptr);
+    if (stabilization.has_grown())
+      return true;
     if (steps.cut())
       {
         report.screen << "  cut in half" << std::endl;
