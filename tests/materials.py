@@ -18,7 +18,8 @@ Proves that
   the tube on a mesh that is refined adaptively;
 - blocks of Mooney-Rivlin and neo-Hookean material in uniaxial, biaxial and plane
   stretch have the stress of the closed form, and with a strain of 1e-6 the energy
-  balance holds as well;
+  balance holds as well; so have nearly incompressible ones, with at most 8 Newton
+  steps, and when they are heated they expand;
 - bodies of different materials and kinematics touch in one scene.
 
 Usage: materials.py CONTACT PARAMETERS MESHES
@@ -293,6 +294,25 @@ end
                                                c01 * J**(-4 / 3) * l[1]**2)
         check(f"{law}, {name} stretch", abs(found["sz"]) < 1e-6 * exact and
               abs((found["sx"] - found["sz"]) / exact - 1) < 1e-9, (found, exact))
+# Nearly incompressible: on its way Newton's method meets indefinite tangents.
+for name, options in (
+        ("stiff", ()),
+        ("heated", ("Boundary conditions/Displacement x=A_x0: 0",
+                    "Solids/Thermal strain=A: 0.01*t"))):
+    summary, _ = run(name, "cube_uniaxial.prm",
+                     "Solids/Material=A: neo-Hookean",
+                     "Solids/Mooney-Rivlin constant=",
+                     "Solids/Poisson's ratio=A: 0.4999999", *options)
+    found = probes(summary)
+    l = [1 + found[c] for c in "xyz"]
+    modulus = (1 + poisson) * (C10 + C01) / 1.4999999  # half of the shear modulus
+    exact = 0 if name == "heated" else 2 * modulus * (l[0]**2 - l[2]**2)
+    check(f"nearly incompressible, {name}",
+          abs(found["sx"] - found["sz"] - exact) < 1e-5 * modulus and
+          abs(math.prod(l) - (1.01**3 if name == "heated" else 1)) < 1e-6 and
+          all(i["converged"] and i["newton_iterations"] <= 8
+              for i in summary["increments"]),
+          (found, exact, [i["newton_iterations"] for i in summary["increments"]]))
 # Energies near zero are no differences of numbers near one.
 run("tiny", "cube_uniaxial.prm", "Boundary conditions/Displacement x=A_x0: 0, "
     "A_x1: 1e-6")
