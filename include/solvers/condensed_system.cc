@@ -192,15 +192,7 @@ namespace Contact
         std::set<types::global_dof_index> coupled(cell_dofs.begin(),
                                                   cell_dofs.end());
         for (const auto dof : cell_dofs)
-          {
-            couplings.add_partners(dof, coupled);
-            if (const auto *entries = base.get_constraint_entries(dof))
-              for (const auto &entry : *entries)
-                {
-                  coupled.insert(entry.first);
-                  couplings.add_partners(entry.first, coupled);
-                }
-          }
+          couplings.add_partners(dof, coupled);
         base.add_entries_local_to_global(Dofs(coupled.begin(), coupled.end()),
                                          pattern,
                                          /*keep_constrained_entries=*/false);

@@ -122,8 +122,18 @@ namespace Contact
     const types::global_dof_index      dof,
     std::set<types::global_dof_index> &coupled) const
   {
-    if (const auto found = partners.find(dof); found != partners.end())
-      coupled.insert(found->second.begin(), found->second.end());
+    const auto add = [&](const types::global_dof_index of) {
+      if (const auto found = partners.find(of); found != partners.end())
+        coupled.insert(found->second.begin(), found->second.end());
+    };
+    add(dof);
+    if (const auto *entries =
+          discretization.constraints.get_constraint_entries(dof))
+      for (const auto &entry : *entries)
+        {
+          coupled.insert(entry.first);
+          add(entry.first);
+        }
   }
 
 

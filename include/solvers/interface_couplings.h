@@ -46,7 +46,8 @@ namespace Contact
     /// missing.
     bool add_missing(const ContactElimination<dim> &elimination);
 
-    /// Add to @p coupled the partners of an unknown, if it has any.
+    /// Add to @p coupled the partners of an unknown, if it has any, and those
+    /// of the unknowns that it hangs on, with these.
     void add_partners(const types::global_dof_index      dof,
                       std::set<types::global_dof_index> &coupled) const;
 
