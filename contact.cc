@@ -140,6 +140,7 @@ namespace Contact
     void        solve_level();
     ProbeErrors estimate_errors();
     void        solve_increment(const LoadSteps::Step &step);
+    bool        is_continuable(const LoadSteps::Step &step) const;
     void        check_turns() const;
     bool        has_coarser_start(const LoadSteps::Step &step) const;
     void        start_from_coarser_level(const unsigned int increment);
@@ -561,6 +562,9 @@ namespace Contact
         model.interface->begin_to_touch(state.solution);
       }
     stabilization.begin_increment();
+    if (is_continuable(step) && newton.continue_last_increment())
+      report.screen << "  starts where the last increment leads to"
+                    << std::endl;
 
     solve_with_stabilization();
     if (model.interface)
@@ -577,6 +581,22 @@ namespace Contact
     postprocessor.record_increment();
     newton.convergence.accept();
     report.end_increment();
+  }
+
+
+
+  // @sect4{ContactProblem::is_continuable}
+  //
+  // Bodies that yield in small strain, and go on to: their first step would be
+  // that of elastic ones.
+  template<int dim>
+  bool
+  ContactProblem<dim>::is_continuable(const LoadSteps::Step &step) const
+  {
+    return model.elasticity->changes_by_yielding() &&
+           !(levels.present() > 0 && step.is_whole) &&
+           !stabilization.is_needed() &&
+           !(model.interface && !model.interface->free_motions().empty());
   }
 
 

@@ -24,6 +24,10 @@ namespace Contact
     GhostedVector start;
     double        load_factor = 0, start_factor = 0;
 
+    /// Where the increment would end if it went on as the last one did; none if
+    /// that has moved nothing.
+    GhostedVector continued;
+
     /// Undeformed, without forces.
     void reinit(const ContactModel<dim> &model)
     {
@@ -34,6 +38,7 @@ namespace Contact
     void
     begin(const ContactModel<dim> &model, const double from, const double to)
     {
+      go_on(to - from);
       start_factor = from;
       load_factor  = to;
       start        = solution;
@@ -69,6 +74,18 @@ namespace Contact
     }
 
   private:
+    void go_on(const double length)
+    {
+      const double before = load_factor - start_factor;
+      GhostedVector change(solution);
+      change -= start;
+      continued = GhostedVector();
+      if (before <= 0 || change.all_zero())
+        return;
+      continued = solution;
+      continued.add(length / before, change);
+    }
+
     std::vector<ContactPoint<dim>> points_at_start;
   };
 } // namespace Contact

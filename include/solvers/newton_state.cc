@@ -59,6 +59,45 @@ namespace Contact
 
 
 
+  // What is prescribed goes one layer of cells deep in the start, which is no
+  // smaller a residual than that of the same supports in balanced bodies.
+  template<int dim>
+  bool NewtonState<dim>::continue_last_increment()
+  {
+    if (state.continued.size() == 0)
+      return false;
+    const GhostedVector start = state.solution;
+    model.discretization->prescribe(state.solution, state.load_factor);
+    const double of_start = residual_norm();
+    state.solution        = state.continued;
+    model.discretization->prescribe(state.solution, state.load_factor);
+    if (residual_norm() < of_start)
+      return true;
+    state.solution = start;
+    model.discretization->constrain_update(state.solution, state.load_factor);
+    return false;
+  }
+
+
+
+  // Under the statuses of now.
+  template<int dim>
+  double NewtonState<dim>::residual_norm()
+  {
+    TimerOutput::Scope scope(timer, "residual");
+    rhs = 0;
+    model.elasticity->assemble(state.solution,
+                               state.load_factor,
+                               rhs,
+                               nullptr);
+    rhs.sum_up();
+    add_contact();
+    convergence.evaluate(rhs, state, pairing.linearization().moving_bound);
+    return convergence.residual_norm();
+  }
+
+
+
   template<int dim>
   void NewtonState<dim>::remember_status()
   {

@@ -36,6 +36,12 @@ namespace Contact
     /// No step has been made yet.
     void begin();
 
+    /// Start the increment where it would end if it went on as the last one
+    /// did, if that leaves a smaller residual than its start under the new load
+    /// does; supports are moved at once in both. Returns whether it is so.
+    /// Collective.
+    bool continue_last_increment();
+
     /// Pair the points and evaluate the residual and the status of the points.
     /// Collective.
     void evaluate();
@@ -87,6 +93,7 @@ namespace Contact
     void         evaluate_with(const bool single_changes);
     unsigned int update_status(const bool single_changes);
     void         add_contact();
+    double       residual_norm();
 
     /// Before the first step and in balance: take the statuses that follow if
     /// the state is in balance under them, too. @p of_bodies is the right side
