@@ -590,8 +590,7 @@ namespace Contact
   // Bodies that yield in small strain, and go on to: their first step would be
   // that of elastic ones.
   template<int dim>
-  bool
-  ContactProblem<dim>::is_continuable(const LoadSteps::Step &step) const
+  bool ContactProblem<dim>::is_continuable(const LoadSteps::Step &step) const
   {
     return model.elasticity->changes_by_yielding() &&
            !(levels.present() > 0 && step.is_whole) &&

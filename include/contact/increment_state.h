@@ -76,7 +76,7 @@ namespace Contact
   private:
     void go_on(const double length)
     {
-      const double before = load_factor - start_factor;
+      const double  before = load_factor - start_factor;
       GhostedVector change(solution);
       change -= start;
       continued = GhostedVector();

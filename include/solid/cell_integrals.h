@@ -146,7 +146,9 @@ namespace Contact
           E[i][j] = in_space[i][j];
       if constexpr (Symmetry::has_hoop)
         E[2][2] = Kinematics::strain(hoop_gradient(cell, q, u));
-      return E - thermal * unit_symmetric_tensor<3>();
+      for (unsigned int i = 0; i < 3; ++i)
+        E[i][i] -= thermal;
+      return E;
     }
 
     /// The orthonormal modes phi_m of the cell take the place of all else:

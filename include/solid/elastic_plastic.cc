@@ -116,6 +116,50 @@ namespace Contact
 
 
 
+  // The state that the increment would end in if it were elastic.
+  struct ElasticPlastic::Trial
+  {
+    SymmetricTensor<2, 3> e;       // deviator of the strain
+    SymmetricTensor<2, 3> plastic; // at the start
+    SymmetricTensor<2, 3> xi;
+    double                q_square; // 3/2 |xi|^2
+    double                a;        // at the start
+    Hardening::Values     Y;        // there
+
+    // One that was returned before is on the surface but for round-off, and
+    // elastic.
+    bool is_elastic(const double mu) const
+    {
+      if (q_square <= Y.stress * Y.stress)
+        return true;
+      const double q         = std::sqrt(q_square);
+      const double round_off = 8 * std::numeric_limits<double>::epsilon() *
+                               (q + 3 * mu * (e.norm() + plastic.norm()));
+      return q <= Y.stress + round_off;
+    }
+  };
+
+
+
+  ElasticPlastic::Trial ElasticPlastic::trial(const SymmetricTensor<2, 3> &E,
+                                              const double *history) const
+  {
+    Trial trial;
+    trial.e = deviator(E);
+    trial.a = history[0];
+    for (unsigned int k = 1;
+         k < 1 + SymmetricTensor<2, 3>::n_independent_components;
+         ++k)
+      trial.plastic.access_raw_entry(k - 1) = history[k];
+    trial.xi = 2 * mu * trial.e -
+               (2 * mu + 2. / 3 * hardening.kinematic) * trial.plastic;
+    trial.q_square = 1.5 * (trial.xi * trial.xi);
+    trial.Y        = hardening.at(trial.a);
+    return trial;
+  }
+
+
+
   struct ElasticPlastic::Return
   {
     SymmetricTensor<2, 3> e;       // deviator of the strain
@@ -134,34 +178,22 @@ namespace Contact
 
 
 
-  // A state that was returned before is on the surface but for round-off, and
-  // elastic.
   ElasticPlastic::Return
   ElasticPlastic::return_to_surface(const SymmetricTensor<2, 3> &E,
                                     const double                *history) const
   {
-    Return state{};
-    state.e = deviator(E);
-    state.a = history[0];
-    for (unsigned int k = 1; k < n_history(); ++k)
-      state.plastic.access_raw_entry(k - 1) = history[k];
-    const SymmetricTensor<2, 3> xi =
-      2 * mu * state.e -
-      (2 * mu + 2. / 3 * hardening.kinematic) * state.plastic;
-    const double q_square = 1.5 * (xi * xi);
-    state.Y               = hardening.at(state.a);
-    if (q_square <= state.Y.stress * state.Y.stress)
+    const Trial trial = this->trial(E, history);
+    Return      state{};
+    state.e       = trial.e;
+    state.plastic = trial.plastic;
+    state.a       = trial.a;
+    state.Y       = trial.Y;
+    if (trial.is_elastic(mu))
       return state;
-    state.q = std::sqrt(q_square);
-    const double round_off =
-      8 * std::numeric_limits<double>::epsilon() *
-      (state.q + 3 * mu * (state.e.norm() + state.plastic.norm()));
-    if (state.q > state.Y.stress + round_off)
-      {
-        state.n  = xi / xi.norm();
-        state.da = plastic_increment(state.q, state.a);
-        state.Y  = hardening.at(state.a + state.da);
-      }
+    state.q  = std::sqrt(trial.q_square);
+    state.n  = trial.xi / trial.xi.norm();
+    state.da = plastic_increment(state.q, state.a);
+    state.Y  = hardening.at(state.a + state.da);
     return state;
   }
 
@@ -170,7 +202,20 @@ namespace Contact
   bool ElasticPlastic::yields(const SymmetricTensor<2, 3> &E,
                               const double                *history) const
   {
-    return return_to_surface(E, history).da > 0;
+    return !trial(E, history).is_elastic(mu);
+  }
+
+
+
+  SymmetricTensor<2, 3>
+  ElasticPlastic::shear_stress(const SymmetricTensor<2, 3> &E,
+                               const double                *history) const
+  {
+    const Trial trial = this->trial(E, history);
+    if (trial.is_elastic(mu))
+      return 2 * mu * (trial.e - trial.plastic);
+    const Return state = return_to_surface(E, history);
+    return 2 * mu * (state.e - state.plastic_at_end());
   }
 
 

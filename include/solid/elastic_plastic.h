@@ -59,14 +59,16 @@ namespace Contact
   public:
     ElasticPlastic(const Material &elastic, const Hardening &hardening);
 
-    Response     shear_part(const SymmetricTensor<2, 3> &E,
-                            const double                *history,
-                            const bool with_tangent) const override;
-    Volume       volume(const SymmetricTensor<2, 3> &E) const override;
-    VolumeEnergy volume_energy(const double d) const override;
-    unsigned int n_history() const override;
-    bool         yields(const SymmetricTensor<2, 3> &E,
-                        const double                *history) const override;
+    Response              shear_part(const SymmetricTensor<2, 3> &E,
+                                     const double                *history,
+                                     const bool with_tangent) const override;
+    SymmetricTensor<2, 3> shear_stress(const SymmetricTensor<2, 3> &E,
+                                       const double *history) const override;
+    Volume                volume(const SymmetricTensor<2, 3> &E) const override;
+    VolumeEnergy          volume_energy(const double d) const override;
+    unsigned int          n_history() const override;
+    bool                  yields(const SymmetricTensor<2, 3> &E,
+                                 const double                *history) const override;
 
     SymmetricTensor<4, 3> elastic_moduli() const override
     {
@@ -80,7 +82,9 @@ namespace Contact
                 const double                *history) const override;
 
   private:
+    struct Trial;
     struct Return;
+    Trial  trial(const SymmetricTensor<2, 3> &E, const double *history) const;
     Return return_to_surface(const SymmetricTensor<2, 3> &E,
                              const double                *history) const;
     double plastic_increment(const double q, const double a) const;

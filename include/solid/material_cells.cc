@@ -52,9 +52,11 @@ namespace Contact
                     FullMatrix<double>   *tangent,
                     Vector<double>       &forces) const override
       {
+        if (tangent == nullptr)
+          return add_forces_alone(cell, u, forces);
         return cell.modes.empty()
-                 ? assemble<false>(cell, u, stress_stiffness, tangent, forces)
-                 : assemble<true>(cell, u, stress_stiffness, tangent, forces);
+                 ? assemble<false>(cell, u, stress_stiffness, *tangent, forces)
+                 : assemble<true>(cell, u, stress_stiffness, *tangent, forces);
       }
 
       bool yields(const CellTable<dim> &cell,
@@ -117,8 +119,22 @@ namespace Contact
       double assemble(const CellTable<dim> &cell,
                       const Vector<double> &u,
                       const StressStiffness stress_stiffness,
-                      FullMatrix<double>   *tangent,
+                      FullMatrix<double>   &tangent,
                       Vector<double>       &residual) const;
+
+      double add_forces_alone(const CellTable<dim> &cell,
+                              const Vector<double> &u,
+                              Vector<double>       &residual) const;
+
+      /// Of a point with the stress @p of_shears in the part without U, which
+      /// is left in @p at. Returns what may turn negative, at most one.
+      double add_forces_at(const CellTable<dim>        &cell,
+                           const unsigned int           q,
+                           const Vector<double>        &u,
+                           const States                &states,
+                           const SymmetricTensor<2, 3> &of_shears,
+                           PointState                  &at,
+                           Vector<double>              &residual) const;
 
       const MaterialLaw &law;
     };
@@ -155,12 +171,72 @@ namespace Contact
 
 
     template<class Kinematics, class Symmetry>
+    DEAL_II_ALWAYS_INLINE inline double
+    MaterialCells<Kinematics, Symmetry>::add_forces_at(
+      const CellTable<dim>        &cell,
+      const unsigned int           q,
+      const Vector<double>        &u,
+      const States                &states,
+      const SymmetricTensor<2, 3> &of_shears,
+      PointState                  &at,
+      Vector<double>              &residual) const
+    {
+      constexpr bool is_large = Kinematics::has_geometric_stiffness;
+      Tensor<2, dim> H;
+      double         h = 0;
+      if constexpr (is_large)
+        {
+          H = Integrals::displacement_gradient(cell, q, u);
+          h = Integrals::hoop_gradient(cell, q, u);
+        }
+      const auto stress = of_shears + states.p[q] * states.volume[q].slope;
+
+      at.JxW = cell.JxW[q];
+      at.N_X =
+        Symmetry::has_hoop ? &cell.hoop_gradients[q * cell.n_nodes()] : nullptr;
+      at.F   = Kinematics::gradient_of_motion(H);
+      at.f33 = Kinematics::gradient_of_motion(h);
+      at.S   = in_space<dim>(stress);
+      at.S33 = stress[2][2];
+      this->add_forces(cell, q, at, residual);
+      return is_large
+               ? std::min({1., determinant(at.F) * at.f33, states.theta[q]})
+               : 1.;
+    }
+
+
+
+    template<class Kinematics, class Symmetry>
+    double MaterialCells<Kinematics, Symmetry>::add_forces_alone(
+      const CellTable<dim> &cell,
+      const Vector<double> &u,
+      Vector<double>       &residual) const
+    {
+      const States states   = this->states(cell, u);
+      double       smallest = 1;
+      PointState   at;
+      for (unsigned int q = 0; q < cell.JxW.size(); ++q)
+        smallest = std::min(smallest,
+                            add_forces_at(cell,
+                                          q,
+                                          u,
+                                          states,
+                                          law.shear_stress(states.E[q],
+                                                           history(cell, q)),
+                                          at,
+                                          residual));
+      return smallest;
+    }
+
+
+
+    template<class Kinematics, class Symmetry>
     template<bool projected>
     double MaterialCells<Kinematics, Symmetry>::assemble(
       const CellTable<dim> &cell,
       const Vector<double> &u,
       const StressStiffness stress_stiffness,
-      FullMatrix<double>   *tangent,
+      FullMatrix<double>   &tangent,
       Vector<double>       &residual) const
     {
       constexpr bool is_large = Kinematics::has_geometric_stiffness;
@@ -176,30 +252,11 @@ namespace Contact
       PointState                                           at;
       for (unsigned int q = 0; q < n_points; ++q)
         {
-          Tensor<2, dim> H;
-          double         h = 0;
-          if constexpr (is_large)
-            {
-              H = Integrals::displacement_gradient(cell, q, u);
-              h = Integrals::hoop_gradient(cell, q, u);
-            }
           const auto &volume = states.volume[q];
-          auto        response =
-            law.shear_part(states.E[q], history(cell, q), tangent != nullptr);
-          response.stress += states.p[q] * volume.slope;
-
-          at.JxW = cell.JxW[q];
-          at.N_X = Symmetry::has_hoop ? &cell.hoop_gradients[q * n] : nullptr;
-          at.F   = Kinematics::gradient_of_motion(H);
-          at.f33 = Kinematics::gradient_of_motion(h);
-          at.S   = in_space<dim>(response.stress);
-          at.S33 = response.stress[2][2];
-          if constexpr (is_large)
-            smallest =
-              std::min({smallest, determinant(at.F) * at.f33, states.theta[q]});
-          this->add_forces(cell, q, at, residual);
-          if (tangent == nullptr)
-            continue;
+          auto response = law.shear_part(states.E[q], history(cell, q), true);
+          smallest      = std::min(
+            smallest,
+            add_forces_at(cell, q, u, states, response.stress, at, residual));
 
           // Without their part of the tangent the moduli are those at rest.
           double modulus = states.modulus[q];
@@ -250,7 +307,7 @@ namespace Contact
                 DB[k] = times(D[k], B);
               return DB;
             },
-            *tangent);
+            tangent);
           if constexpr (projected)
             for (unsigned int m = 0; m < n_modes; ++m)
               {
@@ -263,9 +320,6 @@ namespace Contact
                     at.JxW * modulus * cell.modes[q][m] * cell.modes[q][l];
               }
         }
-      if (tangent == nullptr)
-        return smallest;
-
       if constexpr (projected)
         for (unsigned int m = 0; m < n_modes; ++m)
           for (unsigned int i = 0; i < dim * n; ++i)
@@ -274,9 +328,9 @@ namespace Contact
               for (unsigned int l = 0; l < n_modes; ++l)
                 Hg += moduli[m][l] * g[l][i];
               for (unsigned int j = i; j < dim * n; ++j)
-                (*tangent)(i, j) += Hg * g[m][j];
+                tangent(i, j) += Hg * g[m][j];
             }
-      this->mirror(*tangent);
+      this->mirror(tangent);
       return smallest;
     }
 

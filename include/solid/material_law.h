@@ -40,6 +40,13 @@ namespace Contact
                                 const double                *history,
                                 const bool with_tangent) const = 0;
 
+    /// Its stress alone, and with the same digits.
+    virtual SymmetricTensor<2, 3> shear_stress(const SymmetricTensor<2, 3> &E,
+                                               const double *history) const
+    {
+      return shear_part(E, history, /*with_tangent=*/false).stress;
+    }
+
     /// d(E) [-] and its derivatives.
     struct Volume
     {

@@ -86,10 +86,7 @@ namespace Contact
   {
     TimerOutput::Scope scope(timer, "residual");
     rhs = 0;
-    model.elasticity->assemble(state.solution,
-                               state.load_factor,
-                               rhs,
-                               nullptr);
+    model.elasticity->assemble(state.solution, state.load_factor, rhs, nullptr);
     rhs.sum_up();
     add_contact();
     convergence.evaluate(rhs, state, pairing.linearization().moving_bound);
