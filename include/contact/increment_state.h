@@ -24,21 +24,24 @@ namespace Contact
     GhostedVector start;
     double        load_factor = 0, start_factor = 0;
 
-    /// Where the increment would end if it went on as the last one did; none if
-    /// that has moved nothing.
+    /// Where the increment would end if it went on as the last one did. Of
+    /// bodies that yield; none in the first increment of a run or of a level,
+    /// and behind one that did not converge.
     GhostedVector continued;
 
     /// Undeformed, without forces.
     void reinit(const ContactModel<dim> &model)
     {
       solution = start = model.zero();
+      start_factor     = load_factor;
     }
 
     /// An increment starts here, from one load factor to another.
     void
     begin(const ContactModel<dim> &model, const double from, const double to)
     {
-      go_on(to - from);
+      if (model.elasticity->changes_by_yielding())
+        go_on(to - from);
       start_factor = from;
       load_factor  = to;
       start        = solution;
@@ -56,7 +59,8 @@ namespace Contact
     /// face.
     void roll_back(ContactModel<dim> &model)
     {
-      solution = start;
+      solution     = start;
+      start_factor = load_factor;
       if (model.interface)
         model.interface->set_points(points_at_start);
     }
@@ -76,14 +80,10 @@ namespace Contact
   private:
     void go_on(const double length)
     {
-      const double  before = load_factor - start_factor;
-      GhostedVector change(solution);
-      change -= start;
-      continued = GhostedVector();
-      if (before <= 0 || change.all_zero())
-        return;
-      continued = solution;
-      continued.add(length / before, change);
+      const double last = load_factor - start_factor;
+      continued         = last > 0 ? solution : GhostedVector();
+      if (last > 0)
+        continued.sadd(1 + length / last, -length / last, start);
     }
 
     std::vector<ContactPoint<dim>> points_at_start;

@@ -105,7 +105,8 @@ namespace Contact
                         linear_tolerance,
                         "How far conjugate gradients are driven in a Newton "
                         "step, relative to the residual of that [-]; > 0, < "
-                        "1.");
+                        "1. Where bodies yield, and the step will leave more "
+                        "than that, to 0.01.");
       prm.add_parameter(
         "System",
         system,

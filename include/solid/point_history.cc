@@ -75,7 +75,8 @@ namespace Contact
 
 
 
-  // By cell how many numbers follow, and these.
+  // By cell how many numbers follow, and these; of cells with a point that has
+  // yielded.
   template<int dim>
   CellValues Elasticity<dim>::history() const
   {
@@ -83,7 +84,9 @@ namespace Contact
     CellValues values;
     for (const CellTable<dim> &cell : tables.own)
       {
-        if (cell.history.empty())
+        if (std::all_of(cell.history.begin(),
+                        cell.history.end(),
+                        [](const double number) { return number == 0; }))
           continue;
         values.cells.push_back(ids[cell.active_index]);
         values.numbers.push_back(cell.history.size());

@@ -214,9 +214,10 @@ namespace Contact
       }
 
       // Inexact Newton: a step that others follow is solved to a thousandth of
-      // the residual, linear bodies under statuses that stay in one. Supports
-      // that the step moves are not in the residual: bodies that are not linear
-      // do not balance behind it, however exact it is.
+      // the residual, linear bodies under statuses that stay in one, and where
+      // bodies yield as far as it serves. Supports that the step moves are not
+      // in the residual: bodies that are not linear do not balance behind it,
+      // however exact it is.
       unsigned int make_step(const Step          &step,
                              GhostedVector       &rhs,
                              IncrementState<dim> &state) override
@@ -231,11 +232,10 @@ namespace Contact
           !model.elasticity->is_linear() &&
           model.discretization->update_is_prescribed();
         const double forcing =
-          moves_nonlinear_bodies
-            ? 1e-5
-            : (model.elasticity->changes_by_yielding()
-                 ? forcing_term(step) * step.residual
-                 : std::min(1e-5, parameters.linear_tolerance * step.residual));
+          moves_nonlinear_bodies ? 1e-5
+          : model.elasticity->changes_by_yielding()
+            ? forcing_term(step) * step.residual
+            : std::min(1e-5, parameters.linear_tolerance * step.residual);
         const double relative =
           std::max(0.1 * step.tolerance, one_solve_is_all ? 0. : forcing);
         unsigned int n = system.solve(state.solution,
@@ -271,11 +271,10 @@ namespace Contact
       }
 
     private:
-      // How exactly a step is solved in bodies that yield: where the last step
-      // makes one expect that yielding leaves more of the residual, two digits
-      // of it are enough (the second choice of S. C. Eisenstat and H. F.
-      // Walker, SIAM J. Sci. Comput. 17, 1996, with a tenth of what
-      // quadratic convergence would leave).
+      // How far a step is solved in bodies that yield: to a tenth of what it
+      // would leave of the residual if Newton's method converged quadratically
+      // from the last step on, but to two digits (the second choice of S. C.
+      // Eisenstat and H. F. Walker, SIAM J. Sci. Comput. 17, 1996).
       double forcing_term(const Step &step) const
       {
         const double largest = 0.01, part = 0.1;

@@ -59,8 +59,7 @@ namespace Contact
 
 
 
-  // What is prescribed goes one layer of cells deep in the start, which is no
-  // smaller a residual than that of the same supports in balanced bodies.
+  // Not where the load turns round, or something else begins to move.
   template<int dim>
   bool NewtonState<dim>::continue_last_increment()
   {

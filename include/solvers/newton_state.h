@@ -38,7 +38,7 @@ namespace Contact
 
     /// Start the increment where it would end if it went on as the last one
     /// did, if that leaves a smaller residual than its start under the new load
-    /// does; supports are moved at once in both. Returns whether it is so.
+    /// does, supports moved at once in both. Returns whether it is so.
     /// Collective.
     bool continue_last_increment();
 
