@@ -588,12 +588,13 @@ namespace Contact
   // @sect4{ContactProblem::is_continuable}
   //
   // Bodies that yield in small strain, and go on to: their first step would be
-  // that of elastic ones.
+  // that of elastic ones. Not behind a cut, where another start is what may
+  // help, nor from a coarser level, which knows the increment itself.
   template<int dim>
   bool ContactProblem<dim>::is_continuable(const LoadSteps::Step &step) const
   {
-    return model.elasticity->changes_by_yielding() &&
-           !(levels.present() > 0 && step.is_whole) &&
+    return step.is_whole && levels.present() == 0 &&
+           model.elasticity->changes_by_yielding() &&
            !stabilization.is_needed() &&
            !(model.interface && !model.interface->free_motions().empty());
   }

@@ -47,6 +47,7 @@ namespace Contact
     : mu(elastic.mu)
     , bulk_modulus(elastic.lambda + 2. / 3 * elastic.mu)
     , hardening(hardening)
+    , at_first(hardening.at(0))
     , moduli_of_deviators(2 * elastic.mu * deviator_tensor<3>())
   {
   }
@@ -147,14 +148,14 @@ namespace Contact
     Trial trial;
     trial.e = deviator(E);
     trial.a = history[0];
-    for (unsigned int k = 1;
-         k < 1 + SymmetricTensor<2, 3>::n_independent_components;
+    for (unsigned int k = 0;
+         k < SymmetricTensor<2, 3>::n_independent_components;
          ++k)
-      trial.plastic.access_raw_entry(k - 1) = history[k];
+      trial.plastic.access_raw_entry(k) = history[1 + k];
     trial.xi = 2 * mu * trial.e -
                (2 * mu + 2. / 3 * hardening.kinematic) * trial.plastic;
     trial.q_square = 1.5 * (trial.xi * trial.xi);
-    trial.Y        = hardening.at(trial.a);
+    trial.Y        = trial.a == 0 ? at_first : hardening.at(trial.a);
     return trial;
   }
 

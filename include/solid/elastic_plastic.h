@@ -92,6 +92,9 @@ namespace Contact
     const double    mu, bulk_modulus;
     const Hardening hardening;
 
+    /// Where nothing has yielded yet.
+    const Hardening::Values at_first;
+
     const SymmetricTensor<4, 3> moduli_of_deviators;
   };
 } // namespace Contact
