@@ -1062,7 +1062,8 @@ namespace Contact
                         springs.size() > 0 ? &springs : nullptr,
                         pairing.follows() ? pairing.misplacement(state) : 0.);
     invariants->advance();
-    if (const std::string note = pairing.note(); !note.empty())
+    if (const std::string note = pairing.note(found.moment_imbalance);
+        !note.empty())
       found.notes.push_back(note);
     report.record(found);
   }

@@ -247,7 +247,7 @@ namespace Contact
 
 
   template<int dim>
-  std::string Pairing<dim>::note() const
+  std::string Pairing<dim>::note(const double moment_imbalance) const
   {
     if (!jump)
       return {};
@@ -256,7 +256,10 @@ namespace Contact
            "points gaps differ by up to " +
            brief(*jump) +
            " mm: by so much nodes may stand off or overlap there, and pressures "
-           "near them are those of one place of two. A finer master, another "
+           "near them are those of one place of two, and the moments of the "
+           "contact on both bodies differ by " +
+           brief(100 * moment_imbalance) +
+           " % of its forces by the size of the slave. A finer master, another "
            "contact discretization, or 'Geometry = fixed point' may come to rest.";
   }
 

@@ -95,9 +95,9 @@ namespace Contact
     /// The reason why a pairing is not accepted.
     std::string unsettled(const IncrementState<dim> &state) const;
 
-    /// The remark on closest points that jump between two places for good;
-    /// empty if they do not.
-    std::string note() const;
+    /// The remark on closest points that jump between two places for good, with
+    /// what the moments lose, see Invariants; empty if they do not.
+    std::string note(const double moment_imbalance) const;
 
   private:
     void freeze(const bool frozen);
