@@ -7,6 +7,73 @@
 
 namespace Contact
 {
+  namespace
+  {
+    using Parts = std::vector<std::pair<types::global_dof_index, double>>;
+
+    /// What the unknowns of the nodes that hang follow. The constraints of a
+    /// process know that of the nodes of its own cells and those beside.
+    template<int dim>
+    std::map<types::global_dof_index, Parts>
+    leaders_of_hanging_nodes(const ContactInterface<dim> &interface)
+    {
+      std::map<types::global_dof_index, Parts> leaders;
+      const auto add = [&](const Surface<dim> &surface) {
+        for (unsigned int n = 0; n < surface.nodes.size(); ++n)
+          if (!surface.leaders[n].empty())
+            for (unsigned int i = 0; i < dim; ++i)
+              {
+                Parts &parts = leaders[surface.nodes[n].dofs[i]];
+                parts.clear();
+                for (const auto &[leader, part] : surface.leaders[n])
+                  parts.emplace_back(surface.nodes[leader].dofs[i], part);
+              }
+      };
+      for (const auto &contact_pair : interface.pairs)
+        {
+          add(contact_pair->slave);
+          if (contact_pair->master)
+            add(*contact_pair->master);
+        }
+      return leaders;
+    }
+
+
+
+    /// The columns of nodes that hang become parts of those that they follow.
+    template<int dim>
+    void
+    hand_over_columns(const std::map<types::global_dof_index, Parts> &leaders,
+                      PairingStiffness<dim>                          &term)
+    {
+      std::map<types::global_dof_index, unsigned int> number;
+      const auto number_of = [&](const types::global_dof_index dof) {
+        return number.emplace(dof, number.size()).first->second;
+      };
+      std::vector<std::vector<std::pair<unsigned int, double>>> parts;
+      for (const auto dof : term.columns)
+        {
+          parts.emplace_back();
+          if (const auto found = leaders.find(dof); found != leaders.end())
+            for (const auto &[leader, part] : found->second)
+              parts.back().emplace_back(number_of(leader), part);
+          else
+            parts.back().emplace_back(number_of(dof), 1.);
+        }
+      FullMatrix<double> stiffness(term.rows.size(), number.size());
+      for (unsigned int j = 0; j < term.columns.size(); ++j)
+        for (const auto &[column, part] : parts[j])
+          for (unsigned int i = 0; i < term.rows.size(); ++i)
+            stiffness(i, column) += part * term.stiffness(i, j);
+      term.stiffness = stiffness;
+      term.columns.resize(number.size());
+      for (const auto &[dof, column] : number)
+        term.columns[column] = dof;
+    }
+  } // namespace
+
+
+
   template<int dim>
   std::vector<PairingStiffness<dim>>
   PairingStiffness<dim>::terms(const ContactInterface<dim> &interface,
@@ -14,7 +81,8 @@ namespace Contact
                                const GhostedVector         &u_start)
   {
     std::vector<PairingStiffness<dim>> all;
-    const IndexSet                    &owned =
+    const auto      leaders = leaders_of_hanging_nodes(interface);
+    const IndexSet &owned =
       interface.discretization.dof_handler.locally_owned_dofs();
     for (const ContactPoint<dim> &point : interface.points())
       {
@@ -44,6 +112,8 @@ namespace Contact
                   -point.weight *
                   (change.C(a, j) * traction[i] + point.C[a] * turned[i]);
           }
+        if (!leaders.empty())
+          hand_over_columns(leaders, term);
       }
     return all;
   }
