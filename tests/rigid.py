@@ -9,7 +9,8 @@ Proves that
   hang and on two processes; a force pushes the head of a ring;
 - a rotation of any size turns a block without stress, to where formulas of the
   place would; the moment that this needs of a beam turns it as far again;
-- a punch that an eccentric force tilts has the forces of one that is moved so;
+- a punch that an eccentric force tilts has the forces of one that is moved so,
+  and a block in space that is refined adaptively is the same on two processes;
 - what contradicts it is refused.
 
 Usage: rigid.py CONTACT PARAMETERS MESHES
@@ -231,7 +232,38 @@ def punch():
         check(f"{more} is refused", status == 2 and reason in said, said[:300])
 
 
+def block_in_space():
+    """Nodes of the master hang, which the other process does not know by its
+    own cells."""
+    blocks = Volumes()
+    blocks.block("A", (4, 4, 1), lambda r, s, t: (4 * r - 2, 4 * s - 2, t))
+    blocks.block("B", (3, 2, 1),
+                 lambda r, s, t: (2.3 * r - 1.2, 1.9 * s - 1, 1 + t))
+    blocks.write("on_block")
+    places = []
+    for ranks in (1, 2):
+        status, said, summary = run("on_block", {
+            "Mesh/File": "on_block.msh",
+            "Solids/Young's modulus": f"A: {2 * E}, B: {2 * E}",
+            "Solids/Poisson's ratio": "A: 0.4, B: 0.3",
+            "Solids/Kinematics": "small strain",
+            BC + "Displacement x": "A_z0: 0", BC + "Displacement y": "A_z0: 0",
+            BC + "Displacement z": "A_z0: 0", BC + "Rigid": "B_z1: B_001",
+            BC + "Force x": "B_z1: -3", BC + "Force y": "B_z1: 3",
+            BC + "Force z": "B_z1: -60", BC + "Moment x": "B_z1: -55",
+            BC + "Moment y": "B_z1: 64", BC + "Moment z": "B_z1: -3",
+            "Contact/Slave": "A_z1", "Contact/Master": "B_z0",
+            "Contact/Friction coefficient": 0.4,
+            "Contact/Discretization": "mortar",
+            "Refinement/Levels": 1, "Refinement/Strategy": "adaptive",
+            "Probes/Probes": "u: displacement z, B_000"}, ranks)
+        places.append(values(summary)["u"] if status == 0 else math.nan)
+    check("a block on a block refined adaptively, 1 and 2 processes",
+          abs(places[1] / places[0] - 1) < 1e-6, f"{places} {said[-300:]}")
+
+
 columns()
 turns()
 punch()
+block_in_space()
 sys.exit(len(failures) > 0)
