@@ -536,11 +536,10 @@ namespace Contact
         model.interface->move_obstacles(step.from, step.to, state.solution))
       pairing.pair(state.solution);
     if (model.interface && step.increment == 1)
-      model.interface->close_overlaps(step.from *
-                                        parameters.solution.n_increments,
-                                      step.to *
-                                        parameters.solution.n_increments,
-                                      state.solution);
+      model.interface->close_overlaps(
+        step.from * parameters.solution.n_increments,
+        step.ends_increment ? 1. : step.to * parameters.solution.n_increments,
+        state.solution);
     state.begin(model, step.from, step.to);
     pairing.begin_increment((step.to - step.from) *
                             parameters.solution.n_increments);
@@ -620,8 +619,8 @@ namespace Contact
 
   // @sect4{ContactProblem::has_coarser_start}
   //
-  // Where that start leads nowhere, as it may among bodies that yield, the end
-  // of the last increment on this mesh is another one.
+  // The end of the last increment on this mesh is another start, if that one
+  // leads nowhere, as it may among bodies that yield.
   template<int dim>
   bool ContactProblem<dim>::has_coarser_start(const LoadSteps::Step &step) const
   {

@@ -158,10 +158,12 @@ namespace Contact
                         const GhostedVector &start = {});
 
     /**
-     * What overlaps where the mesh has it is parted along the first increment,
-     * of which a step goes from the part @p from to the part @p to: until its
-     * end the surfaces of a contact pair are kept apart by (1 - to) of the
-     * largest overlap at its @p start. An increment in one step has it at once.
+     * Surfaces that overlap in the mesh are parted along the first increment,
+     * of which a step goes from the part @p from to the part @p to: the
+     * surfaces of a contact pair are kept apart by (1 - to) of the largest
+     * overlap at the
+     * @p start, as if they had a clearance, so that each step closes a part of
+     * it. An increment in one step closes all of it.
      */
     void close_overlaps(const double         from,
                         const double         to,

@@ -66,8 +66,9 @@ namespace Contact
              at;      // by the load factor, if given
       double now = 0; // what it is of that
 
-      /// How deep the surfaces of the mesh overlap, and by how much they are
-      /// still kept apart for that: see ContactInterface::close_overlaps().
+      /// The depth by which the surfaces of the mesh overlap, and the part of
+      /// it by which they are kept apart: see
+      /// ContactInterface::close_overlaps().
       double at_start = 0, kept_apart = 0;
 
       double added() const

@@ -24,7 +24,7 @@ namespace Contact
     GhostedVector start;
     double        load_factor = 0, start_factor = 0;
 
-    /// Where the increment would end if it went on as the last one did. Of
+    /// The end of the increment if it went on as the last one did. Of
     /// bodies that yield; none in the first increment of a run or of a level,
     /// and behind one that did not converge.
     GhostedVector continued;

@@ -128,7 +128,7 @@ namespace Contact
       return {};
     }
 
-    /// How far the motions that are given have moved it since the beginning
+    /// The way by which its given motions have moved it since the beginning
     /// [mm], turns at the distance @p reach [mm].
     virtual double given_way(const double /*reach*/) const
     {

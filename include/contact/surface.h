@@ -198,7 +198,7 @@ namespace Contact
     /// undeformed [mm].
     Point<dim> middle;
 
-    /// How often the facet of the coarse mesh was refined that it is a part of.
+    /// The level of refinement of its cell; 0: a facet of the coarse mesh.
     unsigned int level = 0;
 
     /// The same of all surfaces that have it.

@@ -36,7 +36,7 @@ namespace Contact
   template<int dim>
   struct NamedPlace
   {
-    /// Where it is in each body that it may belong to: bodies may be moved by
+    /// Its place in each body that it may belong to: bodies may be moved by
     /// themselves [mm].
     std::map<types::material_id, Point<dim>> in_body;
 
@@ -108,8 +108,8 @@ namespace Contact
     /// Named places that are none of the points above.
     std::map<std::string, NamedPlace<dim>> places;
 
-    /// How far a place may be from what is meant: what is typed has fewer
-    /// digits than the file [mm].
+    /// The distance of a place from the one that is meant: what is typed has
+    /// fewer digits than the file [mm].
     double typed_digits = 0;
 
     /// The pieces, each of which can move as a rigid body.

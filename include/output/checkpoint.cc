@@ -55,7 +55,8 @@ namespace Contact
       write_file(part(rank), [&](std::ostream &out) {
         const auto values =
           values_on_cells(*model.discretization, vectors(start));
-        const auto history = model.elasticity->history();
+        const auto history =
+          model.elasticity->history(/*of_yielded_alone=*/true);
         write_restart(out, key, [&](auto &archive) {
           archive &values &history;
         });

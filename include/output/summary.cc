@@ -156,9 +156,10 @@ namespace Contact
                 {"works", increment.works},
                 {"violations", increment.violations},
                 {"probes", increment.probes},
-                {"reactions", increment.reactions},
-                {"bodies", increment.bodies}};
+                {"reactions", increment.reactions}};
       add_pairs(increment.contact, json);
+      if (!increment.bodies.empty())
+        json["bodies"] = increment.bodies;
       return json;
     }
 

@@ -92,7 +92,7 @@ namespace Contact
     const double    mu, bulk_modulus;
     const Hardening hardening;
 
-    /// Where nothing has yielded yet.
+    /// Of a material that has not yielded yet.
     const Hardening::Values at_first;
 
     const SymmetricTensor<4, 3> moduli_of_deviators;

@@ -266,9 +266,10 @@ namespace Contact
     using Works = typename CellKernel<dim>::Works;
     Works works(const GhostedVector &u_0, const GhostedVector &u_1) const;
 
-    /// The history of the cells of this rank; take over what is of the cells
-    /// that it knows.
-    CellValues history() const;
+    /// The history of the cells of this rank, or @p of_yielded_alone: at the
+    /// start of a run that of the others is zero. Take over what is of the
+    /// cells that this rank knows.
+    CellValues history(const bool of_yielded_alone = false) const;
     void       restore(const CellValues &history);
 
     /// s : D^-1 : s [MPa], twice the elastic energy by volume of a stress s in

@@ -45,7 +45,7 @@ namespace Contact
     /// Of the triangulation of the owner; on other ranks empty.
     std::map<unsigned int, double> vertices;
 
-    /// Where it is no node: the cells of the coarse mesh that hold it.
+    /// The cells of the coarse mesh that hold it, unless it is a node.
     std::set<types::coarse_cell_id> coarse_cells;
 
     bool is_between_nodes() const
@@ -63,7 +63,7 @@ namespace Contact
       return value;
     }
 
-    /// What is given by vertex. Collective.
+    /// The value here of a field given by vertex. Collective.
     template<typename Value>
     Value interpolate(const std::vector<Value> &at_vertices,
                       const MPI_Comm            communicator) const

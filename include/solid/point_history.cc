@@ -75,18 +75,19 @@ namespace Contact
 
 
 
-  // By cell how many numbers follow, and these; of cells with a point that has
-  // yielded.
+  // By cell how many numbers follow, and these.
   template<int dim>
-  CellValues Elasticity<dim>::history() const
+  CellValues Elasticity<dim>::history(const bool of_yielded_alone) const
   {
     const auto ids = cell_ids();
     CellValues values;
     for (const CellTable<dim> &cell : tables.own)
       {
-        if (std::all_of(cell.history.begin(),
-                        cell.history.end(),
-                        [](const double number) { return number == 0; }))
+        if (cell.history.empty() ||
+            (of_yielded_alone &&
+             std::all_of(cell.history.begin(),
+                         cell.history.end(),
+                         [](const double number) { return number == 0; })))
           continue;
         values.cells.push_back(ids[cell.active_index]);
         values.numbers.push_back(cell.history.size());

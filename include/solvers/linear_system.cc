@@ -271,7 +271,7 @@ namespace Contact
       }
 
     private:
-      // How far a step is solved in bodies that yield: to a tenth of what it
+      // In bodies that yield a step is solved to a tenth of what it
       // would leave of the residual if Newton's method converged quadratically
       // from the last step on, but to two digits (the second choice of S. C.
       // Eisenstat and H. F. Walker, SIAM J. Sci. Comput. 17, 1996).

@@ -76,7 +76,7 @@ def rows(options, case, rule):
                               "Solids/Yield stress=" + per_body(moduli)))]
     peaks = {}
     for increment in found[0][2].get("increments", []):
-        for name, body in increment["bodies"].items():
+        for name, body in increment.get("bodies", {}).items():
             peaks[name] = max(peaks.get(name, 0), body["von_mises"])
     if set(peaks) == set(moduli) and min(peaks.values()) > 0:
         found.append(("elastic-plastic", *run(
