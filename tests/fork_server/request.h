@@ -4,8 +4,8 @@
  * --------------------------------------------------------------------- */
 
 /* A start of the program takes a quarter of a second of CPU time, in which the
- * dynamic linker relocates some hundred libraries, and the tests start it some
- * thousand times. The fork server is the program itself, stopped in front of
+ * dynamic linker relocates two hundred libraries, and the tests start it many
+ * times. The fork server is the program itself, stopped in front of
  * main() by a preloaded library (server.c). For each start that a client
  * (client.c) asks for it forks: the child has the libraries at their place, and
  * calls the main() of the program with the arguments, the environment, the
