@@ -1059,7 +1059,7 @@ namespace Contact
                         newton.convergence.tolerance(),
                         newton.convergence.force_scale(),
                         springs.size() > 0 ? &springs : nullptr,
-                        pairing.follows() ? pairing.misplacement(state) : 0.);
+                        pairing.shift_of_feet(state));
     invariants->advance();
     if (const std::string note = pairing.note(found.moment_imbalance);
         !note.empty())

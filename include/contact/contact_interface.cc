@@ -280,31 +280,6 @@ namespace Contact
 
 
   template<int dim>
-  double ContactInterface<dim>::misfit(const GhostedVector &u) const
-  {
-    std::vector<ContactPoint<dim>> closest = all_points;
-    for (const auto &contact_pair : pairs)
-      contact_pair->pair({closest.data() + contact_pair->first_point,
-                          contact_pair->n_points},
-                         u,
-                         {});
-    double largest = 0;
-    for (unsigned int q = 0; q < closest.size(); ++q)
-      if (closest[q].facing && !contact_pair(closest[q]).tied)
-        {
-          const double gap    = state(closest[q], u, u).gap;
-          const double change = gap - state(all_points[q], u, u).gap;
-          largest             = std::max(largest,
-                             closest[q].status.kind == Status::open
-                                           ? std::min(-gap, -change)
-                                           : std::abs(change));
-        }
-    return largest;
-  }
-
-
-
-  template<int dim>
   double ContactInterface<dim>::largest_change(const GhostedVector &u,
                                                const GhostedVector &from) const
   {

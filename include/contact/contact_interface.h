@@ -235,10 +235,6 @@ namespace Contact
     /// The pairing stands still from now on.
     void forget_changes();
 
-    /// By how much the gaps of points in contact, and the penetrations of
-    /// others, change under the closest points in the configuration @p u [mm].
-    double misfit(const GhostedVector &u) const;
-
     /// The largest change of a displacement of the surfaces [mm].
     double largest_change(const GhostedVector &u,
                           const GhostedVector &from) const;

@@ -485,7 +485,8 @@ namespace Contact
   {
     if (!convergence.has_converged() ||
         model.discretization->update_is_prescribed())
-      return "";
+      return pairing.jumps() ? "; the pairing: " + pairing.unsettled(state)
+                             : "";
     const std::string balanced = ", which is small enough; not settled is ";
     if (!has_converged())
       return balanced + "the status of the points of contact";

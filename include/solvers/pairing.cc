@@ -187,9 +187,9 @@ namespace Contact
 
 
 
-  // The closest points must make no difference to the gaps if the pairing does
-  // not come to rest, or keeps edges. A jump does not get smaller with the
-  // steps: its measure is the way of a whole increment.
+  // The closest points must make no difference to the gaps, nor to where forces
+  // act, if the pairing does not come to rest, or keeps edges. A jump does not
+  // get smaller with the steps: its measure is the way of a whole increment.
   template<int dim>
   bool Pairing<dim>::accepts(const IncrementState<dim> &state)
   {
@@ -200,11 +200,33 @@ namespace Contact
       return true;
     if (!(edges_stay ? rests : guard.goes_in_circles()))
       return false;
-    const double misfit = model.interface->misfit(state.solution);
-    if (!guard.accepts(misfit, way(state) / part))
+    const PairingMisfit found = misfit_of(state);
+    if (!guard.accepts(found, way(state) / part))
       return false;
-    jump = misfit;
+    jump = found;
     return true;
+  }
+
+
+
+  template<int dim>
+  PairingMisfit Pairing<dim>::misfit_of(const IncrementState<dim> &state) const
+  {
+    return misfit(*model.interface,
+                  state.solution,
+                  state.start,
+                  parameters.solution.has_moving_bound());
+  }
+
+
+
+  // Where the pairing is at rest, no foot has moved further than the surfaces.
+  template<int dim>
+  double Pairing<dim>::shift_of_feet(const IncrementState<dim> &state) const
+  {
+    if (!follows())
+      return 0;
+    return jump ? jump->shift : misplacement(state);
   }
 
 
@@ -229,19 +251,26 @@ namespace Contact
   template<int dim>
   std::string Pairing<dim>::unsettled(const IncrementState<dim> &state) const
   {
-    const std::string what =
-      edges_stay
-        ? "points face two edges of the master in turn, under each of which the "
-          "closest point is on the other; if they stay on one, the gaps of the "
-          "closest points differ by " +
-            brief(model.interface->misfit(state.solution)) +
-            " mm, where the surfaces move by "
-        : "the surfaces are " + brief(misplacement(state)) +
-            " mm from where they were paired, of ";
+    std::string what = "the surfaces are " + brief(misplacement(state)) +
+                       " mm from where they were paired, of ";
+    if (edges_stay)
+      {
+        const PairingMisfit found = misfit_of(state);
+        what = "points face two places of the master in turn, under each of "
+               "which the closest point is the other; if they stay at one, the "
+               "gaps of the closest points differ by " +
+               brief(found.gap) + " mm, and forces are moved by " +
+               brief(100 * found.feet) + " % of the size of the slave" +
+               (found.unheld > 0 ? ", " + brief(100 * found.unheld) +
+                                     " % of them have no closest point"
+                                 : "") +
+               ", where the surfaces move by ";
+      }
     return what + brief(way(state)) +
            " mm in this step. Where a node of the slave slides over a corner of "
-           "the master it may face the edges on either side in turn: a finer "
-           "master, Mesh/Arcs, or the mortar discretization";
+           "the master it may face the edges on either side in turn, and at the "
+           "end of the master it and nothing: a finer master or one that "
+           "reaches further, Mesh/Arcs, or the mortar discretization";
   }
 
 
@@ -254,7 +283,7 @@ namespace Contact
     return "pairing: closest points jump between two places and do not come to "
            "rest; the points are paired with one of the two, and with the closest "
            "points gaps differ by up to " +
-           brief(*jump) +
+           brief(jump->gap) +
            " mm: by so much nodes may stand off or overlap there, and pressures "
            "near them are those of one place of two, and the moments of the "
            "contact on both bodies differ by " +

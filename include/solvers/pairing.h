@@ -65,6 +65,10 @@ namespace Contact
     double misplacement(const IncrementState<dim> &state) const;
     double way(const IncrementState<dim> &state) const;
 
+    /// How far the feet of the forces may be from the closest points in a state
+    /// that was accepted [mm].
+    double shift_of_feet(const IncrementState<dim> &state) const;
+
     /// Pair again in a fixed-point iteration that has led to @p solution: where
     /// it jumps to and fro, on the way.
     void renew(const GhostedVector &solution, Relaxation &relaxation);
@@ -92,6 +96,12 @@ namespace Contact
     /// other edges until now: four times at most.
     bool renew(const GhostedVector &solution);
 
+    /// Whether points have turned out to face two places in turn.
+    bool jumps() const
+    {
+      return edges_stay;
+    }
+
     /// The reason why a pairing is not accepted.
     std::string unsettled(const IncrementState<dim> &state) const;
 
@@ -102,6 +112,8 @@ namespace Contact
   private:
     void freeze(const bool frozen);
     bool has_derivatives() const;
+
+    PairingMisfit misfit_of(const IncrementState<dim> &state) const;
 
     const ContactModel<dim> &model;
     const Parameters::All   &parameters;
@@ -117,9 +129,8 @@ namespace Contact
     Relaxation   relaxation;
     bool         is_frozen = false;
 
-    // By how much gaps differ [mm] where a pairing is accepted whose closest
-    // points jump.
-    std::optional<double> jump;
+    // Where a pairing is accepted whose closest points jump.
+    std::optional<PairingMisfit> jump;
 
     // Of the present increment.
     double part       = 1;

@@ -6,6 +6,8 @@
 #ifndef contact_pairing_guard_h
 #define contact_pairing_guard_h
 
+#include "solvers/pairing_misfit.h"
+
 namespace Contact
 {
   /**
@@ -21,9 +23,11 @@ namespace Contact
    * within this tolerance of that place. After three turns the pairing jumps
    * between two states for good. Either is accepted, with a note, if the gaps
    * of the closest points differ from its own by no more than this tolerance of
-   * the way of a whole increment. Otherwise points keep the edge that they
-   * face, which goes on a little beyond its ends, and the gaps are compared
-   * with the way of a whole increment in the end.
+   * the way of a whole increment, and if these move the forces by no more than
+   * that part of the size of the slave: displacements then change by no more
+   * than that part of themselves, see PairingMisfit. Otherwise points keep the
+   * edge that they face, which goes on a little beyond its ends, and both are
+   * compared in the end.
    */
   class PairingGuard
   {
@@ -63,6 +67,13 @@ namespace Contact
     bool accepts(const double moved, const double way) const
     {
       return moved <= tolerance * way;
+    }
+
+    /// Whether a solution is accepted that its closest points do not agree
+    /// with, where the surfaces move by @p way [mm] in a whole increment.
+    bool accepts(const PairingMisfit &misfit, const double way) const
+    {
+      return accepts(misfit.gap, way) && misfit.feet <= tolerance;
     }
 
   private:

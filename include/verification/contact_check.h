@@ -92,7 +92,8 @@ namespace Contact
    * zero where the gap is, if the projection is the closest point (o = 0). With
    * the Gauss-point discretization the gap is zero in the mean only; over a
    * corner of the master the projection stays behind; where the surfaces have
-   * moved by d since they were paired, the projection is that of the pairing:
+   * moved by d since they were paired, the projection is that of the pairing;
+   * where closest points jump, d is the mean that they move the forces by:
    * |o| <= sqrt(2) sum |C_a| d. So much is the method's own. Glue has the gap
    * and the offset of the mesh, and may lose a hundredth of the moment by them.
    * With undeformed geometry the moments are those of the undeformed bodies.
@@ -125,8 +126,8 @@ namespace Contact
   {
   public:
     /// Of the state @p solution at the end of an increment that began with the
-    /// displacement @p u_start; since they were paired the surfaces have moved
-    /// by @p moved [mm]. All arguments have to outlive the object.
+    /// displacement @p u_start; by the pairing the feet of the points may be
+    /// off by @p moved [mm]. All arguments have to outlive the object.
     ContactCheck(const Discretization<dim>   &discretization,
                  const ContactInterface<dim> &interface,
                  const Parameters::Solution  &parameters,

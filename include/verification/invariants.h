@@ -158,8 +158,8 @@ namespace Contact
      * Check the converged state @p solution under @p load_factor. The residual
      * is below @p newton_tolerance times @p reference_force [N per mm; 0: as an
      * absolute value]. @p hold_forces are what else acts on the nodes, if
-     * anything does; @p moved is the way of the surfaces since they were paired
-     * [mm].
+     * anything does; by @p moved [mm] the pairing may have the feet of points
+     * off the closest ones.
      */
     Invariants check(const GhostedVector &solution,
                      const double         load_factor,
