@@ -226,7 +226,6 @@ namespace Contact
     , newton(model, system, state, pairing, report.timer)
     , postprocessor(this->parameters, model, state, report)
     , checkpoint(this->parameters,
-                 prm,
                  model,
                  invariants,
                  state,

@@ -17,7 +17,6 @@ namespace Contact
   template<int dim>
   Checkpoint<dim>::Checkpoint(
     const Parameters::All                      &parameters,
-    const ParameterHandler                     &prm,
     const ContactModel<dim>                    &model,
     const std::unique_ptr<InvariantCheck<dim>> &invariants,
     IncrementState<dim>                        &state,
@@ -25,7 +24,6 @@ namespace Contact
     ConvergenceTest<dim>                       &convergence,
     Report<dim>                                &report)
     : parameters(parameters)
-    , prm(prm)
     , model(model)
     , invariants(invariants)
     , state(state)
@@ -129,14 +127,16 @@ namespace Contact
   // All that has to be the same for a run to be the continuation of another.
   // The order of unknowns and points is that of the ranks.
   template<int dim>
-  std::string Checkpoint<dim>::key() const
+  std::string Checkpoint<dim>::key()
   {
+    if (!mesh_checksum)
+      mesh_checksum = checksum(parameters.mesh.file);
     std::ostringstream key;
     key << "contact restart 4, ranks "
         << Utilities::MPI::n_mpi_processes(model.discretization->communicator)
-        << ", unknowns " << state.solution.size() << ", mesh "
-        << checksum(parameters.mesh.file) << '\n';
-    prm.print_parameters(key, ParameterHandler::ShortPRM);
+        << ", unknowns " << state.solution.size() << ", mesh " << *mesh_checksum
+        << '\n'
+        << report.used_parameters();
     return key.str();
   }
 

@@ -6,6 +6,8 @@
 #ifndef contact_checkpoint_h
 #define contact_checkpoint_h
 
+#include <optional>
+
 #include "contact/increment_state.h"
 #include "output/report.h"
 #include "solvers/convergence_test.h"
@@ -28,7 +30,6 @@ namespace Contact
   {
   public:
     Checkpoint(const Parameters::All                      &parameters,
-               const ParameterHandler                     &prm,
                const ContactModel<dim>                    &model,
                const std::unique_ptr<InvariantCheck<dim>> &invariants,
                IncrementState<dim>                        &state,
@@ -54,16 +55,16 @@ namespace Contact
     std::filesystem::path        part(const unsigned int rank) const;
     std::vector<GhostedVector *> vectors(State &start) const;
 
-    std::string key() const;
+    std::string key();
 
     const Parameters::All                      &parameters;
-    const ParameterHandler                     &prm;
     const ContactModel<dim>                    &model;
     const std::unique_ptr<InvariantCheck<dim>> &invariants;
     IncrementState<dim>                        &state;
     Pairing<dim>                               &pairing;
     ConvergenceTest<dim>                       &convergence;
     Report<dim>                                &report;
+    std::optional<unsigned int>                 mesh_checksum;
     unsigned int                                n_parts = 0;
     unsigned int                                number = 0; // of the increments
   };

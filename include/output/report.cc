@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <sstream>
 
 #include "base/string_utilities.h"
 #include "contact/force_probes.h"
@@ -305,10 +306,24 @@ namespace Contact
 
 
   template<int dim>
+  const std::string &Report<dim>::used_parameters()
+  {
+    if (printed_parameters.empty())
+      {
+        std::ostringstream text;
+        prm.print_parameters(text, ParameterHandler::ShortPRM);
+        printed_parameters = text.str();
+      }
+    return printed_parameters;
+  }
+
+
+
+  template<int dim>
   void Report<dim>::finish()
   {
     result_files->write_first("parameters.prm", [this](std::ostream &out) {
-      prm.print_parameters(out, ParameterHandler::ShortPRM);
+      out << used_parameters();
     });
     summary.time     = phase_times(timer);
     summary.counters = discretization->counters.by_name();

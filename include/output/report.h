@@ -114,12 +114,17 @@ namespace Contact
 
     void write_summary() const;
 
+    /// All parameters as a file of them, printed once: that takes as long as
+    /// to check an increment.
+    const std::string &used_parameters();
+
     /// The end of the run.
     void finish();
 
   private:
     const Parameters::All            &parameters;
     const ParameterHandler           &prm;
+    std::string                       printed_parameters;
     std::unique_ptr<ResultFiles<dim>> result_files;
     const Discretization<dim> *discretization = nullptr; // once files are open
   };
