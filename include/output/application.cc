@@ -189,6 +189,20 @@ namespace Contact
 
 
 
+    // CHOLMOD asks for four threads of OpenMP whatever the environment says,
+    // for loops that are too short for them: they double its time. Without a
+    // level of parallel regions it gets one.
+    void use_one_thread_of_openmp()
+    {
+      const char *n_threads = std::getenv("OMP_NUM_THREADS");
+      if (n_threads != nullptr && std::string(n_threads) != "1")
+        return;
+      if (void *function = dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"))
+        reinterpret_cast<void (*)(int)>(function)(0);
+    }
+
+
+
     // All files are read before the first one is computed: a wrong entry in the
     // last one should not cost the time of the others.
     int run(const CommandLine &line, const SolveCase &solve)
@@ -271,6 +285,7 @@ namespace Contact
 
     spare_network_of_single_process();
     use_one_thread_of_blas();
+    use_one_thread_of_openmp();
     silence_petsc();
     const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
     try

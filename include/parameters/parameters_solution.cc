@@ -121,9 +121,12 @@ namespace Contact
                         linear_solver,
                         "UMFPACK for saddle point systems; for condensed ones "
                         "CHOLMOD, AMG (conjugate gradients with smoothed "
-                        "aggregation) or MUMPS [-]; automatic: UMFPACK, or "
-                        "CHOLMOD below 100000 unknowns (in space 10000) on "
-                        "one rank and AMG beyond.");
+                        "aggregation) or MUMPS [-]; automatic: for condensed "
+                        "systems CHOLMOD below 100000 unknowns (in space "
+                        "10000) on one rank and AMG beyond; for saddle point "
+                        "systems UMFPACK below 30000 unknowns, and beyond "
+                        "CHOLMOD for the bodies and LAPACK for the contact, if "
+                        "its unknowns are few.");
     }
 
 

@@ -35,7 +35,7 @@ namespace Contact
           search_by_turns(update, corrected)) &&
         !search_by_pivoting(update, corrected))
       return false;
-    update = corrected;
+    update = problem.complete(update, corrected);
     return true;
   }
 

@@ -38,6 +38,26 @@ namespace Contact
     values.resize(columns.size());
     symbolic.reset();
     numeric.reset();
+    bordered_serves = false;
+  }
+
+
+
+  void DirectSolver::initialize(const SparsityPattern   &pattern,
+                                const std::vector<bool> &border)
+  {
+    initialize(pattern);
+    if (!BorderedFactorization::pays(
+          pattern.n_rows(),
+          std::count(border.begin(), border.end(), true)))
+      {
+        bordered.reset();
+        return;
+      }
+    if (!bordered)
+      bordered = std::make_unique<BorderedFactorization>(counters);
+    this->border  = border;
+    border_is_new = true;
   }
 
 
@@ -48,6 +68,21 @@ namespace Contact
     for (const auto &entry : matrix)
       values[*position++] = entry.value();
 
+    numeric.reset();
+    if (bordered && border_is_new)
+      {
+        bordered->initialize(row_starts, columns, border);
+        border_is_new = false;
+      }
+    bordered_serves = bordered && bordered->factorize(values);
+    if (!bordered_serves)
+      factorize_by_umfpack();
+  }
+
+
+
+  void DirectSolver::factorize_by_umfpack()
+  {
     std::array<double, UMFPACK_CONTROL> control;
     umfpack_di_defaults(control.data());
 
@@ -113,9 +148,28 @@ namespace Contact
 
 
 
+  void DirectSolver::solve_at_border(std::vector<Vector<double>> &b) const
+  {
+    if (bordered_serves)
+      {
+        counters.linear_solves += b.size();
+        bordered->solve_at_border(b);
+      }
+    else
+      for (Vector<double> &load : b)
+        solve(load);
+  }
+
+
+
   void DirectSolver::solve(const int system, Vector<double> &b) const
   {
     ++counters.linear_solves;
+    if (bordered_serves)
+      {
+        bordered->solve(b, /*transposed=*/system == UMFPACK_A);
+        return;
+      }
     const Vector<double> rhs(b);
     // Newton's method corrects what round-off leaves better than iterative
     // refinement would.

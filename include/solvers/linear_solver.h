@@ -10,9 +10,11 @@
 #include <deal.II/lac/vector.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "base/counters.h"
+#include "solvers/bordered_factorization.h"
 
 namespace Contact
 {
@@ -22,6 +24,8 @@ namespace Contact
    * The sparse direct solver UMFPACK for unsymmetric and indefinite systems.
    * SparseDirectUMFPACK of deal.II analyses the pattern anew with every
    * factorization; here the analysis is kept as long as the pattern stands.
+   * Where that pays, a symmetric system with a border is left to
+   * BorderedFactorization, as long as it is definite inside.
    */
   class DirectSolver
   {
@@ -35,13 +39,30 @@ namespace Contact
     /// Announce the pattern of the matrices to come.
     void initialize(const SparsityPattern &pattern);
 
+    /// The same, and that the matrices are symmetric but for couplings of the
+    /// unknowns of @p border with each other.
+    void initialize(const SparsityPattern   &pattern,
+                    const std::vector<bool> &border);
+
     /// Throws NotConverged if the matrix is singular.
     void factorize(const SparseMatrix<double> &matrix);
+
+    /// What it factorizes with, unless a matrix is not definite inside.
+    std::string name() const
+    {
+      return bordered ? "CHOLMOD for the bodies" : "UMFPACK";
+    }
+
+    /// Whether it was not definite inside, and UMFPACK has factorized it.
+    bool is_indefinite_inside() const
+    {
+      return bordered && numeric != nullptr;
+    }
 
     /// Whether there is a factorization, and of the announced pattern.
     bool is_factorized() const
     {
-      return numeric != nullptr;
+      return numeric != nullptr || bordered_serves;
     }
 
     /// Replace the right-hand side @p b by the solution.
@@ -50,7 +71,18 @@ namespace Contact
     /// The same with the transposed matrix.
     void solve_transposed(Vector<double> &b) const;
 
+    /// Replace right-hand sides that are zero but at the border by the
+    /// solutions there. Elsewhere they may stay zero: see leaves_inside().
+    void solve_at_border(std::vector<Vector<double>> &b) const;
+
+    /// Whether solve_at_border() leaves zeros inside, as that is cheap.
+    bool leaves_inside() const
+    {
+      return bordered_serves;
+    }
+
   private:
+    void factorize_by_umfpack();
     void solve(const int system, Vector<double> &b) const;
 
     Counters &counters;
@@ -65,6 +97,11 @@ namespace Contact
 
     Handle symbolic{nullptr, nullptr};
     Handle numeric{nullptr, nullptr};
+
+    std::unique_ptr<BorderedFactorization> bordered;
+    std::vector<bool>                      border;
+    bool                                   border_is_new   = false;
+    bool                                   bordered_serves = false;
   };
 } // namespace Contact
 

@@ -33,13 +33,15 @@ namespace Contact
                  linearization,
                  model.geometry_follows(parameters.solution),
                  keeps_factorization(model, parameters),
-                 timer)
+                 timer,
+                 parameters.solution.linear_solver ==
+                   Parameters::SolverKind::umfpack)
       {
       }
 
       std::string name() const override
       {
-        return "saddle point, UMFPACK";
+        return "saddle point, " + system.solver_name();
       }
 
       bool has_multipliers() const override
@@ -90,6 +92,10 @@ namespace Contact
                        : step.number == 0 ? StatusSearch::first
                                           : StatusSearch::later,
                        rhs);
+        if (system.has_unstable_bodies())
+          screen << "      the stiffness of the bodies is not positive "
+                    "definite: factorized by UMFPACK"
+                 << std::endl;
         if (missing > step.tolerance * step.force)
           for (unsigned int k = 0; k < n_motions; ++k)
             if (!model.interface->free_motions()[k]->stays)

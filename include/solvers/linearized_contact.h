@@ -51,7 +51,8 @@ namespace Contact
       bool                   has_changed = false;
     };
 
-    /// The response of all unknowns to a unit of pressure or shear of a point.
+    /// The response of the unknowns to a unit of pressure or shear of a point:
+    /// of all, or of those of contact, see DirectSolver::solve_at_border().
     struct Response
     {
       unsigned int   point;
@@ -70,9 +71,15 @@ namespace Contact
     /// Compute the responses to the points that have changed.
     void add_responses();
 
-    /// The update under the new statuses, from that under the old ones. Throws
-    /// NotConverged if statuses let a body go.
-    Vector<double> solve_changes(const Vector<double> &update) const;
+    /// The update of the unknowns of contact, at least, under the new statuses,
+    /// from that under the old ones. Throws NotConverged if statuses let a body
+    /// go.
+    Vector<double> solve_changes(const Vector<double> &update);
+
+    /// The update of all unknowns behind solve_changes(), which returned
+    /// @p corrected.
+    Vector<double> complete(const Vector<double> &update,
+                            const Vector<double> &corrected) const;
 
     /// The trial values of the points with a response as a function of their
     /// tractions: z = @p constant - @p matrix t. Returns whether that exists;
@@ -102,6 +109,12 @@ namespace Contact
     const Vector<double> &trial_row(const unsigned int q,
                                     const bool         tangential) const;
 
+    /// What prescribed displacements add to every distributed vector.
+    Vector<double> inhomogeneity() const;
+
+    const Vector<double> &load(const unsigned int q,
+                               const bool         tangential) const;
+
     /// The traction of a point under its status.
     AffineTraction traction(const unsigned int q, const bool tangential) const;
 
@@ -117,6 +130,9 @@ namespace Contact
     const Discretization<2>   &discretization;
     const ContactInterface<2> &interface;
     const DirectSolver        &solver;
+
+    /// The tractions beyond those of the old statuses, by response.
+    Vector<double> excess_tractions;
   };
 } // namespace Contact
 

@@ -18,13 +18,15 @@ namespace Contact
     const ContactLinearization &linearization,
     const bool                  geometry_follows,
     const bool                  keeps_factorization,
-    TimerOutput                &timer)
+    TimerOutput                &timer,
+    const bool                  by_umfpack)
     : discretization(discretization)
     , elasticity(elasticity)
     , interface(interface)
     , linearization(linearization)
     , geometry_follows(geometry_follows)
     , keeps_factorization(keeps_factorization)
+    , by_umfpack(by_umfpack)
     , timer(timer)
     , solver(discretization.counters)
   {
@@ -51,7 +53,28 @@ namespace Contact
 
     pattern.copy_from(couplings);
     matrix.reinit(pattern);
-    solver.initialize(pattern);
+    if (!interface || by_umfpack)
+      {
+        solver.initialize(pattern);
+        return;
+      }
+    note_unknowns_of_contact();
+    solver.initialize(pattern, of_contact);
+  }
+
+
+
+  // Displacements that points acted on before stay: an analysis is kept until
+  // there are others.
+  void SaddlePointSystem::note_unknowns_of_contact()
+  {
+    of_contact.resize(discretization.dof_handler.n_dofs());
+    of_contact.resize(pattern.n_rows(), true);
+    DynamicSparsityPattern couplings(pattern.n_rows(), pattern.n_rows());
+    interface->add_couplings(couplings);
+    for (unsigned int i = 0; i < of_contact.size(); ++i)
+      if (couplings.row_length(i) > 0)
+        of_contact[i] = true;
   }
 
 

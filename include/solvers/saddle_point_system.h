@@ -32,7 +32,9 @@ namespace Contact
    * The linear system of a Newton step in displacements and multipliers, a
    * saddle point: every contact discretization can have it, on one process. It
    * is solved directly, and as a factorization is what costs, it is kept while
-   * it serves. See CondensedSystem for the other form.
+   * it serves. But for the unknowns of contact, its matrix is that of the
+   * bodies, and symmetric, see DirectSolver. See CondensedSystem for the other
+   * form.
    */
   class SaddlePointSystem
   {
@@ -40,14 +42,29 @@ namespace Contact
     /// @p interface may be null. @p geometry_follows: points are paired with
     /// bodies that have moved. @p keeps_factorization: one may serve for steps
     /// that reduce the residual well. @p linearization may change from step to
-    /// step. Phases are measured by @p timer.
+    /// step. Phases are measured by @p timer. @p by_umfpack: it alone
+    /// factorizes, whatever the size.
     SaddlePointSystem(const Discretization<2>    &discretization,
                       const Elasticity<2>        &elasticity,
                       ContactInterface<2>        *interface,
                       const ContactLinearization &linearization,
                       const bool                  geometry_follows,
                       const bool                  keeps_factorization,
-                      TimerOutput                &timer);
+                      TimerOutput                &timer,
+                      const bool                  by_umfpack = false);
+
+    /// What factorizes a matrix of the present pattern.
+    std::string solver_name() const
+    {
+      return solver.name();
+    }
+
+    /// Whether bodies are unstable that are held where contact can be: UMFPACK
+    /// has factorized the matrix instead.
+    bool has_unstable_bodies() const
+    {
+      return solver.is_indefinite_inside();
+    }
 
     /// When a point faces another edge than before, the matrix couples other
     /// unknowns than before: a new pattern, and a new analysis in the solver.
@@ -91,6 +108,7 @@ namespace Contact
     void solve_transposed(GhostedVector &b) const;
 
   private:
+    void note_unknowns_of_contact();
     bool factorization_serves(const double residual,
                               const double last_residual) const;
     void assemble_and_factorize(const GhostedVector        &solution,
@@ -119,11 +137,13 @@ namespace Contact
     const ContactLinearization &linearization;
     const bool                  geometry_follows;
     const bool                  keeps_factorization;
+    const bool                  by_umfpack;
     TimerOutput                &timer;
 
     SparsityPattern      pattern;
     SparseMatrix<double> matrix;
     DirectSolver         solver;
+    std::vector<bool>    of_contact; // by unknown
 
     // The tangent of linear bodies without contact, and of which version.
     SparsityPattern      bodies_pattern;
