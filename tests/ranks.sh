@@ -1,8 +1,8 @@
 #!/bin/sh
 # Several processes compute what one does: probes and reactions agree to 1e-8,
-# all points of contact do the same, and every process writes its piece of the
-# bodies. Of the displacements each holds its own, their neighbors and the
-# surfaces of contact.
+# all points of contact do the same, finer levels start from the same state, and
+# every process writes its piece of the bodies. Of the displacements each holds
+# its own, their neighbors and the surfaces of contact.
 #   ranks.sh CONTACT PARAMETERS
 # SPDX-License-Identifier: LGPL-2.1-or-later
 set -eu
@@ -32,6 +32,14 @@ decisions() {
     space { printf "%s %.4f %.4f %.4f ", $1, $2 + 1e-6, $3 + 1e-6, $4 + 1e-6 }
     !space { printf "%06d ", NR }
     { print $column }' "$1/profile.csv" | LC_ALL=C sort
+}
+
+# starts SCREEN: on finer levels the residual that each increment starts with
+starts() {
+  awk '
+    /^Level / { level = $2 }
+    /^Increment / { begins = level != "" }
+    begins && $1 == "Newton" { print level, $4; begins = 0 }' "$1"
 }
 
 # pieces DIRECTORY RANKS: whether each process has written its part
@@ -71,18 +79,26 @@ compare() {
   echo "$name:"
   stem=$(basename "$file" .prm)
   for n in $processes; do
-    mpirun -np $n "$contact" "$parameters/$file" --quiet \
+    mpirun -np $n "$contact" "$parameters/$file" \
       --set "Solution/Newton tolerance=1e-11" \
       --set Refinement/Tolerance=1e-11 \
       --set "Solution/Linear solver=$solver" --set Solution/Increments=2 \
       --set Probes/References= --set Probes/Tolerances= \
-      --set Output/Screen=none --set Output/VTU=true --set Output/Profile=true \
-      --set "Output/Directory=$name/$n" "$@" ||
+      --set Output/VTU=true --set Output/Profile=true \
+      --set "Output/Directory=$name/$n" "$@" >screen.$n ||
       fail "exit status $? with $n processes"
     directory=$name/$n/$stem
     values "$directory/summary.json" >probes.$n
     decisions "$directory" >decisions.$n
     pieces "$directory" $n || fail "a file is missing with $n processes"
+    starts screen.$n >starts.$n
+    # Four digits are printed, of which round-off may change the last by one.
+    paste starts.1 starts.$n | awk -v increments="$(
+      sed '/"levels"/q' "$directory/summary.json" | grep -c '"level": [1-9]')" '
+      { d = $2 / $4 - 1; bad += !($1 == $3 && d * d < 1.1e-3 * 1.1e-3) }
+      END { exit bad > 0 || NR != increments }' ||
+      fail "levels start elsewhere with $n processes: residuals $(
+        paste -s -d ' ' starts.1), not $(paste -s -d ' ' starts.$n)"
     share=$(held "$directory/summary.json")
     echo "  $n processes: one holds $share of the displacements"
     awk -v share="$share" -v n=$n -v beside=$beside \
@@ -115,6 +131,8 @@ processes='1 2 3'
 compare "uniform levels, friction" nested_friction.prm \
   --set Refinement/Levels=2 --set Element/Degree=1 \
   --set "Element/Centre node=serendipity"
+compare "uniform levels, friction, large displacement" nested_large.prm \
+  --set Refinement/Levels=2
 compare "adaptive levels, friction" nested_friction.prm \
   --set Refinement/Levels=5 --set Refinement/Strategy=adaptive
 compare "adaptive levels, degree 1, large displacement" nested.prm \

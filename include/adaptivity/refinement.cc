@@ -13,6 +13,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <list>
 #include <numeric>
 
 #include "base/deal_ii_versions.h"
@@ -65,13 +66,17 @@ namespace Contact
                               Discretization<dim>        &discretization,
                               std::vector<GhostedVector> &solutions)
     {
-      const auto                    &dof_handler = discretization.dof_handler;
-      std::vector<DistributedVector> old;
+      // A list leaves its vectors where they are: a copy, which a growing
+      // std::vector makes, has no ghosts, and a cell at the border of a rank's
+      // part has nodes that another rank owns.
+      const auto                  &dof_handler = discretization.dof_handler;
+      std::list<DistributedVector> old;
       std::vector<const DistributedVector *> old_pointers;
       for (const GhostedVector &solution : solutions)
-        old.push_back(discretization.distributed(solution));
-      for (const DistributedVector &vector : old)
-        old_pointers.push_back(&vector);
+        {
+          old.push_back(discretization.distributed(solution));
+          old_pointers.push_back(&old.back());
+        }
 
       DistributedTransfer<dim, DistributedVector> transfer(dof_handler);
       mesh.triangulation.prepare_coarsening_and_refinement();
