@@ -6,7 +6,7 @@
 #ifndef contact_condensed_model_h
 #define contact_condensed_model_h
 
-#include "solvers/condensed_system.h"
+#include "solvers/assembled_system.h"
 #include "solvers/slip_turning.h"
 #include "tests.h"
 
@@ -44,7 +44,7 @@ namespace Tests
       elimination = std::make_unique<ContactElimination<dim>>(discretization,
                                                               interface.get(),
                                                               moving_bound);
-      condensed   = std::make_unique<CondensedSystem<dim>>(
+      condensed   = std::make_unique<AssembledSystem<dim>>(
         discretization,
         *elasticity,
         interface.get(),
@@ -140,7 +140,7 @@ namespace Tests
     const bool                               moving_bound;
     std::unique_ptr<ContactInterface<dim>>   interface;
     std::unique_ptr<ContactElimination<dim>> elimination;
-    std::unique_ptr<CondensedSystem<dim>>    condensed;
+    std::unique_ptr<AssembledSystem<dim>>    condensed;
     TimerOutput                              timer;
     GhostedVector                            solution, start, rhs, update;
   };

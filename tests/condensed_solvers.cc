@@ -131,7 +131,7 @@ namespace
 
         ContactElimination<2> elimination(model.discretization,
                                           model.interface.get());
-        CondensedSystem<2>    fresh(model.discretization,
+        AssembledSystem<2>    fresh(model.discretization,
                                  *model.elasticity,
                                  model.interface.get(),
                                  elimination,

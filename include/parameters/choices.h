@@ -208,6 +208,7 @@ namespace Contact
       umfpack,
       cholmod,
       amg,
+      gmg,
       mumps
     };
 
@@ -217,6 +218,7 @@ namespace Contact
               {"UMFPACK", SolverKind::umfpack},
               {"CHOLMOD", SolverKind::cholmod},
               {"AMG", SolverKind::amg},
+              {"GMG", SolverKind::gmg},
               {"MUMPS", SolverKind::mumps}};
     }
 

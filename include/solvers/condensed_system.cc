@@ -5,32 +5,45 @@
 
 #include "solvers/condensed_system.h"
 
-#include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe.h>
-#include <deal.II/lac/sparsity_tools.h>
-
 #include <algorithm>
 
-#include "solvers/rigid_rotation.h"
+#include "solvers/assembled_system.h"
+#include "solvers/matrix_free_system.h"
 
 namespace Contact
 {
+  template<int dim>
+  std::unique_ptr<CondensedSystem<dim>>
+  CondensedSystem<dim>::create(const Discretization<dim>   &discretization,
+                               const Elasticity<dim>       &elasticity,
+                               const ContactInterface<dim> *interface,
+                               ContactElimination<dim>     &elimination,
+                               const Parameters::SolverKind solver_kind,
+                               TimerOutput                 &timer)
+  {
+    if (solver_kind == Parameters::SolverKind::gmg)
+      return std::make_unique<MatrixFreeSystem<dim>>(
+        discretization, elasticity, interface, elimination, timer);
+    return std::make_unique<AssembledSystem<dim>>(
+      discretization, elasticity, interface, elimination, solver_kind, timer);
+  }
+
+
+
   template<int dim>
   CondensedSystem<dim>::CondensedSystem(
     const Discretization<dim>   &discretization,
     const Elasticity<dim>       &elasticity,
     const ContactInterface<dim> *interface,
     ContactElimination<dim>     &elimination,
-    const Parameters::SolverKind solver_kind,
     TimerOutput                 &timer)
     : discretization(discretization)
     , elasticity(elasticity)
     , elimination(elimination)
     , timer(timer)
     , owned(discretization.dof_handler.locally_owned_dofs())
-    , eliminable(elimination.slave_dofs)
     , couplings(discretization, interface)
-    , solver_kind(solver_kind)
+    , eliminable(elimination.slave_dofs)
   {
     collect_interface();
   }
@@ -71,16 +84,16 @@ namespace Contact
   template<int dim>
   void CondensedSystem<dim>::update_pattern()
   {
-    if (!on_any_rank(!has_pattern || !couplings.serve()))
+    if (!on_any_rank(!is_coupled || !couplings.serve()))
       return;
     TimerOutput::Scope scope(timer, "setup");
     couplings.make();
-    make_pattern();
+    couple();
   }
 
 
 
-  // The lines of now, and a pattern that has room for them.
+  // The lines of now, and couplings that have room for them.
   template<int dim>
   void CondensedSystem<dim>::eliminate(const GhostedVector &solution,
                                        const GhostedVector &u_start,
@@ -99,7 +112,7 @@ namespace Contact
     TimerOutput::Scope scope(timer, "setup");
     if (misses_cells)
       collect_interface();
-    make_pattern();
+    couple();
     elimination.make(solution, u_start, interface_dofs, moved);
   }
 
@@ -128,96 +141,28 @@ namespace Contact
 
 
 
+  // An unknown of a cell at the interface may become one of its partners, or of
+  // those of the unknowns that it hangs on.
   template<int dim>
-  void CondensedSystem<dim>::make_pattern()
+  void CondensedSystem<dim>::couple()
   {
-    const MPI_Comm communicator               = discretization.communicator;
-    const auto    &dof_handler                = discretization.dof_handler;
-    const auto     n                          = dof_handler.n_dofs();
     std::set<types::global_dof_index> touched = couplings.all();
-
-    // One rank has all rows, which is said by none.
-    IndexSet   rows;
-    const bool is_distributed =
-      Utilities::MPI::n_mpi_processes(communicator) > 1;
-    if (is_distributed)
-      {
-        rows = DoFTools::extract_locally_relevant_dofs(dof_handler);
-        rows.add_indices(touched.begin(), touched.end());
-        for (const auto &[dof, leader] : discretization.tied())
-          rows.add_index(leader);
-        for (const RigidBoundary<dim> &rigid :
-             discretization.rigid_boundaries())
-          for (const auto leader : rigid.leaders())
-            rows.add_index(leader);
-        rows.compress();
-      }
-
-    DynamicSparsityPattern pattern(n, n, rows);
-    elasticity.add_couplings(pattern);
-    touched.merge(add_interface_couplings(pattern));
-    if (is_distributed)
-      couplings.add_facets(pattern);
-    for (const auto i : owned)
-      pattern.add(i, i);
-
+    for (const unsigned int c : interface_cells)
+      for (const auto dof : elasticity.dofs_of_cell(c))
+        {
+          touched.insert(dof);
+          couplings.add_partners(dof, touched);
+        }
     for (const auto &of_rank :
-         Utilities::MPI::all_gather(communicator,
+         Utilities::MPI::all_gather(discretization.communicator,
                                     Dofs(touched.begin(), touched.end())))
       touched.insert(of_rank.begin(), of_rank.end());
     interface_dofs.assign(touched.begin(), touched.end());
 
-    if (is_distributed)
-      SparsityTools::distribute_sparsity_pattern(pattern,
-                                                 owned,
-                                                 communicator,
-                                                 rows);
-    reset_matrix(pattern);
-  }
-
-
-
-  // An unknown of a cell at the interface may become one of its partners, or of
-  // those of the unknowns that it hangs on.
-  template<int dim>
-  std::set<types::global_dof_index>
-  CondensedSystem<dim>::add_interface_couplings(
-    DynamicSparsityPattern &pattern) const
-  {
-    const auto                       &base = discretization.constraints;
-    std::set<types::global_dof_index> all;
-    for (const unsigned int c : interface_cells)
-      {
-        const Dofs &cell_dofs = elasticity.dofs_of_cell(c);
-        std::set<types::global_dof_index> coupled(cell_dofs.begin(),
-                                                  cell_dofs.end());
-        for (const auto dof : cell_dofs)
-          couplings.add_partners(dof, coupled);
-        base.add_entries_local_to_global(Dofs(coupled.begin(), coupled.end()),
-                                         pattern,
-                                         /*keep_constrained_entries=*/false);
-        all.insert(coupled.begin(), coupled.end());
-      }
-    return all;
-  }
-
-
-
-  // An empty matrix: whoever has had the old one lets go of it first.
-  template<int dim>
-  void CondensedSystem<dim>::reset_matrix(const DynamicSparsityPattern &pattern)
-  {
-    for (Solver &solver : solvers)
-      {
-        if (solver.solver)
-          solver.solver->release();
-        solver.pattern_is_new = true;
-      }
-    current = nullptr;
-    matrix.clear();
-    matrix.reinit(owned, owned, pattern, discretization.communicator);
+    reset();
     tangents_are_known = false;
-    has_pattern        = true;
+    is_prepared        = false;
+    is_coupled         = true;
     pattern_version    = discretization.pattern_version();
   }
 
@@ -232,42 +177,41 @@ namespace Contact
                                            const bool           keep_tangents,
                                            const GhostedVector *moved)
   {
-    GhostedVector rhs    = discretization.displacements(residual);
-    bool          is_new = true;
+    GhostedVector rhs = discretization.displacements(residual);
     eliminate(solution, u_start, moved != nullptr ? *moved : solution);
+    bool is_new = true;
     {
       TimerOutput::Scope scope(timer, "assembly");
       elimination.condense(rhs);
       is_new = assemble(solution, keep_tangents, rhs);
     }
-    if (is_new || current == nullptr)
+    if (is_new || !is_prepared)
       {
         TimerOutput::Scope scope(timer, "factorization");
-        give_matrix_to_solver();
+        is_prepared = false;
+        prepare();
+        is_prepared = true;
       }
 
-    TimerOutput::Scope     scope(timer, "solution");
-    const MPI_Comm         communicator = discretization.communicator;
-    DefiniteSolver::Vector b(owned, communicator), x(owned, communicator);
-    const auto            &base  = discretization.constraints;
-    const auto            &lines = elimination.test_constraints();
-    unsigned int           row   = 0;
-    for (const auto i : owned)
-      b.begin()[row++] =
-        base.is_constrained(i) || lines.is_constrained(i) ? 0. : rhs[i];
+    TimerOutput::Scope scope(timer, "solution");
 
     // A digit is gained: else a point might open and close for ever.
-    const double       size = b.l2_norm();
+    const auto &base  = discretization.constraints;
+    const auto &lines = elimination.test_constraints();
+    for (const auto i : owned)
+      if (base.is_constrained(i) || lines.is_constrained(i))
+        rhs[i] = 0;
+    rhs.update_ghosts();
+    const double       size = rhs.l2_norm();
     const unsigned int n_iterations =
-      current->solve(b,
-                     tolerance > 0
-                       ? std::min(tolerance,
-                                  std::max(0.1 * size, 1e-3 * tolerance))
-                       : 1e-6 * size,
-                     x);
+      solve_reduced(rhs,
+                    tolerance > 0
+                      ? std::min(tolerance,
+                                 std::max(0.1 * size, 1e-3 * tolerance))
+                      : 1e-6 * size,
+                    update);
 
     // The unknowns that are solved for, then those that constraints determine.
-    std::copy_n(x.begin(), row, update.begin());
     update.update_ghosts();
     elimination.distribute(update);
     return n_iterations;
@@ -304,35 +248,6 @@ namespace Contact
 
 
 
-  // Each kind of matrix has a solver of its own, made when the first one comes.
-  template<int dim>
-  void CondensedSystem<dim>::give_matrix_to_solver()
-  {
-    current              = nullptr;
-    const bool symmetric = elimination.is_symmetric();
-    const bool first   = symmetric || DefiniteSolver::serves_both(solver_kind);
-    Solver    &of_kind = solvers[first ? 0 : 1];
-    if (!of_kind.solver)
-      {
-        const auto modes = solver_kind == Parameters::SolverKind::amg
-                             ? rigid_modes(discretization)
-                             : DefiniteSolver::Modes();
-        of_kind.solver   = DefiniteSolver::create(solver_kind,
-                                                symmetric,
-                                                elasticity.is_hyperelastic(),
-                                                modes,
-                                                discretization.counters);
-      }
-    of_kind.solver->set_matrix(matrix,
-                               symmetric,
-                               of_kind.pattern_is_new,
-                               elimination.eliminated_dofs());
-    of_kind.pattern_is_new = false;
-    current                = of_kind.solver.get();
-  }
-
-
-
   template<int dim>
   bool CondensedSystem<dim>::assemble(const GhostedVector &solution,
                                       const bool           keep_tangents,
@@ -347,47 +262,36 @@ namespace Contact
     assembled_lines = signature;
     if (!tangents_serve)
       assemble_tangents(solution);
-    else
+    else if (thermal_version != elasticity.thermal_version())
       {
-        if (thermal_version != elasticity.thermal_version())
-          {
-            interface_forces.clear();
-            elasticity.visit_cells(solution,
-                                   /*with_tangent=*/false,
-                                   interface_cells,
-                                   [&](const Dofs &dofs,
-                                       const FullMatrix<double> &,
-                                       const Vector<double> &forces) {
-                                     add_interface_forces(dofs,
-                                                          forces,
-                                                          solution);
-                                   });
-          }
-        if (is_new)
-          restore_interface_rows();
+        interface_forces.clear();
+        elasticity.visit_cells(solution,
+                               /*with_tangent=*/false,
+                               interface_cells,
+                               [&](const Dofs &dofs,
+                                   const FullMatrix<double> &,
+                                   const Vector<double> &forces) {
+                                 add_interface_forces(dofs, forces, solution);
+                               });
       }
+    if (is_new)
+      add_interface(/*bulk_is_new=*/!tangents_serve);
 
     // With what the eliminated unknowns are to move by themselves: -K h.
     GhostedVector  moved_forces(discretization.distribution);
     Vector<double> none;
     for (unsigned int k = 0; k < interface_cells.size(); ++k)
-      add_interface(interface_tangents[k],
-                    elasticity.dofs_of_cell(interface_cells[k]),
-                    none,
-                    is_new,
-                    moved_forces);
+      {
+        const Dofs &dofs = elasticity.dofs_of_cell(interface_cells[k]);
+        add_moved_forces(interface_tangents[k], dofs, dofs, none, moved_forces);
+      }
     for (const auto &term : elimination.turning_terms())
       if (owned.is_element(term.dofs[0]))
-        add_interface(term.stiffness,
-                      term.dofs,
-                      term.load,
-                      is_new,
-                      moved_forces);
+        add_moved_forces(
+          term.stiffness, term.dofs, term.dofs, term.load, moved_forces);
     for (const auto &term : elimination.pairing_terms())
-      add_pairing(term, is_new, moved_forces);
-    if (is_new)
-      matrix.compress(VectorOperation::add);
-
+      add_moved_forces(
+        term.stiffness, term.rows, term.columns, none, moved_forces);
     moved_forces.sum_up();
     rhs += moved_forces;
     return is_new;
@@ -395,70 +299,66 @@ namespace Contact
 
 
 
-  // A tangent, unless @p with_matrix is false, and the forces.
+  // All cells. While springs hold a body in space its stresses do not turn with
+  // it: they would be stronger than the springs, and the matrix not definite.
   template<int dim>
-  void CondensedSystem<dim>::add_interface(const FullMatrix<double> &tangent,
-                                           const Dofs               &dofs,
-                                           const Vector<double>     &load,
-                                           const bool     with_matrix,
-                                           GhostedVector &forces)
+  void CondensedSystem<dim>::assemble_tangents(const GhostedVector &solution)
   {
-    const auto &constraints = elimination.constraints();
-    if (with_matrix && elimination.is_symmetric())
-      constraints.distribute_local_to_global(tangent, dofs, matrix);
-    else if (with_matrix)
-      add_unsymmetric(tangent, dofs);
+    ++discretization.counters.tangents;
+    const auto stress_stiffness = dim == 3 && !elasticity.springs.held().empty()
+                                    ? StressStiffness::without
+                                    : StressStiffness::with;
+    assemble_bulk(solution, stress_stiffness);
+    interface_tangents.clear();
+    interface_forces.clear();
+    elasticity.visit_cells(solution,
+                           stress_stiffness,
+                           interface_cells,
+                           [&](const Dofs               &dofs,
+                               const FullMatrix<double> &tangent,
+                               const Vector<double>     &forces) {
+                             interface_tangents.push_back(tangent);
+                             add_interface_forces(dofs, forces, solution);
+                           });
+    tangents_are_known = true;
+    tangent_version    = elasticity.tangent_version();
+  }
 
-    Vector<double> h(dofs.size()), force(dofs.size());
-    for (unsigned int i = 0; i < dofs.size(); ++i)
-      h[i] = -constraints.get_inhomogeneity(dofs[i]);
+
+
+  // The rest of the forces of the next cell without its tangent.
+  template<int dim>
+  void CondensedSystem<dim>::add_interface_forces(const Dofs           &dofs,
+                                                  const Vector<double> &forces,
+                                                  const GhostedVector &solution)
+  {
+    Vector<double> u, constant(dofs.size());
+    solution.extract(dofs, u);
+    interface_tangents[interface_forces.size()].vmult(constant, u);
+    constant.sadd(-1, 1, forces);
+    interface_forces.push_back(constant);
+    thermal_version = elasticity.thermal_version();
+  }
+
+
+
+  template<int dim>
+  void CondensedSystem<dim>::add_moved_forces(const FullMatrix<double> &tangent,
+                                              const Dofs               &rows,
+                                              const Dofs           &columns,
+                                              const Vector<double> &load,
+                                              GhostedVector        &forces) const
+  {
+    const auto    &constraints = elimination.constraints();
+    Vector<double> h(columns.size()), force(rows.size());
+    for (unsigned int j = 0; j < columns.size(); ++j)
+      h[j] = -constraints.get_inhomogeneity(columns[j]);
     tangent.vmult(force, h);
     if (load.size() > 0)
       force += load;
     elimination.test_constraints().distribute_local_to_global(force,
-                                                              dofs,
+                                                              rows,
                                                               forces);
-  }
-
-
-
-  template<int dim>
-  void CondensedSystem<dim>::add_pairing(const PairingStiffness<dim> &term,
-                                         const bool     with_matrix,
-                                         GhostedVector &forces)
-  {
-    const auto &constraints = elimination.constraints();
-    const auto &tested      = elimination.test_constraints();
-    if (with_matrix)
-      tested.distribute_local_to_global(term.stiffness,
-                                        term.rows,
-                                        constraints,
-                                        term.columns,
-                                        matrix);
-    Vector<double> h(term.columns.size()), force(term.rows.size());
-    for (unsigned int j = 0; j < h.size(); ++j)
-      h[j] = -constraints.get_inhomogeneity(term.columns[j]);
-    term.stiffness.vmult(force, h);
-    tested.distribute_local_to_global(force, term.rows, forces);
-  }
-
-
-
-  // Rows by the virtual displacements, columns by the displacements; what is
-  // constrained gets a diagonal as large as with the symmetric matrix.
-  template<int dim>
-  void CondensedSystem<dim>::add_unsymmetric(const FullMatrix<double> &tangent,
-                                             const Dofs               &dofs)
-  {
-    const auto &tested = elimination.test_constraints();
-    tested.distribute_local_to_global(tangent,
-                                      dofs,
-                                      elimination.constraints(),
-                                      dofs,
-                                      matrix);
-    for (unsigned int i = 0; i < dofs.size(); ++i)
-      if (tested.is_constrained(dofs[i]))
-        matrix.add(dofs[i], dofs[i], std::abs(tangent(i, i)));
   }
 
   template class CondensedSystem<2>;

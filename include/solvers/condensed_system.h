@@ -8,9 +8,7 @@
 
 #include <deal.II/base/timer.h>
 
-#include <map>
-
-#include "solvers/definite_solver.h"
+#include "solvers/contact_elimination.h"
 #include "solvers/interface_couplings.h"
 
 namespace Contact
@@ -25,25 +23,26 @@ namespace Contact
    * is unsymmetric as long as a point slips, and Newton's method exact.
    *
    * Only cells at the slave nodes see the active set: their tangents are kept
-   * beside the matrix of all others. Linear bodies have them all once on a
-   * mesh, and a change of the active set costs the sum over the cells at the
-   * interface (and what the solver makes of it). Where bodies yield in small
-   * strain, only cells that yield, or did in the last step, are assembled anew.
+   * by themselves. A system is assembled (AssembledSystem), or an operator
+   * without a matrix (MatrixFreeSystem).
    */
   template<int dim>
   class CondensedSystem
   {
   public:
     /// @p interface may be null. Phases are measured by @p timer.
-    CondensedSystem(const Discretization<dim>   &discretization,
-                    const Elasticity<dim>       &elasticity,
-                    const ContactInterface<dim> *interface,
-                    ContactElimination<dim>     &elimination,
-                    const Parameters::SolverKind solver_kind,
-                    TimerOutput                 &timer);
+    static std::unique_ptr<CondensedSystem>
+    create(const Discretization<dim>   &discretization,
+           const Elasticity<dim>       &elasticity,
+           const ContactInterface<dim> *interface,
+           ContactElimination<dim>     &elimination,
+           const Parameters::SolverKind solver_kind,
+           TimerOutput                 &timer);
 
-    /// Follow the pairing of the points; the pattern is made anew only if it
-    /// has to be.
+    virtual ~CondensedSystem() = default;
+
+    /// Follow the pairing of the points; couplings are made anew only if they
+    /// have to be.
     void update_pattern();
 
     /**
@@ -72,30 +71,62 @@ namespace Contact
                                 const double         load_factor) const;
 
     /// Whether the matrix of the last solve is known to be indefinite.
-    bool is_indefinite() const
-    {
-      return current != nullptr && current->is_indefinite();
-    }
+    virtual bool is_indefinite() const = 0;
 
-    /// The matrix of the last solve.
-    const DefiniteSolver::Matrix &system_matrix() const
-    {
-      return matrix;
-    }
-
-  private:
+  protected:
     using Dofs = std::vector<types::global_dof_index>;
 
+    CondensedSystem(const Discretization<dim>   &discretization,
+                    const Elasticity<dim>       &elasticity,
+                    const ContactInterface<dim> *interface,
+                    ContactElimination<dim>     &elimination,
+                    TimerOutput                 &timer);
+
+    /// The unknowns at the interface, and how they are coupled, are others.
+    virtual void reset() = 0;
+
+    /// Linearise the cells that do not see the active set in @p solution.
+    virtual void assemble_bulk(const GhostedVector  &solution,
+                               const StressStiffness stress_stiffness) = 0;
+
+    /// Take over the elimination of now, the bulk, which @p is_new or that of
+    /// before, and the tangents at the interface.
+    virtual void add_interface(const bool bulk_is_new) = 0;
+
+    /// Make whatever the solution needs beside.
+    virtual void prepare() = 0;
+
+    /// Solve for the owned unknowns of @p x, under a right-hand side that is
+    /// zero in what is constrained or eliminated, to a residual below @p
+    /// tolerance. Returns the number of iterations.
+    virtual unsigned int solve_reduced(const GhostedVector &rhs,
+                                       const double         tolerance,
+                                       GhostedVector       &x) = 0;
+
+    bool on_any_rank(const bool condition) const;
+
+    const Discretization<dim> &discretization;
+    const Elasticity<dim>     &elasticity;
+    ContactElimination<dim>   &elimination;
+    TimerOutput               &timer;
+    const IndexSet             owned;
+
+    /// The cells that see the active set, and the others.
+    std::vector<unsigned int> interface_cells, bulk_cells;
+
+    /// The couplings that are provided for, and all unknowns at the interface.
+    InterfaceCouplings<dim> couplings;
+    Dofs                    interface_dofs;
+
+    std::vector<FullMatrix<double>> interface_tangents; // by interface cell
+
+    bool         tangents_are_known = false;
+    unsigned int tangent_version    = 0;
+
+  private:
     void collect_interface();
     bool add_eliminable();
-    bool on_any_rank(const bool condition) const;
-    void make_pattern();
-    void reset_matrix(const DynamicSparsityPattern &pattern);
-
-    /// Returns all unknowns that are coupled.
-    std::set<types::global_dof_index>
-    add_interface_couplings(DynamicSparsityPattern &pattern) const;
-
+    void couple();
     void eliminate(const GhostedVector &solution,
                    const GhostedVector &u_start,
                    const GhostedVector &moved);
@@ -104,71 +135,26 @@ namespace Contact
     bool assemble(const GhostedVector &solution,
                   const bool           keep_tangents,
                   GhostedVector       &rhs);
+    void assemble_tangents(const GhostedVector &solution);
     void add_interface_forces(const Dofs           &dofs,
                               const Vector<double> &forces,
                               const GhostedVector  &solution);
-    void assemble_tangents(const GhostedVector &solution);
-    void assemble_bulk(const GhostedVector  &solution,
-                       const StressStiffness stress_stiffness);
-    bool change_bulk(const GhostedVector &solution);
-    std::map<unsigned int, FullMatrix<double>>
-         yielding_changes(const std::vector<unsigned int> &cells,
-                          const GhostedVector             &solution) const;
-    void add_interface(const FullMatrix<double> &tangent,
-                       const Dofs               &dofs,
-                       const Vector<double>     &load,
-                       const bool                with_matrix,
-                       GhostedVector            &forces);
-    void add_pairing(const PairingStiffness<dim> &term,
-                     const bool                   with_matrix,
-                     GhostedVector               &forces);
-    void add_unsymmetric(const FullMatrix<double> &tangent, const Dofs &dofs);
-    void give_matrix_to_solver();
-    void restore_interface_rows();
-    void for_interface_rows(
-      const std::function<void(const int n, double *values)> &visit);
-
-    const Discretization<dim> &discretization;
-    const Elasticity<dim>     &elasticity;
-    ContactElimination<dim>   &elimination;
-    TimerOutput               &timer;
-    const IndexSet             owned;
+    void add_moved_forces(const FullMatrix<double> &tangent,
+                          const Dofs               &rows,
+                          const Dofs               &columns,
+                          const Vector<double>     &load,
+                          GhostedVector            &forces) const;
 
     /// The unknowns that have been eliminated or may be.
     std::set<types::global_dof_index> eliminable;
 
-    /// The cells that see the active set, and the others.
-    std::vector<unsigned int> interface_cells, bulk_cells;
+    std::vector<double>         assembled_lines;  // their signature
+    std::vector<Vector<double>> interface_forces; // f(u) - K u
 
-    /// The couplings that the pattern provides for, and all unknowns at the
-    /// interface.
-    InterfaceCouplings<dim> couplings;
-    Dofs                    interface_dofs;
-
-    DefiniteSolver::Matrix           matrix;
-    std::vector<double>              assembled_lines; // their signature
-    std::vector<std::vector<double>> kept_rows; // by owned interface unknown
-    std::vector<FullMatrix<double>>  interface_tangents; // by interface cell
-    std::vector<Vector<double>>      interface_forces;   // f(u) - K u
-
-    /// By bulk cell what yielding has changed in its tangent in the matrix.
-    std::map<unsigned int, FullMatrix<double>> changes;
-
-    bool         has_pattern        = false;
-    unsigned int pattern_version    = 0; // of constraints
-    unsigned int thermal_version    = 0;
-    bool         tangents_are_known = false;
-    unsigned int tangent_version    = 0;
-
-    /// For symmetric matrices and for the others.
-    struct Solver
-    {
-      std::unique_ptr<DefiniteSolver> solver; // when it is first needed
-      bool                            pattern_is_new = true;
-    };
-    const Parameters::SolverKind solver_kind;
-    std::array<Solver, 2>        solvers;
-    DefiniteSolver              *current = nullptr; // the owner of the matrix
+    bool         is_coupled      = false;
+    unsigned int pattern_version = 0; // of constraints
+    unsigned int thermal_version = 0;
+    bool         is_prepared     = false;
   };
 } // namespace Contact
 

@@ -488,6 +488,7 @@ namespace Contact
         case Parameters::SolverKind::amg:
           return std::make_unique<Multigrid>(modes, counters);
         case Parameters::SolverKind::automatic:
+        case Parameters::SolverKind::gmg: // has no matrix
         case Parameters::SolverKind::umfpack:
           break;
       }

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "solvers/condensed_system.h"
+#include "solvers/definite_solver.h"
 #include "solvers/saddle_point_system.h"
 
 namespace Contact
@@ -162,12 +163,12 @@ namespace Contact
         , elimination(*model.discretization,
                       model.interface.get(),
                       moving_bound)
-        , system(*model.discretization,
-                 *model.elasticity,
-                 model.interface.get(),
-                 elimination,
-                 solver,
-                 timer)
+        , system(CondensedSystem<dim>::create(*model.discretization,
+                                              *model.elasticity,
+                                              model.interface.get(),
+                                              elimination,
+                                              solver,
+                                              timer))
         , update(model.discretization->distribution)
       {
       }
@@ -184,7 +185,7 @@ namespace Contact
 
       void update_pattern(const bool) override
       {
-        system.update_pattern();
+        system->update_pattern();
       }
 
       // That of the next pairing is compared with this one.
@@ -200,7 +201,7 @@ namespace Contact
                                IncrementState<dim> &state) override
       {
         if (dim == 3 && part > 0)
-          recover_from(system.linear_forces(state.solution, state.load_factor),
+          recover_from(system->linear_forces(state.solution, state.load_factor),
                        state);
         else
           recover_from(rhs, state);
@@ -244,7 +245,7 @@ namespace Contact
             : std::min(1e-5, parameters.linear_tolerance * step.residual);
         const double relative =
           std::max(0.1 * step.tolerance, one_solve_is_all ? 0. : forcing);
-        unsigned int n = system.solve(state.solution,
+        unsigned int n = system->solve(state.solution,
                                       state.start,
                                       rhs,
                                       relative * step.force,
@@ -268,7 +269,7 @@ namespace Contact
 
       bool tangent_is_indefinite() const override
       {
-        return system.is_indefinite();
+        return system->is_indefinite();
       }
 
       std::string contradiction() const override
@@ -301,7 +302,7 @@ namespace Contact
                        trial.begin(),
                        trial.begin(),
                        std::plus<>());
-        const auto of_bodies = system.linear_forces(trial, load_factor);
+        const auto of_bodies = system->linear_forces(trial, load_factor);
         elimination.recover_pressures(of_bodies, u_start, trial);
         elimination.recover_shears(of_bodies, u_start, trial);
         return model.interface->motion_forces(trial, u_start, {});
@@ -344,7 +345,7 @@ namespace Contact
           {
             GhostedVector moved = state.solution;
             moved[interface.motion_index(motions[j])] += part / motion(j).lever;
-            n += system.solve(state.solution,
+            n += system->solve(state.solution,
                               state.start,
                               rhs,
                               tolerance,
@@ -396,7 +397,7 @@ namespace Contact
       ConditionalOStream        &screen;
       const SolverChoice         solver;
       ContactElimination<dim>    elimination;
-      CondensedSystem<dim>       system;
+      std::unique_ptr<CondensedSystem<dim>> system;
       GhostedVector              update; // of the displacements
     };
   } // namespace

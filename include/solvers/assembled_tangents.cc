@@ -3,34 +3,18 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// The part of CondensedSystem that assembles the tangents of the bodies.
+// The part of AssembledSystem that assembles the tangents of the bodies.
 
 #include <Epetra_CrsMatrix.h>
 #include <set>
 
-#include "solvers/condensed_system.h"
+#include "solvers/assembled_system.h"
 
 namespace Contact
 {
-  // The rest of the forces of the next cell without its tangent.
   template<int dim>
-  void CondensedSystem<dim>::add_interface_forces(const Dofs           &dofs,
-                                                  const Vector<double> &forces,
-                                                  const GhostedVector &solution)
-  {
-    Vector<double> u, constant(dofs.size());
-    solution.extract(dofs, u);
-    interface_tangents[interface_forces.size()].vmult(constant, u);
-    constant.sadd(-1, 1, forces);
-    interface_forces.push_back(constant);
-    thermal_version = elasticity.thermal_version();
-  }
-
-
-
-  template<int dim>
-  void CondensedSystem<dim>::assemble_bulk(const GhostedVector  &solution,
-                                           const StressStiffness stiffness)
+  void AssembledSystem<dim>::assemble_all(const GhostedVector  &solution,
+                                          const StressStiffness stiffness)
   {
     matrix = 0;
     elasticity.visit_cells(
@@ -55,7 +39,7 @@ namespace Contact
 
   template<int dim>
   std::map<unsigned int, FullMatrix<double>>
-  CondensedSystem<dim>::yielding_changes(const std::vector<unsigned int> &cells,
+  AssembledSystem<dim>::yielding_changes(const std::vector<unsigned int> &cells,
                                          const GhostedVector &solution) const
   {
     std::map<unsigned int, FullMatrix<double>> found;
@@ -76,7 +60,7 @@ namespace Contact
   // From the matrix of the last tangents to that of now, if it differs in a few
   // cells that yield or do so no longer. Returns whether it is done.
   template<int dim>
-  bool CondensedSystem<dim>::change_bulk(const GhostedVector &solution)
+  bool AssembledSystem<dim>::change_bulk(const GhostedVector &solution)
   {
     if (!elasticity.changes_by_yielding() ||
         on_any_rank(!tangents_are_known || !elasticity.springs.held().empty() ||
@@ -111,57 +95,50 @@ namespace Contact
 
 
 
-  // All cells: of those that see the active set the tangents, of the others
-  // their sum. While springs hold a body in space its stresses do not turn with
-  // it: they would be stronger than the springs, and the matrix not definite.
   template<int dim>
-  void CondensedSystem<dim>::assemble_tangents(const GhostedVector &solution)
+  void
+  AssembledSystem<dim>::assemble_bulk(const GhostedVector  &solution,
+                                      const StressStiffness stress_stiffness)
   {
-    ++discretization.counters.tangents;
-    const auto &base            = discretization.constraints;
-    const auto stress_stiffness = dim == 3 && !elasticity.springs.held().empty()
-                                    ? StressStiffness::without
-                                    : StressStiffness::with;
-    const bool bulk_is_known    = change_bulk(solution);
-    if (!bulk_is_known)
-      assemble_bulk(solution, stress_stiffness);
-    interface_tangents.clear();
-    interface_forces.clear();
-    elasticity.visit_cells(solution,
-                           stress_stiffness,
-                           interface_cells,
-                           [&](const Dofs               &dofs,
-                               const FullMatrix<double> &tangent,
-                               const Vector<double>     &forces) {
-                             interface_tangents.push_back(tangent);
-                             add_interface_forces(dofs, forces, solution);
-                           });
-
-    // Bound centres are in no cell.
-    if (discretization.serendipity && !bulk_is_known)
+    if (!change_bulk(solution))
       {
-        const std::set<types::global_dof_index> of_interface(
-          interface_dofs.begin(),
-          interface_dofs.end());
-        for (const auto i : owned)
-          if (base.is_constrained(i) && of_interface.count(i) == 0 &&
-              matrix.diag_element(i) == 0)
-            matrix.set(i, i, elasticity.youngs_modulus(0));
-        matrix.compress(VectorOperation::insert);
+        assemble_all(solution, stress_stiffness);
+        set_bound_centres();
       }
+  }
 
-    kept_rows.clear();
-    for_interface_rows([&](const int n, double *values) {
-      kept_rows.emplace_back(values, values + n);
-    });
-    tangents_are_known = true;
-    tangent_version    = elasticity.tangent_version();
+
+
+  // They are in no cell.
+  template<int dim>
+  void AssembledSystem<dim>::set_bound_centres()
+  {
+    if (!discretization.serendipity)
+      return;
+    const std::set<types::global_dof_index> of_interface(interface_dofs.begin(),
+                                                         interface_dofs.end());
+    for (const auto i : owned)
+      if (discretization.constraints.is_constrained(i) &&
+          of_interface.count(i) == 0 && matrix.diag_element(i) == 0)
+        matrix.set(i, i, elasticity.youngs_modulus(0));
+    matrix.compress(VectorOperation::insert);
   }
 
 
 
   template<int dim>
-  void CondensedSystem<dim>::restore_interface_rows()
+  void AssembledSystem<dim>::keep_interface_rows()
+  {
+    kept_rows.clear();
+    for_interface_rows([&](const int n, double *values) {
+      kept_rows.emplace_back(values, values + n);
+    });
+  }
+
+
+
+  template<int dim>
+  void AssembledSystem<dim>::restore_interface_rows()
   {
     auto kept = kept_rows.begin();
     for_interface_rows([&](const int, double *values) {
@@ -173,7 +150,7 @@ namespace Contact
 
 
   template<int dim>
-  void CondensedSystem<dim>::for_interface_rows(
+  void AssembledSystem<dim>::for_interface_rows(
     const std::function<void(const int n, double *values)> &visit)
   {
     for (const auto dof : interface_dofs)
@@ -190,6 +167,6 @@ namespace Contact
         }
   }
 
-  template class CondensedSystem<2>;
-  template class CondensedSystem<3>;
+  template class AssembledSystem<2>;
+  template class AssembledSystem<3>;
 } // namespace Contact

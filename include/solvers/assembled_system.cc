@@ -1,0 +1,207 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/assembled_system.h"
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe.h>
+#include <deal.II/lac/sparsity_tools.h>
+
+#include <algorithm>
+
+#include "solvers/rigid_rotation.h"
+
+namespace Contact
+{
+  template<int dim>
+  AssembledSystem<dim>::AssembledSystem(
+    const Discretization<dim>   &discretization,
+    const Elasticity<dim>       &elasticity,
+    const ContactInterface<dim> *interface,
+    ContactElimination<dim>     &elimination,
+    const Parameters::SolverKind solver_kind,
+    TimerOutput                 &timer)
+    : CondensedSystem<dim>(discretization,
+                           elasticity,
+                           interface,
+                           elimination,
+                           timer)
+    , solver_kind(solver_kind)
+  {
+  }
+
+
+
+  template<int dim>
+  void AssembledSystem<dim>::reset()
+  {
+    const MPI_Comm communicator = discretization.communicator;
+    const auto    &dof_handler  = discretization.dof_handler;
+    const auto     n            = dof_handler.n_dofs();
+
+    // One rank has all rows, which is said by none.
+    IndexSet   rows;
+    const bool is_distributed =
+      Utilities::MPI::n_mpi_processes(communicator) > 1;
+    if (is_distributed)
+      {
+        rows               = DoFTools::extract_locally_relevant_dofs(dof_handler);
+        const auto touched = couplings.all();
+        rows.add_indices(touched.begin(), touched.end());
+        for (const auto &[dof, leader] : discretization.tied())
+          rows.add_index(leader);
+        for (const RigidBoundary<dim> &rigid :
+             discretization.rigid_boundaries())
+          for (const auto leader : rigid.leaders())
+            rows.add_index(leader);
+        rows.compress();
+      }
+
+    DynamicSparsityPattern pattern(n, n, rows);
+    elasticity.add_couplings(pattern);
+    add_interface_couplings(pattern);
+    if (is_distributed)
+      couplings.add_facets(pattern);
+    for (const auto i : owned)
+      pattern.add(i, i);
+
+    if (is_distributed)
+      SparsityTools::distribute_sparsity_pattern(pattern,
+                                                 owned,
+                                                 communicator,
+                                                 rows);
+    reset_matrix(pattern);
+  }
+
+
+
+  template<int dim>
+  void AssembledSystem<dim>::add_interface_couplings(
+    DynamicSparsityPattern &pattern) const
+  {
+    for (const unsigned int c : interface_cells)
+      {
+        const Dofs &cell_dofs = elasticity.dofs_of_cell(c);
+        std::set<types::global_dof_index> coupled(cell_dofs.begin(),
+                                                  cell_dofs.end());
+        for (const auto dof : cell_dofs)
+          couplings.add_partners(dof, coupled);
+        discretization.constraints.add_entries_local_to_global(
+          Dofs(coupled.begin(), coupled.end()),
+          pattern,
+          /*keep_constrained_entries=*/false);
+      }
+  }
+
+
+
+  // An empty matrix: whoever has had the old one lets go of it first.
+  template<int dim>
+  void AssembledSystem<dim>::reset_matrix(const DynamicSparsityPattern &pattern)
+  {
+    for (Solver &solver : solvers)
+      {
+        if (solver.solver)
+          solver.solver->release();
+        solver.pattern_is_new = true;
+      }
+    current = nullptr;
+    matrix.clear();
+    matrix.reinit(owned, owned, pattern, discretization.communicator);
+  }
+
+
+
+  // Each kind of matrix has a solver of its own, made when the first one comes.
+  template<int dim>
+  void AssembledSystem<dim>::prepare()
+  {
+    current              = nullptr;
+    const bool symmetric = elimination.is_symmetric();
+    const bool first   = symmetric || DefiniteSolver::serves_both(solver_kind);
+    Solver    &of_kind = solvers[first ? 0 : 1];
+    if (!of_kind.solver)
+      {
+        const auto modes = solver_kind == Parameters::SolverKind::amg
+                             ? rigid_modes(discretization)
+                             : DefiniteSolver::Modes();
+        of_kind.solver   = DefiniteSolver::create(solver_kind,
+                                                symmetric,
+                                                elasticity.is_hyperelastic(),
+                                                modes,
+                                                discretization.counters);
+      }
+    of_kind.solver->set_matrix(matrix,
+                               symmetric,
+                               of_kind.pattern_is_new,
+                               elimination.eliminated_dofs());
+    of_kind.pattern_is_new = false;
+    current                = of_kind.solver.get();
+  }
+
+
+
+  template<int dim>
+  unsigned int AssembledSystem<dim>::solve_reduced(const GhostedVector &rhs,
+                                                   const double tolerance,
+                                                   GhostedVector &x)
+  {
+    const MPI_Comm         communicator = discretization.communicator;
+    const unsigned int     n            = owned.n_elements();
+    DefiniteSolver::Vector b(owned, communicator), of_rank(owned, communicator);
+    std::copy_n(rhs.begin(), n, b.begin());
+    const unsigned int n_iterations = current->solve(b, tolerance, of_rank);
+    std::copy_n(of_rank.begin(), n, x.begin());
+    return n_iterations;
+  }
+
+
+
+  template<int dim>
+  void AssembledSystem<dim>::add_interface(const bool bulk_is_new)
+  {
+    if (bulk_is_new)
+      keep_interface_rows();
+    else
+      restore_interface_rows();
+    for (unsigned int k = 0; k < interface_cells.size(); ++k)
+      add(interface_tangents[k], elasticity.dofs_of_cell(interface_cells[k]));
+    for (const auto &term : elimination.turning_terms())
+      if (owned.is_element(term.dofs[0]))
+        add(term.stiffness, term.dofs);
+    for (const auto &term : elimination.pairing_terms())
+      elimination.test_constraints().distribute_local_to_global(
+        term.stiffness,
+        term.rows,
+        elimination.constraints(),
+        term.columns,
+        matrix);
+    matrix.compress(VectorOperation::add);
+  }
+
+
+
+  // Rows by the virtual displacements, columns by the displacements; what is
+  // constrained gets a diagonal as large as with the symmetric matrix.
+  template<int dim>
+  void AssembledSystem<dim>::add(const FullMatrix<double> &tangent,
+                                 const Dofs               &dofs)
+  {
+    const auto &constraints = elimination.constraints();
+    if (elimination.is_symmetric())
+      {
+        constraints.distribute_local_to_global(tangent, dofs, matrix);
+        return;
+      }
+    const auto &tested = elimination.test_constraints();
+    tested.distribute_local_to_global(tangent, dofs, constraints, dofs, matrix);
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      if (tested.is_constrained(dofs[i]))
+        matrix.add(dofs[i], dofs[i], std::abs(tangent(i, i)));
+  }
+
+  template class AssembledSystem<2>;
+  template class AssembledSystem<3>;
+} // namespace Contact

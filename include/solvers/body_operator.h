@@ -1,0 +1,84 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_body_operator_h
+#define contact_body_operator_h
+
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/matrix_free/fe_evaluation.h>
+#include <deal.II/matrix_free/matrix_free.h>
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "solid/kinematics.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The stiffness of linear elastic bodies as an operator without a matrix: by
+   * sum factorization in each cell, from deal.II's MatrixFree. Hanging nodes
+   * and supports are eliminated.
+   */
+  template<int dim, typename Number>
+  class BodyOperator
+  {
+  public:
+    using Vector = LinearAlgebra::distributed::Vector<Number>;
+
+    /// Materials are those of the material ids. @p constraints are taken as
+    /// homogeneous; all references have to live on.
+    BodyOperator(const Mapping<dim>              &mapping,
+                 const DoFHandler<dim>           &dof_handler,
+                 const AffineConstraints<Number> &constraints,
+                 const std::map<types::material_id, Material> &materials);
+
+    /// dst = K src: zero in constrained unknowns.
+    void vmult(Vector &dst, const Vector &src) const;
+
+    /// The diagonal of K; zero in constrained unknowns. What hanging nodes hand
+    /// over is without the couplings between them, which a smoother does not
+    /// need.
+    Vector diagonal() const;
+
+    void initialize(Vector &vector) const
+    {
+      matrix_free.initialize_dof_vector(vector);
+    }
+
+    /// The unknowns that are constrained.
+    const std::vector<unsigned int> &constrained() const
+    {
+      return matrix_free.get_constrained_dofs();
+    }
+
+    std::size_t memory() const
+    {
+      return matrix_free.memory_consumption();
+    }
+
+  private:
+    template<int degree>
+    void multiply_cells(const MatrixFree<dim, Number> &,
+                        Vector                                      &dst,
+                        const Vector                                &src,
+                        const std::pair<unsigned int, unsigned int> &cells)
+      const;
+
+    const DoFHandler<dim>           &dof_handler;
+    const AffineConstraints<Number> &constraints;
+    const unsigned int               degree;
+    MatrixFree<dim, Number>          matrix_free;
+
+    /// By batch of cells.
+    std::vector<VectorizedArray<Number>> lambda, two_mu;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,68 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_matrix_free_system_h
+#define contact_matrix_free_system_h
+
+#include "solvers/condensed_system.h"
+#include "solvers/contact_multigrid.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The condensed system as an operator, C^T K C: K is applied cell by cell,
+   * without a matrix, C on the surfaces alone. Conjugate gradients with
+   * ContactMultigrid; GMRES where friction makes the matrix unsymmetric. A
+   * change of the active set changes C and nothing else.
+   */
+  template<int dim>
+  class MatrixFreeSystem : public CondensedSystem<dim>
+  {
+  public:
+    MatrixFreeSystem(const Discretization<dim>   &discretization,
+                     const Elasticity<dim>       &elasticity,
+                     const ContactInterface<dim> *interface,
+                     ContactElimination<dim>     &elimination,
+                     TimerOutput                 &timer);
+
+    bool is_indefinite() const override
+    {
+      return false;
+    }
+
+    using Vector = LinearAlgebra::distributed::Vector<double>;
+
+    /// dst = C^T K C src.
+    void vmult(Vector &dst, const Vector &src) const;
+
+  private:
+    using Base = CondensedSystem<dim>;
+    using Base::discretization;
+    using Base::elasticity;
+    using Base::elimination;
+    using Base::owned;
+    using Base::timer;
+
+    void         reset() override;
+    void         assemble_bulk(const GhostedVector  &solution,
+                               const StressStiffness stress_stiffness) override;
+    void         add_interface(const bool bulk_is_new) override;
+    void         prepare() override;
+    unsigned int solve_reduced(const GhostedVector &rhs,
+                               const double         tolerance,
+                               GhostedVector       &x) override;
+
+    static constexpr unsigned int max_iterations = 200;
+
+    std::unique_ptr<BodyOperator<dim, double>> bodies;
+    std::unique_ptr<ContactMultigrid<dim>>     multigrid;
+    SurfaceLines<double>                       lines, test_lines;
+    mutable Vector                             work;
+  };
+} // namespace Contact
+
+#endif
