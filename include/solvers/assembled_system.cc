@@ -47,7 +47,7 @@ namespace Contact
       Utilities::MPI::n_mpi_processes(communicator) > 1;
     if (is_distributed)
       {
-        rows               = DoFTools::extract_locally_relevant_dofs(dof_handler);
+        rows = DoFTools::extract_locally_relevant_dofs(dof_handler);
         const auto touched = couplings.all();
         rows.add_indices(touched.begin(), touched.end());
         for (const auto &[dof, leader] : discretization.tied())
@@ -145,7 +145,7 @@ namespace Contact
 
   template<int dim>
   unsigned int AssembledSystem<dim>::solve_reduced(const GhostedVector &rhs,
-                                                   const double tolerance,
+                                                   const double   tolerance,
                                                    GhostedVector &x)
   {
     const MPI_Comm         communicator = discretization.communicator;

@@ -6,10 +6,11 @@
 #ifndef contact_body_operator_h
 #define contact_body_operator_h
 
+#include <deal.II/base/partitioner.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/mapping.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
-#include <deal.II/matrix_free/fe_evaluation.h>
-#include <deal.II/matrix_free/matrix_free.h>
 
 #include <map>
 #include <memory>
@@ -34,10 +35,12 @@ namespace Contact
 
     /// Materials are those of the material ids. @p constraints are taken as
     /// homogeneous; all references have to live on.
-    BodyOperator(const Mapping<dim>              &mapping,
-                 const DoFHandler<dim>           &dof_handler,
-                 const AffineConstraints<Number> &constraints,
+    BodyOperator(const Mapping<dim>                           &mapping,
+                 const DoFHandler<dim>                        &dof_handler,
+                 const AffineConstraints<Number>              &constraints,
                  const std::map<types::material_id, Material> &materials);
+
+    ~BodyOperator();
 
     /// dst = K src: zero in constrained unknowns.
     void vmult(Vector &dst, const Vector &src) const;
@@ -49,35 +52,18 @@ namespace Contact
 
     void initialize(Vector &vector) const
     {
-      matrix_free.initialize_dof_vector(vector);
+      vector.reinit(partitioner);
     }
 
-    /// The unknowns that are constrained.
-    const std::vector<unsigned int> &constrained() const
-    {
-      return matrix_free.get_constrained_dofs();
-    }
-
-    std::size_t memory() const
-    {
-      return matrix_free.memory_consumption();
-    }
+    std::size_t memory() const;
 
   private:
-    template<int degree>
-    void multiply_cells(const MatrixFree<dim, Number> &,
-                        Vector                                      &dst,
-                        const Vector                                &src,
-                        const std::pair<unsigned int, unsigned int> &cells)
-      const;
+    /// deal.II's MatrixFree of the widest vectors of numbers that the compiler
+    /// is allowed to use: known to the source file alone.
+    class Cells;
 
-    const DoFHandler<dim>           &dof_handler;
-    const AffineConstraints<Number> &constraints;
-    const unsigned int               degree;
-    MatrixFree<dim, Number>          matrix_free;
-
-    /// By batch of cells.
-    std::vector<VectorizedArray<Number>> lambda, two_mu;
+    std::unique_ptr<Cells>                             cells;
+    std::shared_ptr<const Utilities::MPI::Partitioner> partitioner;
   };
 } // namespace Contact
 

@@ -22,10 +22,17 @@ namespace Contact
                                TimerOutput                 &timer)
   {
     if (solver_kind == Parameters::SolverKind::gmg)
-      return std::make_unique<MatrixFreeSystem<dim>>(
-        discretization, elasticity, interface, elimination, timer);
-    return std::make_unique<AssembledSystem<dim>>(
-      discretization, elasticity, interface, elimination, solver_kind, timer);
+      return std::make_unique<MatrixFreeSystem<dim>>(discretization,
+                                                     elasticity,
+                                                     interface,
+                                                     elimination,
+                                                     timer);
+    return std::make_unique<AssembledSystem<dim>>(discretization,
+                                                  elasticity,
+                                                  interface,
+                                                  elimination,
+                                                  solver_kind,
+                                                  timer);
   }
 
 
@@ -287,11 +294,17 @@ namespace Contact
       }
     for (const auto &term : elimination.turning_terms())
       if (owned.is_element(term.dofs[0]))
-        add_moved_forces(
-          term.stiffness, term.dofs, term.dofs, term.load, moved_forces);
+        add_moved_forces(term.stiffness,
+                         term.dofs,
+                         term.dofs,
+                         term.load,
+                         moved_forces);
     for (const auto &term : elimination.pairing_terms())
-      add_moved_forces(
-        term.stiffness, term.rows, term.columns, none, moved_forces);
+      add_moved_forces(term.stiffness,
+                       term.rows,
+                       term.columns,
+                       none,
+                       moved_forces);
     moved_forces.sum_up();
     rhs += moved_forces;
     return is_new;
@@ -345,9 +358,9 @@ namespace Contact
   template<int dim>
   void CondensedSystem<dim>::add_moved_forces(const FullMatrix<double> &tangent,
                                               const Dofs               &rows,
-                                              const Dofs           &columns,
-                                              const Vector<double> &load,
-                                              GhostedVector        &forces) const
+                                              const Dofs               &columns,
+                                              const Vector<double>     &load,
+                                              GhostedVector &forces) const
   {
     const auto    &constraints = elimination.constraints();
     Vector<double> h(columns.size()), force(rows.size());

@@ -56,10 +56,10 @@ namespace Contact
 
     void set_lines(const SurfaceLines<Number> &new_lines)
     {
-      lines         = new_lines;
-      auto diagonal = std::make_shared<DiagonalMatrix<Vector>>();
-      Vector &inverse = diagonal->get_vector();
-      inverse         = of_bodies;
+      lines            = new_lines;
+      auto    diagonal = std::make_shared<DiagonalMatrix<Vector>>();
+      Vector &inverse  = diagonal->get_vector();
+      inverse          = of_bodies;
       lines.add_to_diagonal(inverse);
       for (auto &value : inverse)
         value = value > 0 ? 1 / value : 1;
@@ -195,8 +195,9 @@ namespace Contact
       for (const auto &cell : coarse.dof_handler.active_cell_iterators())
         {
           cell->get_dof_indices(of_coarse);
-          const auto raw = fine.dof_handler.get_triangulation()
-                             .create_cell_iterator(cell->id());
+          const auto raw =
+            fine.dof_handler.get_triangulation().create_cell_iterator(
+              cell->id());
           const typename DoFHandler<dim>::cell_iterator same_cell(
             &fine.dof_handler.get_triangulation(),
             raw->level(),
@@ -213,7 +214,7 @@ namespace Contact
                     row.emplace_back(of_coarse[j], w);
                 if (row.size() == 1 && std::abs(row[0].second - 1) < 1e-12)
                   {
-                    row[0].second          = 1;
+                    row[0].second      = 1;
                     same[row[0].first] = of_fine[i];
                   }
                 if (at_boundary)
@@ -287,9 +288,9 @@ namespace Contact
 
 
   template<int dim>
-  void ContactMultigrid<dim>::set_lines(
-    const Dofs                      &eliminated,
-    const AffineConstraints<double> &constraints)
+  void
+  ContactMultigrid<dim>::set_lines(const Dofs                      &eliminated,
+                                   const AffineConstraints<double> &constraints)
   {
     Level &finest = *levels.back();
     finest.line_constraints.copy_from(constraints);
@@ -400,7 +401,8 @@ namespace Contact
   {
     std::size_t sum = 0;
     for (const auto &level : levels)
-      sum += level->stiffness->memory() + level->dof_handler.memory_consumption();
+      sum +=
+        level->stiffness->memory() + level->dof_handler.memory_consumption();
     return sum;
   }
 

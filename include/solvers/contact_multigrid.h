@@ -60,14 +60,14 @@ namespace Contact
 
     void cycle(const unsigned int l) const;
 
-    const Discretization<dim>                                       &discretization;
+    const Discretization<dim>                             &discretization;
     std::vector<std::shared_ptr<const Triangulation<dim>>> meshes;
     std::map<types::material_id, Material>                 materials;
     std::vector<std::unique_ptr<Level>>                    levels;
     std::vector<std::unique_ptr<Between>> between; // l: levels l and l + 1
     std::unique_ptr<DefiniteSolver>       coarse_solver;
     TrilinosWrappers::SparseMatrix        coarse_matrix;
-    void factorize_coarse();
+    void                                  factorize_coarse();
   };
 } // namespace Contact
 

@@ -246,11 +246,11 @@ namespace Contact
         const double relative =
           std::max(0.1 * step.tolerance, one_solve_is_all ? 0. : forcing);
         unsigned int n = system->solve(state.solution,
-                                      state.start,
-                                      rhs,
-                                      relative * step.force,
-                                      update,
-                                      step.continues);
+                                       state.start,
+                                       rhs,
+                                       relative * step.force,
+                                       update,
+                                       step.continues);
         if (model.interface && !model.interface->free_motions().empty())
           n += add_motions(rhs, relative * step.force, step, state);
         screen << "      solved to " << std::scientific << std::setprecision(1)
@@ -346,12 +346,12 @@ namespace Contact
             GhostedVector moved = state.solution;
             moved[interface.motion_index(motions[j])] += part / motion(j).lever;
             n += system->solve(state.solution,
-                              state.start,
-                              rhs,
-                              tolerance,
-                              update,
-                              /*keep_tangents=*/true,
-                              &moved);
+                               state.start,
+                               rhs,
+                               tolerance,
+                               update,
+                               /*keep_tangents=*/true,
+                               &moved);
             responses.push_back(update);
             responses.back() -= first;
             const auto after =
@@ -392,13 +392,13 @@ namespace Contact
                                         model.discretization->communicator));
       }
 
-      const ContactModel<dim>   &model;
-      const Parameters::Solution parameters;
-      ConditionalOStream        &screen;
-      const SolverChoice         solver;
-      ContactElimination<dim>    elimination;
+      const ContactModel<dim>              &model;
+      const Parameters::Solution            parameters;
+      ConditionalOStream                   &screen;
+      const SolverChoice                    solver;
+      ContactElimination<dim>               elimination;
       std::unique_ptr<CondensedSystem<dim>> system;
-      GhostedVector              update; // of the displacements
+      GhostedVector                         update; // of the displacements
     };
   } // namespace
 

@@ -104,11 +104,10 @@ namespace Contact
         if (elimination.is_symmetric())
           SolverCG<Vector>(control).solve(*this, of_rank, b, *multigrid);
         else
-          SolverGMRES<Vector>(
-            control,
-            typename SolverGMRES<Vector>::AdditionalData(
-              /*max_n_tmp_vectors=*/52,
-              /*right_preconditioning=*/true))
+          SolverGMRES<Vector>(control,
+                              typename SolverGMRES<Vector>::AdditionalData(
+                                /*max_n_tmp_vectors=*/52,
+                                /*right_preconditioning=*/true))
             .solve(*this, of_rank, b, *multigrid);
       }
     catch (const SolverControl::NoConvergence &)

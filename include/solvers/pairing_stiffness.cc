@@ -11,8 +11,9 @@ namespace Contact
   {
     using Parts = std::vector<std::pair<types::global_dof_index, double>>;
 
-    /// The unknowns, with their parts, that those of nodes that hang follow. The
-    /// constraints of a process know them of its own cells and those beside.
+    /// The unknowns, with their parts, that those of nodes that hang follow.
+    /// The constraints of a process know them of its own cells and those
+    /// beside.
     template<int dim>
     std::map<types::global_dof_index, Parts>
     leaders_of_hanging_nodes(const ContactInterface<dim> &interface)
