@@ -26,13 +26,13 @@
 // clang-format on
 
 #include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
 #include <deal.II/matrix_free/evaluation_template_factory_hanging_nodes.templates.h>
 #include <deal.II/matrix_free/fe_evaluation.h>
 #include <deal.II/matrix_free/mapping_info.templates.h>
 #include <deal.II/matrix_free/matrix_free.templates.h>
 #include <deal.II/matrix_free/shape_info.templates.h>
-
-#include <algorithm>
 
 #include "solvers/body_operator.h"
 
@@ -50,6 +50,11 @@ namespace Contact
   class BodyOperator<dim, Number>::Cells
   {
   public:
+    using Numbers  = Wide<Number>;
+    using Gradient = Tensor<2, dim, Numbers>;
+    using Stress   = SymmetricTensor<2, dim, Numbers>;
+    using Data     = MatrixFree<dim, Number, Numbers>;
+
     Cells(const Mapping<dim>                           &mapping,
           const DoFHandler<dim>                        &dof_handler,
           const AffineConstraints<Number>              &constraints,
@@ -58,10 +63,9 @@ namespace Contact
       , constraints(constraints)
       , degree(dof_handler.get_fe().degree)
     {
-      typename MatrixFree<dim, Number, Wide<Number>>::AdditionalData data;
-      data.tasks_parallel_scheme = MatrixFree<dim, Number, Wide<Number>>::
-        AdditionalData::TasksParallelScheme::none;
-      data.mapping_update_flags = update_gradients | update_JxW_values;
+      typename Data::AdditionalData data;
+      data.tasks_parallel_scheme = Data::AdditionalData::none;
+      data.mapping_update_flags  = update_gradients | update_JxW_values;
       matrix_free.reinit(mapping,
                          dof_handler,
                          constraints,
@@ -70,66 +74,61 @@ namespace Contact
 
       lambda.resize(matrix_free.n_cell_batches());
       two_mu.resize(matrix_free.n_cell_batches());
+      for_all_cells(
+        [&](const unsigned int batch, const unsigned int v, const auto &cell) {
+          const Material &material = materials.at(cell->material_id());
+          lambda[batch][v]         = material.lambda;
+          two_mu[batch][v]         = 2 * material.mu;
+        });
+    }
+
+    void linearize(const Vector                       &u,
+                   const std::set<types::material_id> &small_strain)
+    {
+      FEEvaluation<dim, -1, 0, dim, Number, Numbers> values(matrix_free);
+      const unsigned int                             n = values.n_q_points;
+      gradients.resize(matrix_free.n_cell_batches() * n);
+      u.update_ghost_values();
       for (unsigned int batch = 0; batch < matrix_free.n_cell_batches();
            ++batch)
-        for (unsigned int v = 0;
-             v < matrix_free.n_active_entries_per_cell_batch(batch);
-             ++v)
-          {
-            const Material &material = materials.at(
-              matrix_free.get_cell_iterator(batch, v)->material_id());
-            lambda[batch][v] = material.lambda;
-            two_mu[batch][v] = 2 * material.mu;
-          }
+        {
+          values.reinit(batch);
+          values.read_dof_values_plain(u);
+          values.evaluate(EvaluationFlags::gradients);
+          for (unsigned int q = 0; q < n; ++q)
+            gradients[batch * n + q] = values.get_gradient(q);
+        }
+      u.zero_out_ghost_values();
+      for_all_cells(
+        [&](const unsigned int batch, const unsigned int v, const auto &cell) {
+          if (small_strain.count(cell->material_id()) > 0)
+            for (unsigned int q = 0; q < n; ++q)
+              for (unsigned int i = 0; i < dim; ++i)
+                for (unsigned int j = 0; j < dim; ++j)
+                  gradients[batch * n + q][i][j][v] = 0;
+        });
     }
 
     void vmult(Vector &dst, const Vector &src) const
     {
+      const bool zero_dst = true;
       if (degree == 1)
-        matrix_free.cell_loop(&Cells::template multiply_cells<1>,
+        matrix_free.cell_loop(&Cells::template multiply<1>,
                               this,
                               dst,
                               src,
-                              /*zero_dst_vector=*/true);
+                              zero_dst);
       else
-        matrix_free.cell_loop(&Cells::template multiply_cells<2>,
+        matrix_free.cell_loop(&Cells::template multiply<2>,
                               this,
                               dst,
                               src,
-                              /*zero_dst_vector=*/true);
+                              zero_dst);
     }
 
-
-
-    template<int degree>
-    void
-    multiply_cells(const MatrixFree<dim, Number, Wide<Number>> &,
-                   Vector                                      &dst,
-                   const Vector                                &src,
-                   const std::pair<unsigned int, unsigned int> &cells) const
-    {
-      FEEvaluation<dim, degree, degree + 1, dim, Number, Wide<Number>> u(
-        matrix_free);
-      for (unsigned int cell = cells.first; cell < cells.second; ++cell)
-        {
-          u.reinit(cell);
-          u.gather_evaluate(src, EvaluationFlags::gradients);
-          for (unsigned int q = 0; q < u.n_q_points; ++q)
-            {
-              const auto strain     = u.get_symmetric_gradient(q);
-              auto       stress     = two_mu[cell] * strain;
-              const auto dilatation = lambda[cell] * trace(strain);
-              for (unsigned int d = 0; d < dim; ++d)
-                stress[d][d] += dilatation;
-              u.submit_symmetric_gradient(stress, q);
-            }
-          u.integrate_scatter(EvaluationFlags::gradients, dst);
-        }
-    }
-
-
-
-    // mu (|grad N|^2 + (d_i N)^2) + lambda (d_i N)^2 in the direction i.
+    // With f the row of F of the direction i, in small strain the unit vector:
+    // mu (|f|^2 |grad N|^2 + (f . grad N)^2) + lambda (f . grad N)^2, and what
+    // the stress adds, grad N . S grad N.
     Vector diagonal() const
     {
       Vector result;
@@ -140,7 +139,6 @@ namespace Contact
 
       // Unit gradients of the nodes, and the place of their unknowns.
       std::vector<std::array<unsigned int, dim>> unknowns(n_nodes);
-      std::vector<unsigned int>                  node(dim, 0);
       for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
         {
           const auto [component, index] = fe.system_to_component_index(i);
@@ -152,9 +150,9 @@ namespace Contact
           unit[q].push_back(
             fe.shape_grad_component(unknowns[a][0], quadrature.point(q), 0));
 
-      const auto &map = matrix_free.get_mapping_info().cell_data[0];
+      const auto            &map = matrix_free.get_mapping_info().cell_data[0];
+      AlignedVector<Numbers> local(fe.n_dofs_per_cell());
       std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-      dealii::Vector<Number>               local(fe.n_dofs_per_cell());
       for (unsigned int batch = 0; batch < matrix_free.n_cell_batches();
            ++batch)
         {
@@ -162,57 +160,137 @@ namespace Contact
           const bool         is_affine =
             matrix_free.get_mapping_info().get_cell_type(batch) <=
             internal::MatrixFreeFunctions::affine;
+          local.fill(Numbers());
+          for (unsigned int q = 0; q < quadrature.size(); ++q)
+            {
+              const unsigned int at      = place + (is_affine ? 0 : q);
+              const auto        &inverse = map.jacobians[0][at];
+              const Numbers      weight =
+                map.JxW_values[at] *
+                Number(is_affine ? quadrature.weight(q) : 1.);
+              const Numbers mu  = Number(0.5) * weight * two_mu[batch];
+              const Numbers sum = mu + weight * lambda[batch];
+              Gradient      F   = unit_symmetric_tensor<dim, Numbers>();
+              Stress        S;
+              if (!gradients.empty())
+                {
+                  const Gradient &gradient =
+                    gradients[batch * quadrature.size() + q];
+                  F += gradient;
+                  S = stress_at(batch, gradient) * weight;
+                }
+              for (unsigned int a = 0; a < n_nodes; ++a)
+                {
+                  Tensor<1, dim, Numbers> g;
+                  for (unsigned int i = 0; i < dim; ++i)
+                    for (unsigned int j = 0; j < dim; ++j)
+                      g[i] += inverse[i][j] * Number(unit[q][a][j]);
+                  const Numbers by_mu     = mu * (g * g);
+                  const Numbers by_stress = g * (S * g);
+                  for (unsigned int i = 0; i < dim; ++i)
+                    {
+                      const Numbers along = F[i] * g;
+                      local[unknowns[a][i]] +=
+                        by_mu * (F[i] * F[i]) + sum * along * along + by_stress;
+                    }
+                }
+            }
           for (unsigned int v = 0;
                v < matrix_free.n_active_entries_per_cell_batch(batch);
                ++v)
             {
               matrix_free.get_cell_iterator(batch, v)->get_dof_indices(dofs);
-              local = 0;
-              for (unsigned int q = 0; q < quadrature.size(); ++q)
-                {
-                  const unsigned int at      = place + (is_affine ? 0 : q);
-                  const auto        &inverse = map.jacobians[0][at];
-                  const Number       weight  = map.JxW_values[at][v] *
-                                        (is_affine ? quadrature.weight(q) : 1.);
-                  const Number mu  = 0.5 * weight * two_mu[batch][v];
-                  const Number sum = mu + weight * lambda[batch][v];
-                  for (unsigned int a = 0; a < n_nodes; ++a)
-                    {
-                      std::array<Number, dim> squares;
-                      Number                  all = 0;
-                      for (unsigned int i = 0; i < dim; ++i)
-                        {
-                          Number derivative = 0;
-                          for (unsigned int j = 0; j < dim; ++j)
-                            derivative += inverse[i][j][v] * unit[q][a][j];
-                          squares[i] = derivative * derivative;
-                          all += squares[i];
-                        }
-                      for (unsigned int i = 0; i < dim; ++i)
-                        local[unknowns[a][i]] += mu * all + sum * squares[i];
-                    }
-                }
               for (unsigned int i = 0; i < dofs.size(); ++i)
                 if (!constraints.is_constrained(dofs[i]))
-                  result(dofs[i]) += local[i];
+                  result(dofs[i]) += local[i][v];
                 else
                   for (const auto &[dof, factor] :
                        *constraints.get_constraint_entries(dofs[i]))
-                    result(dof) += factor * factor * local[i];
+                    result(dof) += factor * factor * local[i][v];
             }
         }
       result.compress(VectorOperation::add);
       return result;
     }
 
-    const DoFHandler<dim>                &dof_handler;
-    const AffineConstraints<Number>      &constraints;
-    const unsigned int                    degree;
-    MatrixFree<dim, Number, Wide<Number>> matrix_free;
+    const DoFHandler<dim>           &dof_handler;
+    const AffineConstraints<Number> &constraints;
+    const unsigned int               degree;
+    Data                             matrix_free;
 
   private:
+    template<class Visitor>
+    void for_all_cells(const Visitor &visit) const
+    {
+      for (unsigned int batch = 0; batch < matrix_free.n_cell_batches();
+           ++batch)
+        for (unsigned int v = 0;
+             v < matrix_free.n_active_entries_per_cell_batch(batch);
+             ++v)
+          visit(batch, v, matrix_free.get_cell_iterator(batch, v));
+    }
+
+    template<int degree>
+    void multiply(const Data &,
+                  Vector                                      &dst,
+                  const Vector                                &src,
+                  const std::pair<unsigned int, unsigned int> &batches) const
+    {
+      FEEvaluation<dim, degree, degree + 1, dim, Number, Numbers> u(
+        matrix_free);
+      for (unsigned int batch = batches.first; batch < batches.second; ++batch)
+        {
+          u.reinit(batch);
+          u.gather_evaluate(src, EvaluationFlags::gradients);
+          if (gradients.empty())
+            for (unsigned int q = 0; q < u.n_q_points; ++q)
+              u.submit_symmetric_gradient(stress(batch,
+                                                 u.get_symmetric_gradient(q)),
+                                          q);
+          else
+            for (unsigned int q = 0; q < u.n_q_points; ++q)
+              u.submit_gradient(
+                change_of_stress(batch,
+                                 gradients[batch * u.n_q_points + q],
+                                 u.get_gradient(q)),
+                q);
+          u.integrate_scatter(EvaluationFlags::gradients, dst);
+        }
+    }
+
+    Stress stress(const unsigned int batch, const Stress &strain) const
+    {
+      Stress        result     = two_mu[batch] * strain;
+      const Numbers dilatation = lambda[batch] * trace(strain);
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d][d] += dilatation;
+      return result;
+    }
+
+    /// That of St. Venant and Kirchhoff.
+    Stress stress_at(const unsigned int batch, const Gradient &gradient) const
+    {
+      return stress(batch,
+                    symmetrize(gradient +
+                               Number(0.5) * transpose(gradient) * gradient));
+    }
+
+    Gradient change_of_stress(const unsigned int batch,
+                              const Gradient    &gradient,
+                              const Gradient    &change) const
+    {
+      Gradient F = gradient;
+      for (unsigned int d = 0; d < dim; ++d)
+        F[d][d] += Number(1);
+      return F * Gradient(stress(batch, symmetrize(transpose(F) * change))) +
+             change * Gradient(stress_at(batch, gradient));
+    }
+
     /// By batch of cells.
-    AlignedVector<Wide<Number>> lambda, two_mu;
+    AlignedVector<Numbers> lambda, two_mu;
+
+    /// Of the displacement by point, if there are large ones.
+    AlignedVector<Gradient> gradients;
   };
 
 
@@ -231,6 +309,14 @@ namespace Contact
 
   template<int dim, typename Number>
   BodyOperator<dim, Number>::~BodyOperator() = default;
+
+  template<int dim, typename Number>
+  void BodyOperator<dim, Number>::linearize(
+    const Vector                       &u,
+    const std::set<types::material_id> &small_strain)
+  {
+    cells->linearize(u, small_strain);
+  }
 
   template<int dim, typename Number>
   void BodyOperator<dim, Number>::vmult(Vector &dst, const Vector &src) const

@@ -14,6 +14,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "solid/kinematics.h"
@@ -23,9 +24,13 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * The stiffness of linear elastic bodies as an operator without a matrix: by
-   * sum factorization in each cell, from deal.II's MatrixFree. Hanging nodes
-   * and supports are eliminated.
+   * The tangent of elastic bodies as an operator without a matrix: by sum
+   * factorization in each cell, from deal.II's MatrixFree. Hanging nodes and
+   * supports are eliminated. Bodies of St. Venant and Kirchhoff's material keep
+   * the gradients of the displacement in the quadrature points, where with F =
+   * 1
+   * + grad u and the stress S the tangent is
+   *   dP = F (lambda tr(dE) 1 + 2 mu dE) + grad(du) S,  dE = sym(F^T grad(du)).
    */
   template<int dim, typename Number>
   class BodyOperator
@@ -41,6 +46,11 @@ namespace Contact
                  const std::map<types::material_id, Material> &materials);
 
     ~BodyOperator();
+
+    /// Linearise the bodies of large displacement, which are not @p
+    /// small_strain, in @p u, all of whose values are set.
+    void linearize(const Vector                       &u,
+                   const std::set<types::material_id> &small_strain);
 
     /// dst = K src: zero in constrained unknowns.
     void vmult(Vector &dst, const Vector &src) const;

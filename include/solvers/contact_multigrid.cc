@@ -45,6 +45,13 @@ namespace Contact
         stiffness->initialize(*vector);
     }
 
+    /// In the displacement @p solution.
+    void linearize(const std::set<types::material_id> &small_strain)
+    {
+      stiffness->linearize(solution, small_strain);
+      of_bodies = stiffness->diagonal();
+    }
+
     /// C^T K C, the identity in what is eliminated or constrained.
     void vmult(Vector &dst, const Vector &src) const
     {
@@ -169,6 +176,12 @@ namespace Contact
         SurfaceLines<Number>(coarse.eliminated, coarse.line_constraints));
     }
 
+    /// The displacement of the fine level on the coarse one.
+    void interpolate() const
+    {
+      transfer.interpolate(coarse.solution, fine.solution);
+    }
+
     /// What is eliminated does not count on either side.
     void prolongate_and_add(Vector &dst, Vector &src) const
     {
@@ -257,7 +270,11 @@ namespace Contact
             discretization.mesh.triangulation)))
   {
     for (const auto &body : discretization.mesh.bodies)
-      materials.emplace(body.second, elasticity.material(body.second));
+      {
+        materials.emplace(body.second, elasticity.material(body.second));
+        if (elasticity.is_small_strain(body.second))
+          small_strain.insert(body.second);
+      }
     for (const auto &mesh : meshes)
       levels.push_back(
         std::make_unique<Level>(*mesh, discretization, materials));
@@ -284,6 +301,24 @@ namespace Contact
 
   template<int dim>
   ContactMultigrid<dim>::~ContactMultigrid() = default;
+
+
+
+  template<int dim>
+  void ContactMultigrid<dim>::linearize(const Fine &solution)
+  {
+    levels.back()->solution.copy_locally_owned_data_from(solution);
+    for (unsigned int l = levels.size(); l-- > 0;)
+      {
+        if (l + 1 < levels.size())
+          between[l]->interpolate();
+        levels[l]->linearize(small_strain);
+      }
+    coarse_displacement.reinit(levels[0]->m());
+    std::copy(levels[0]->solution.begin(),
+              levels[0]->solution.end(),
+              coarse_displacement.begin());
+  }
 
 
 
@@ -321,32 +356,56 @@ namespace Contact
     coarse_matrix.clear();
     coarse_matrix.reinit(pattern);
 
-    FEValues<dim>      values(level.mapping,
+    FEValues<dim>                    values(level.mapping,
                          fe,
                          QGauss<dim>(fe.degree + 1),
                          update_gradients | update_JxW_values);
-    const unsigned int n = fe.n_dofs_per_cell();
-    FullMatrix<double> tangent(n, n);
-    Dofs               dofs(n);
+    const unsigned int               n = fe.n_dofs_per_cell();
+    FullMatrix<double>               tangent(n, n);
+    const FEValuesExtractors::Vector displacement(0);
+    std::vector<Tensor<2, dim>>      gradients(values.n_quadrature_points);
+    Dofs                             dofs(n);
     for (const auto &cell : level.dof_handler.active_cell_iterators())
       {
         values.reinit(cell);
         cell->get_dof_indices(dofs);
         const Material &material = materials.at(cell->material_id());
         tangent                  = 0;
+        const bool is_large      = coarse_displacement.size() > 0 &&
+                              small_strain.count(cell->material_id()) == 0;
+        if (is_large)
+          values[displacement].get_function_gradients(coarse_displacement,
+                                                      gradients);
         for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-          for (unsigned int i = 0; i < n; ++i)
-            for (unsigned int j = 0; j < n; ++j)
+          {
+            Tensor<2, dim>          F = unit_symmetric_tensor<dim>();
+            SymmetricTensor<2, dim> S;
+            if (is_large)
               {
-                const unsigned int a   = fe.system_to_component_index(i).first;
-                const unsigned int b   = fe.system_to_component_index(j).first;
-                const auto         g_i = values.shape_grad(i, q);
-                const auto         g_j = values.shape_grad(j, q);
-                tangent(i, j) += (material.lambda * g_i[a] * g_j[b] +
-                                  material.mu * (g_i[b] * g_j[a] +
-                                                 (a == b ? g_i * g_j : 0.))) *
-                                 values.JxW(q);
+                F += gradients[q];
+                S = material.template stress<dim>(
+                  0.5 * symmetrize(transpose(F) * F) -
+                  0.5 * unit_symmetric_tensor<dim>());
               }
+            for (unsigned int i = 0; i < n; ++i)
+              {
+                const unsigned int a = fe.system_to_component_index(i).first;
+                const auto         g = values.shape_grad(i, q);
+                const SymmetricTensor<2, dim> strain =
+                  symmetrize(outer_product(F[a], g));
+                const SymmetricTensor<2, dim> stress =
+                  material.template stress<dim>(strain) * values.JxW(q);
+                const Tensor<2, dim> P   = F * Tensor<2, dim>(stress);
+                const Tensor<1, dim> S_g = S * g * values.JxW(q);
+                for (unsigned int j = 0; j < n; ++j)
+                  {
+                    const unsigned int b =
+                      fe.system_to_component_index(j).first;
+                    const auto h = values.shape_grad(j, q);
+                    tangent(i, j) += P[b] * h + (a == b ? S_g * h : 0.);
+                  }
+              }
+          }
         all.distribute_local_to_global(tangent, dofs, coarse_matrix);
       }
     coarse_matrix.compress(VectorOperation::add);

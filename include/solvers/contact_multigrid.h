@@ -44,6 +44,10 @@ namespace Contact
                      const Elasticity<dim>     &elasticity);
     ~ContactMultigrid();
 
+    /// Linearise bodies of large displacement in @p solution. The lines have to
+    /// be set anew.
+    void linearize(const Fine &solution);
+
     /// Take over the elimination of the active points: of @p eliminated in the
     /// closed @p constraints.
     void set_lines(const Dofs                      &eliminated,
@@ -58,16 +62,18 @@ namespace Contact
     class Level;
     class Between;
 
+    void factorize_coarse();
     void cycle(const unsigned int l) const;
 
     const Discretization<dim>                             &discretization;
     std::vector<std::shared_ptr<const Triangulation<dim>>> meshes;
     std::map<types::material_id, Material>                 materials;
+    std::set<types::material_id>                           small_strain;
     std::vector<std::unique_ptr<Level>>                    levels;
     std::vector<std::unique_ptr<Between>> between; // l: levels l and l + 1
     std::unique_ptr<DefiniteSolver>       coarse_solver;
     TrilinosWrappers::SparseMatrix        coarse_matrix;
-    void                                  factorize_coarse();
+    dealii::Vector<double>                coarse_displacement; // of large ones
   };
 } // namespace Contact
 

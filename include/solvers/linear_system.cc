@@ -12,6 +12,7 @@
 
 #include "solvers/condensed_system.h"
 #include "solvers/definite_solver.h"
+#include "solvers/matrix_free_system.h"
 #include "solvers/saddle_point_system.h"
 
 namespace Contact
@@ -159,16 +160,13 @@ namespace Contact
         : model(model)
         , parameters(parameters.solution)
         , screen(screen)
+        , timer(timer)
         , solver(choose_solver(model, parameters.solution))
         , elimination(*model.discretization,
                       model.interface.get(),
                       moving_bound)
-        , system(CondensedSystem<dim>::create(*model.discretization,
-                                              *model.elasticity,
-                                              model.interface.get(),
-                                              elimination,
-                                              solver,
-                                              timer))
+        , system(create(solver))
+        , last(system.get())
         , update(model.discretization->distribution)
       {
       }
@@ -186,6 +184,8 @@ namespace Contact
       void update_pattern(const bool) override
       {
         system->update_pattern();
+        if (while_held)
+          while_held->update_pattern();
       }
 
       // That of the next pairing is compared with this one.
@@ -201,7 +201,7 @@ namespace Contact
                                IncrementState<dim> &state) override
       {
         if (dim == 3 && part > 0)
-          recover_from(system->linear_forces(state.solution, state.load_factor),
+          recover_from(last->linear_forces(state.solution, state.load_factor),
                        state);
         else
           recover_from(rhs, state);
@@ -245,12 +245,12 @@ namespace Contact
             : std::min(1e-5, parameters.linear_tolerance * step.residual);
         const double relative =
           std::max(0.1 * step.tolerance, one_solve_is_all ? 0. : forcing);
-        unsigned int n = system->solve(state.solution,
-                                       state.start,
-                                       rhs,
-                                       relative * step.force,
-                                       update,
-                                       step.continues);
+        unsigned int n = present_system().solve(state.solution,
+                                                state.start,
+                                                rhs,
+                                                relative * step.force,
+                                                update,
+                                                step.continues);
         if (model.interface && !model.interface->free_motions().empty())
           n += add_motions(rhs, relative * step.force, step, state);
         screen << "      solved to " << std::scientific << std::setprecision(1)
@@ -269,7 +269,7 @@ namespace Contact
 
       bool tangent_is_indefinite() const override
       {
-        return system->is_indefinite();
+        return last->is_indefinite();
       }
 
       std::string contradiction() const override
@@ -302,7 +302,7 @@ namespace Contact
                        trial.begin(),
                        trial.begin(),
                        std::plus<>());
-        const auto of_bodies = system->linear_forces(trial, load_factor);
+        const auto of_bodies = last->linear_forces(trial, load_factor);
         elimination.recover_pressures(of_bodies, u_start, trial);
         elimination.recover_shears(of_bodies, u_start, trial);
         return model.interface->motion_forces(trial, u_start, {});
@@ -345,13 +345,13 @@ namespace Contact
           {
             GhostedVector moved = state.solution;
             moved[interface.motion_index(motions[j])] += part / motion(j).lever;
-            n += system->solve(state.solution,
-                               state.start,
-                               rhs,
-                               tolerance,
-                               update,
-                               /*keep_tangents=*/true,
-                               &moved);
+            n += last->solve(state.solution,
+                             state.start,
+                             rhs,
+                             tolerance,
+                             update,
+                             /*keep_tangents=*/true,
+                             &moved);
             responses.push_back(update);
             responses.back() -= first;
             const auto after =
@@ -384,21 +384,73 @@ namespace Contact
       static SolverChoice choose_solver(const ContactModel<dim>    &model,
                                         const Parameters::Solution &parameters)
       {
+        const auto &discretization = *model.discretization;
+        const auto &elasticity     = *model.elasticity;
+        if (parameters.linear_solver == Parameters::SolverKind::gmg)
+          {
+            const std::string of =
+              MatrixFreeSystem<dim>::refusal(discretization, elasticity);
+            if (!of.empty())
+              throw InputError("the multigrid without a matrix does not know "
+                               "of " +
+                                 of,
+                               "entry Solution/Linear solver = GMG",
+                               "set 'Linear solver = AMG', or 'automatic'");
+          }
         if (parameters.linear_solver != Parameters::SolverKind::automatic)
           return parameters.linear_solver;
+        if (MatrixFreeSystem<dim>::is_best(discretization, elasticity))
+          return Parameters::SolverKind::gmg;
         return DefiniteSolver::choose(dim,
                                       model.n_displacements(),
                                       Utilities::MPI::n_mpi_processes(
-                                        model.discretization->communicator));
+                                        discretization.communicator));
       }
 
-      const ContactModel<dim>              &model;
-      const Parameters::Solution            parameters;
-      ConditionalOStream                   &screen;
-      const SolverChoice                    solver;
-      ContactElimination<dim>               elimination;
-      std::unique_ptr<CondensedSystem<dim>> system;
-      GhostedVector                         update; // of the displacements
+      // Springs hold bodies for a while: these are in no multigrid without a
+      // matrix.
+      CondensedSystem<dim> &present_system()
+      {
+        if (solver != Parameters::SolverKind::gmg ||
+            model.elasticity->springs.held().empty())
+          {
+            while_held.reset();
+            last = system.get();
+          }
+        else
+          {
+            if (!while_held)
+              {
+                while_held = create(Parameters::SolverKind::amg);
+                while_held->update_pattern();
+              }
+            last = while_held.get();
+          }
+        return *last;
+      }
+
+      std::unique_ptr<CondensedSystem<dim>>
+      create(const Parameters::SolverKind kind)
+      {
+        return CondensedSystem<dim>::create(*model.discretization,
+                                            *model.elasticity,
+                                            model.interface.get(),
+                                            elimination,
+                                            kind,
+                                            timer);
+      }
+
+      const ContactModel<dim>   &model;
+      const Parameters::Solution parameters;
+      ConditionalOStream        &screen;
+      TimerOutput               &timer;
+      const SolverChoice         solver;
+      ContactElimination<dim>    elimination;
+
+      std::unique_ptr<CondensedSystem<dim>> system, while_held;
+      CondensedSystem<dim>                 *last; // that of the last solve
+
+      GhostedVector update; // of the displacements
     };
   } // namespace
 

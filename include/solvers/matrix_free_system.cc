@@ -30,6 +30,54 @@ namespace Contact
 
 
   template<int dim>
+  std::string
+  MatrixFreeSystem<dim>::refusal(const Discretization<dim> &discretization,
+                                 const Elasticity<dim>     &elasticity)
+  {
+    if (Utilities::MPI::n_mpi_processes(discretization.communicator) > 1)
+      return "several processes";
+    if (!discretization.mesh.has_only_hypercubes())
+      return "triangles";
+    if (discretization.axisymmetric)
+      return "rings";
+    if (discretization.serendipity)
+      return "elements without centre node (Element/Centre node)";
+    if (!elasticity.is_elastic())
+      return "a material that is not linear elastic or St. Venant-Kirchhoff's";
+    for (const auto &[name, body] : discretization.mesh.bodies)
+      if (elasticity.is_projected(body))
+        return "the projected dilatation of the body " + name;
+    for (const auto &cell : elasticity.cells())
+      if (cell.is_special)
+        return "incompatible modes";
+    if (!elasticity.is_linear() && elasticity.has_thermal_strain())
+      return "thermal strains in large displacement";
+    if (!discretization.rigid_boundaries().empty())
+      return "rigid boundaries";
+    if (!discretization.tied().empty())
+      return "unknowns that are tied together";
+    if (!discretization.normal_supports.lines().empty())
+      return "supports along normals";
+    return "";
+  }
+
+
+
+  template<int dim>
+  bool MatrixFreeSystem<dim>::is_best(const Discretization<dim> &discretization,
+                                      const Elasticity<dim>     &elasticity)
+  {
+    const auto       &mesh   = discretization.mesh.triangulation;
+    const std::size_t n      = discretization.dof_handler.n_dofs();
+    const std::size_t least  = dim == 2 ? 20000 : 5000;
+    const double coarse_part = double(mesh.n_cells(0)) / mesh.n_active_cells();
+    return n >= least && n * coarse_part < least &&
+           refusal(discretization, elasticity).empty();
+  }
+
+
+
+  template<int dim>
   void MatrixFreeSystem<dim>::reset()
   {
     if (bodies)
@@ -50,9 +98,20 @@ namespace Contact
 
 
   template<int dim>
-  void MatrixFreeSystem<dim>::assemble_bulk(const GhostedVector &,
-                                            const StressStiffness)
+  void
+  MatrixFreeSystem<dim>::assemble_bulk(const GhostedVector  &solution,
+                                       const StressStiffness stress_stiffness)
   {
+    AssertThrow(stress_stiffness == StressStiffness::with, ExcInternalError());
+    if (elasticity.is_linear())
+      return;
+    std::set<types::material_id> small_strain;
+    for (const auto &body : discretization.mesh.bodies)
+      if (elasticity.is_small_strain(body.second))
+        small_strain.insert(body.second);
+    std::copy_n(solution.begin(), owned.n_elements(), work.begin());
+    bodies->linearize(work, small_strain);
+    multigrid->linearize(work);
   }
 
 
@@ -83,7 +142,38 @@ namespace Contact
     work = src;
     lines.expand(work);
     bodies->vmult(dst, work);
+    for (const auto &term : elimination.turning_terms())
+      add(term.stiffness, term.dofs, term.dofs, dst);
+    for (const auto &term : elimination.pairing_terms())
+      add(term.stiffness, term.rows, term.columns, dst);
     test_lines.condense(dst);
+  }
+
+
+
+  // Unknowns that hang on others or are supported have no values of their own.
+  template<int dim>
+  void MatrixFreeSystem<dim>::add(const FullMatrix<double> &stiffness,
+                                  const Dofs               &rows,
+                                  const Dofs               &columns,
+                                  Vector                   &dst) const
+  {
+    const auto            &base = discretization.constraints;
+    dealii::Vector<double> u(columns.size()), force(rows.size());
+    for (unsigned int j = 0; j < columns.size(); ++j)
+      if (!base.is_constrained(columns[j]))
+        u[j] = work(columns[j]);
+      else
+        for (const auto &[dof, factor] :
+             *base.get_constraint_entries(columns[j]))
+          u[j] += factor * work(dof);
+    stiffness.vmult(force, u);
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      if (!base.is_constrained(rows[i]))
+        dst(rows[i]) += force[i];
+      else
+        for (const auto &[dof, factor] : *base.get_constraint_entries(rows[i]))
+          dst(dof) += factor * force[i];
   }
 
 

@@ -29,6 +29,18 @@ namespace Contact
                      ContactElimination<dim>     &elimination,
                      TimerOutput                 &timer);
 
+    /// What of a scene it is not for, behind "of"; empty if it serves.
+    static std::string refusal(const Discretization<dim> &discretization,
+                               const Elasticity<dim>     &elasticity);
+
+    /**
+     * Whether it is the best choice: the scene is one for it, and multigrid is
+     * faster than CHOLMOD. From 20000 unknowns in the plane and 5000 in space
+     * on it is, if the coarsest mesh has less than CHOLMOD takes a moment for.
+     */
+    static bool is_best(const Discretization<dim> &discretization,
+                        const Elasticity<dim>     &elasticity);
+
     bool is_indefinite() const override
     {
       return false;
@@ -41,6 +53,7 @@ namespace Contact
 
   private:
     using Base = CondensedSystem<dim>;
+    using Dofs = typename Base::Dofs;
     using Base::discretization;
     using Base::elasticity;
     using Base::elimination;
@@ -55,6 +68,11 @@ namespace Contact
     unsigned int solve_reduced(const GhostedVector &rhs,
                                const double         tolerance,
                                GhostedVector       &x) override;
+
+    void add(const FullMatrix<double> &stiffness,
+             const Dofs               &rows,
+             const Dofs               &columns,
+             Vector                   &dst) const;
 
     static constexpr unsigned int max_iterations = 200;
 
