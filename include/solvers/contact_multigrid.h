@@ -6,43 +6,36 @@
 #ifndef contact_contact_multigrid_h
 #define contact_contact_multigrid_h
 
-#include <deal.II/lac/precondition.h>
-#include <deal.II/multigrid/mg_transfer_global_coarsening.h>
-
-#include "solid/elasticity.h"
-#include "solvers/body_operator.h"
 #include "solvers/definite_solver.h"
-#include "solvers/surface_lines.h"
+#include "solvers/level_transfer.h"
 
 namespace Contact
 {
   using namespace dealii;
 
   /**
-   * Geometric multigrid for C^T K C: K the stiffness of the bodies, C the
-   * elimination of the active points. All levels know the contact: the line of
-   * an eliminated node on a coarser mesh is that of the same node on the finer
-   * one, with the values of the other nodes interpolated. So what a coarse mesh
-   * corrects does not part the bodies, and a body that only contact holds is
-   * held on all levels.
+   * Geometric multigrid for C^T K C: K the tangent of the bodies, C the
+   * elimination of the active points. All levels know the contact (see
+   * LevelTransfer): what a coarse mesh corrects does not part the bodies, and a
+   * body that contact alone holds is held on all levels. The idea is that of
+   * monotone multigrid methods (R. Kornhuber, R. Krause, Comput. Visual. Sci.
+   * 4, 2001; C. Graeser, R. Kornhuber, J. Comput. Math. 27, 2009), applied to
+   * the linear problem of an active set.
    *
-   * Levels are the meshes that global coarsening makes, in single precision;
-   * Chebyshev polynomials in the Jacobi-scaled matrix smooth, CHOLMOD solves on
-   * the coarsest one.
+   * Levels are the meshes that global coarsening makes. On the coarsest one
+   * CHOLMOD solves, with several ranks MUMPS.
    */
   template<int dim>
   class ContactMultigrid
   {
   public:
-    using Dof    = types::global_dof_index;
-    using Dofs   = std::vector<Dof>;
-    using Number = float;
-    using Vector = LinearAlgebra::distributed::Vector<Number>;
-    using Fine   = LinearAlgebra::distributed::Vector<double>;
+    using Dof  = types::global_dof_index;
+    using Dofs = std::vector<Dof>;
+    using Fine = LinearAlgebra::distributed::Vector<double>;
 
+    /// Collective, as all functions.
     ContactMultigrid(const Discretization<dim> &discretization,
                      const Elasticity<dim>     &elasticity);
-    ~ContactMultigrid();
 
     /// Linearise bodies of large displacement in @p solution. The lines have to
     /// be set anew.
@@ -56,24 +49,25 @@ namespace Contact
     /// One V-cycle.
     void vmult(Fine &dst, const Fine &src) const;
 
-    std::size_t memory() const;
-
   private:
-    class Level;
-    class Between;
-
-    void factorize_coarse();
+    void make_coarse_matrix();
+    void add_tangent(
+      FullMatrix<double>                                   &matrix,
+      FEValues<dim>                                        &values,
+      const typename DoFHandler<dim>::active_cell_iterator &cell) const;
     void cycle(const unsigned int l) const;
+    void solve_coarse() const;
 
     const Discretization<dim>                             &discretization;
     std::vector<std::shared_ptr<const Triangulation<dim>>> meshes;
     std::map<types::material_id, Material>                 materials;
     std::set<types::material_id>                           small_strain;
-    std::vector<std::unique_ptr<Level>>                    levels;
-    std::vector<std::unique_ptr<Between>> between; // l: levels l and l + 1
-    std::unique_ptr<DefiniteSolver>       coarse_solver;
-    TrilinosWrappers::SparseMatrix        coarse_matrix;
-    dealii::Vector<double>                coarse_displacement; // of large ones
+    std::vector<std::unique_ptr<MultigridLevel<dim>>>      levels;
+    std::vector<std::unique_ptr<LevelTransfer<dim>>> transfers; // l: to l + 1
+
+    TrilinosWrappers::SparseMatrix  coarse_matrix;
+    std::unique_ptr<DefiniteSolver> coarse_solver;
+    Fine                            coarse_displacement; // if large
   };
 } // namespace Contact
 

@@ -34,8 +34,6 @@ namespace Contact
   MatrixFreeSystem<dim>::refusal(const Discretization<dim> &discretization,
                                  const Elasticity<dim>     &elasticity)
   {
-    if (Utilities::MPI::n_mpi_processes(discretization.communicator) > 1)
-      return "several processes";
     if (!discretization.mesh.has_only_hypercubes())
       return "triangles";
     if (discretization.axisymmetric)
@@ -119,10 +117,23 @@ namespace Contact
   template<int dim>
   void MatrixFreeSystem<dim>::add_interface(const bool)
   {
+    has_terms = this->on_any_rank(!elimination.turning_terms().empty() ||
+                                  !elimination.pairing_terms().empty());
+    if (has_terms)
+      {
+        IndexSet used(owned.size());
+        used.add_indices(interface_dofs.begin(), interface_dofs.end());
+        surface.initialize(used, owned, discretization.communicator);
+        surface_forces.initialize(used, owned, discretization.communicator);
+      }
     lines      = SurfaceLines<double>(elimination.eliminated_dofs(),
-                                 elimination.constraints());
+                                 elimination.constraints(),
+                                 owned,
+                                 discretization.communicator);
     test_lines = SurfaceLines<double>(elimination.eliminated_dofs(),
-                                      elimination.test_constraints());
+                                      elimination.test_constraints(),
+                                      owned,
+                                      discretization.communicator);
   }
 
 
@@ -142,38 +153,48 @@ namespace Contact
     work = src;
     lines.expand(work);
     bodies->vmult(dst, work);
-    for (const auto &term : elimination.turning_terms())
-      add(term.stiffness, term.dofs, term.dofs, dst);
-    for (const auto &term : elimination.pairing_terms())
-      add(term.stiffness, term.rows, term.columns, dst);
+    add_terms(dst);
     test_lines.condense(dst);
   }
 
 
 
-  // Unknowns that hang on others or are supported have no values of their own.
+  // What the turning of shears and of the pairing adds. Unknowns that hang on
+  // others or are supported have no values of their own.
   template<int dim>
-  void MatrixFreeSystem<dim>::add(const FullMatrix<double> &stiffness,
-                                  const Dofs               &rows,
-                                  const Dofs               &columns,
-                                  Vector                   &dst) const
+  void MatrixFreeSystem<dim>::add_terms(Vector &dst) const
   {
+    if (!has_terms)
+      return;
     const auto            &base = discretization.constraints;
-    dealii::Vector<double> u(columns.size()), force(rows.size());
-    for (unsigned int j = 0; j < columns.size(); ++j)
-      if (!base.is_constrained(columns[j]))
-        u[j] = work(columns[j]);
-      else
-        for (const auto &[dof, factor] :
-             *base.get_constraint_entries(columns[j]))
-          u[j] += factor * work(dof);
-    stiffness.vmult(force, u);
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      if (!base.is_constrained(rows[i]))
-        dst(rows[i]) += force[i];
-      else
-        for (const auto &[dof, factor] : *base.get_constraint_entries(rows[i]))
-          dst(dof) += factor * force[i];
+    dealii::Vector<double> u, force;
+    const auto             multiply = [&](const FullMatrix<double> &stiffness,
+                              const Dofs               &rows,
+                              const Dofs               &columns) {
+      u.reinit(columns.size());
+      force.reinit(rows.size());
+      for (unsigned int j = 0; j < columns.size(); ++j)
+        if (const auto *entries = base.get_constraint_entries(columns[j]))
+          for (const auto &[dof, factor] : *entries)
+            u[j] += factor * surface(work, dof);
+        else
+          u[j] = surface(work, columns[j]);
+      stiffness.vmult(force, u);
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        if (const auto *entries = base.get_constraint_entries(rows[i]))
+          for (const auto &[dof, factor] : *entries)
+            surface_forces.add(dst, dof, factor * force[i]);
+        else
+          surface_forces.add(dst, rows[i], force[i]);
+    };
+    surface.read(work);
+    surface_forces.clear();
+    for (const auto &term : elimination.turning_terms())
+      if (owned.is_element(term.dofs[0]))
+        multiply(term.stiffness, term.dofs, term.dofs);
+    for (const auto &term : elimination.pairing_terms())
+      multiply(term.stiffness, term.rows, term.columns);
+    surface_forces.add_to(dst);
   }
 
 

@@ -57,6 +57,7 @@ namespace Contact
     using Base::discretization;
     using Base::elasticity;
     using Base::elimination;
+    using Base::interface_dofs;
     using Base::owned;
     using Base::timer;
 
@@ -69,17 +70,19 @@ namespace Contact
                                const double         tolerance,
                                GhostedVector       &x) override;
 
-    void add(const FullMatrix<double> &stiffness,
-             const Dofs               &rows,
-             const Dofs               &columns,
-             Vector                   &dst) const;
+    void add_terms(Vector &dst) const;
 
     static constexpr unsigned int max_iterations = 200;
 
     std::unique_ptr<BodyOperator<dim, double>> bodies;
     std::unique_ptr<ContactMultigrid<dim>>     multigrid;
     SurfaceLines<double>                       lines, test_lines;
-    mutable Vector                             work;
+
+    /// Whether there are turning shears or a turning pairing.
+    bool                  has_terms = false;
+    SurfaceValues<double> surface, surface_forces;
+
+    mutable Vector work;
   };
 } // namespace Contact
 

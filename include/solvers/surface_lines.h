@@ -6,10 +6,9 @@
 #ifndef contact_surface_lines_h
 #define contact_surface_lines_h
 
-#include <deal.II/base/types.h>
 #include <deal.II/lac/affine_constraints.h>
 
-#include <vector>
+#include "solvers/surface_values.h"
 
 namespace Contact
 {
@@ -18,26 +17,37 @@ namespace Contact
   /**
    * The eliminated unknowns of the surfaces of contact, C in C^T K C: each is a
    * sum over unknowns that are not eliminated. Vectors hold the latter; in the
-   * place of the former they have zero.
+   * place of the former they have zero. All ranks have all lines, each works on
+   * those whose eliminated unknown is its own. Functions are collective.
    */
   template<typename Number>
   class SurfaceLines
   {
   public:
-    using Dof  = types::global_dof_index;
-    using Dofs = std::vector<Dof>;
+    using Dof    = types::global_dof_index;
+    using Dofs   = std::vector<Dof>;
+    using Vector = LinearAlgebra::distributed::Vector<Number>;
 
     SurfaceLines() = default;
 
     /// Those of @p eliminated in closed @p constraints, whatever their
-    /// inhomogeneities.
+    /// inhomogeneities, for vectors whose unknowns @p owned are this rank's.
     SurfaceLines(const Dofs                      &eliminated,
-                 const AffineConstraints<double> &constraints)
-      : eliminated(eliminated)
+                 const AffineConstraints<double> &constraints,
+                 const IndexSet                  &owned,
+                 const MPI_Comm                   communicator)
     {
+      IndexSet used(owned.size());
       for (const auto dof : eliminated)
         {
-          if (const auto *entries = constraints.get_constraint_entries(dof))
+          const auto *entries = constraints.get_constraint_entries(dof);
+          if (entries != nullptr)
+            for (const auto &[other, factor] : *entries)
+              used.add_index(other);
+          if (!owned.is_element(dof))
+            continue;
+          own.push_back(dof);
+          if (entries != nullptr)
             for (const auto &[other, factor] : *entries)
               {
                 others.push_back(other);
@@ -45,64 +55,65 @@ namespace Contact
               }
           ends.push_back(others.size());
         }
+      values.initialize(used, owned, communicator);
     }
 
     /// Set the eliminated unknowns: C v.
-    template<class Vector>
     void expand(Vector &v) const
     {
+      values.read(v);
       unsigned int k = 0;
-      for (unsigned int i = 0; i < eliminated.size(); ++i)
+      for (unsigned int i = 0; i < own.size(); ++i)
         {
           Number sum = 0;
           for (; k < ends[i]; ++k)
-            sum += factors[k] * v(others[k]);
-          v(eliminated[i]) = sum;
+            sum += factors[k] * values(v, others[k]);
+          v(own[i]) = sum;
         }
     }
 
     /// The transpose: what acts on eliminated unknowns goes to the others, and
     /// leaves zero.
-    template<class Vector>
     void condense(Vector &v) const
     {
-      unsigned int k = 0;
-      for (unsigned int i = 0; i < eliminated.size(); ++i)
-        {
-          const Number value = v(eliminated[i]);
-          for (; k < ends[i]; ++k)
-            v(others[k]) += factors[k] * value;
-          v(eliminated[i]) = 0;
-        }
-    }
-
-    /// Set eliminated unknowns to @p value.
-    template<class Vector>
-    void set(Vector &v, const Number value) const
-    {
-      for (const auto dof : eliminated)
-        v(dof) = value;
+      hand_over(v, [](const Number factor) { return factor; });
+      set(v, 0);
     }
 
     /// The part of the diagonal of C^T K C that it has of the diagonal of K.
-    template<class Vector>
-    void add_to_diagonal(Vector &diagonal) const
+    void condense_diagonal(Vector &diagonal) const
     {
-      unsigned int k = 0;
-      for (unsigned int i = 0; i < eliminated.size(); ++i)
-        {
-          const Number value = diagonal(eliminated[i]);
-          for (; k < ends[i]; ++k)
-            diagonal(others[k]) += factors[k] * factors[k] * value;
-          diagonal(eliminated[i]) = 1;
-        }
+      hand_over(diagonal, [](const Number factor) { return factor * factor; });
+      set(diagonal, 1);
+    }
+
+    /// Set eliminated unknowns to @p value.
+    void set(Vector &v, const Number value) const
+    {
+      for (const auto dof : own)
+        v(dof) = value;
     }
 
   private:
-    Dofs                      eliminated;
+    template<class Weight>
+    void hand_over(Vector &v, const Weight &weight) const
+    {
+      values.clear();
+      unsigned int k = 0;
+      for (unsigned int i = 0; i < own.size(); ++i)
+        {
+          const Number value = v(own[i]);
+          for (; k < ends[i]; ++k)
+            values.add(v, others[k], weight(factors[k]) * value);
+        }
+      values.add_to(v);
+    }
+
+    Dofs                      own;  // of the eliminated
     std::vector<unsigned int> ends; // of each in the following
     Dofs                      others;
     std::vector<Number>       factors;
+    SurfaceValues<Number>     values;
   };
 } // namespace Contact
 

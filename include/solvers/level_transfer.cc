@@ -1,0 +1,166 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/level_transfer.h"
+
+#include <algorithm>
+
+namespace Contact
+{
+  namespace
+  {
+    /// The names of cells and of those that they are children of.
+    template<int dim>
+    std::set<CellId> with_parents(const SurfaceCells<dim> &cells)
+    {
+      std::set<CellId> ids;
+      for (const auto &cell : cells.all())
+        {
+          ids.insert(cell.first);
+          if (cell.first.get_child_indices().size() > 0)
+            ids.insert(SurfaceCells<dim>::parent(cell.first));
+        }
+      return ids;
+    }
+  } // namespace
+
+
+
+  // An unknown of a fine cell is that of the coarse cell if this is not
+  // refined, or the interpolated one in the child.
+  template<int dim>
+  LevelTransfer<dim>::LevelTransfer(Level                   &coarse,
+                                    Level                   &fine,
+                                    const SurfaceCells<dim> &fine_cells)
+    : coarse(coarse)
+    , fine(fine)
+    , cells(coarse.dof_handler,
+            [ids = with_parents(fine_cells)](const auto &cell) {
+              return ids.count(cell->id()) > 0;
+            })
+  {
+    const FiniteElement<dim> &fe        = coarse.dof_handler.get_fe();
+    const unsigned int        n         = fe.n_dofs_per_cell();
+    const double              round_off = 1e-12;
+    for (const auto &[id, of_fine] : fine_cells.all())
+      if (const auto same = cells.all().find(id); same != cells.all().end())
+        for (unsigned int i = 0; i < n; ++i)
+          rows[of_fine[i]] = {{same->second[i], 1.}};
+      else
+        {
+          const Dofs &of_coarse = cells.all().at(SurfaceCells<dim>::parent(id));
+          const auto &matrix =
+            fe.get_prolongation_matrix(SurfaceCells<dim>::last_child(id));
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              Row row;
+              for (unsigned int j = 0; j < n; ++j)
+                if (std::abs(matrix(i, j) - 1) < round_off)
+                  row.emplace_back(of_coarse[j], 1.);
+                else if (std::abs(matrix(i, j)) > round_off)
+                  row.emplace_back(of_coarse[j], matrix(i, j));
+              rows.emplace(of_fine[i], std::move(row));
+            }
+        }
+  }
+
+
+
+  template<int dim>
+  std::set<types::global_dof_index>
+  LevelTransfer<dim>::at_same_nodes(const std::set<Dof> &fixed) const
+  {
+    std::set<Dof> result;
+    for (const Dof dof : fixed)
+      if (const Row &row = rows.at(dof); row.size() == 1)
+        result.insert(row[0].first);
+    return result;
+  }
+
+
+
+  // All ranks get the constraints at the surfaces: each knows those of its own
+  // unknowns.
+  template<int dim>
+  void LevelTransfer<dim>::initialize()
+  {
+    transfer.reinit_geometric_transfer(fine.dof_handler,
+                                       coarse.dof_handler,
+                                       fine.supports(),
+                                       coarse.supports());
+    const IndexSet    &owned = coarse.dof_handler.locally_owned_dofs();
+    std::map<Dof, Row> own;
+    for (const auto &cell : cells.all())
+      for (const Dof dof : cell.second)
+        if (owned.is_element(dof) && coarse.supports().is_constrained(dof))
+          {
+            const auto &entries =
+              *coarse.supports().get_constraint_entries(dof);
+            own[dof].assign(entries.begin(), entries.end());
+          }
+    for (auto &of_rank :
+         Utilities::MPI::all_gather(coarse.dof_handler.get_communicator(), own))
+      constrained.merge(of_rank);
+  }
+
+
+
+  template<int dim>
+  void LevelTransfer<dim>::hand_down() const
+  {
+    Dofs eliminated;
+    auto lines = std::make_shared<AffineConstraints<double>>();
+    for (const Dof dof : fine.eliminated)
+      {
+        const Row &row = rows.at(dof);
+        if (row.size() != 1 || constrained.count(row[0].first) > 0)
+          continue;
+        const Dof             here = row[0].first;
+        std::map<Dof, double> sum;
+        if (const auto *entries =
+              fine.line_constraints.get_constraint_entries(dof))
+          for (const auto &[other, factor] : *entries)
+            for (const auto &[c, weight] : rows.at(other))
+              if (const auto by = constrained.find(c); by == constrained.end())
+                sum[c] += factor * weight;
+              else
+                for (const auto &[c2, weight2] : by->second)
+                  sum[c2] += factor * weight * weight2;
+        lines->add_line(here);
+        for (const auto &[other, factor] : sum)
+          if (factor != 0 && other != here)
+            lines->add_entry(here, other, factor);
+        eliminated.push_back(here);
+      }
+    lines->close();
+    std::sort(eliminated.begin(), eliminated.end());
+    coarse.set_lines(eliminated, *lines);
+  }
+
+
+
+  // What is eliminated does not count on either level.
+  template<int dim>
+  void LevelTransfer<dim>::restrict_residual() const
+  {
+    fine.contact_lines().set(fine.residual, 0);
+    coarse.rhs = 0;
+    transfer.restrict_and_add(coarse.rhs, fine.residual);
+    coarse.contact_lines().condense(coarse.rhs);
+  }
+
+
+
+  template<int dim>
+  void LevelTransfer<dim>::correct() const
+  {
+    coarse.contact_lines().expand(coarse.solution);
+    transfer.prolongate_and_add(fine.solution, coarse.solution);
+    fine.contact_lines().set(fine.solution, 0);
+  }
+
+  template class LevelTransfer<2>;
+  template class LevelTransfer<3>;
+} // namespace Contact

@@ -1,0 +1,113 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/multigrid_level.h"
+
+#include <deal.II/dofs/dof_tools.h>
+
+namespace Contact
+{
+  template<int dim>
+  MultigridLevel<dim>::MultigridLevel(
+    const Triangulation<dim>                     &mesh,
+    const Discretization<dim>                    &finest,
+    const std::map<types::material_id, Material> &materials)
+    : dof_handler(mesh)
+    , mapping(finest.mapping[0])
+    , communicator(finest.communicator)
+    , materials(materials)
+  {
+    dof_handler.distribute_dofs(finest.fe[0]);
+  }
+
+
+
+  template<int dim>
+  void MultigridLevel<dim>::make_operator(const std::set<Dof> &fixed)
+  {
+    const IndexSet relevant =
+      DoFTools::extract_locally_relevant_dofs(dof_handler);
+    constraints.reinit(relevant);
+    DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+    for (const Dof dof : fixed)
+      if (relevant.is_element(dof) && !constraints.is_constrained(dof))
+        constraints.add_line(dof);
+    constraints.close();
+    bodies   = std::make_unique<BodyOperator<dim, Number>>(mapping,
+                                                         dof_handler,
+                                                         constraints,
+                                                         materials);
+    diagonal = bodies->diagonal();
+    for (Vector *vector : {&rhs, &solution, &residual, &work})
+      bodies->initialize(*vector);
+  }
+
+
+
+  template<int dim>
+  void MultigridLevel<dim>::linearize(
+    const std::set<types::material_id> &small_strain)
+  {
+    bodies->linearize(solution, small_strain);
+    diagonal = bodies->diagonal();
+  }
+
+
+
+  // Smooth what the next coarser mesh does not see: the upper part of the
+  // spectrum of the matrix by its diagonal, from a sixteenth of the largest
+  // eigenvalue on, which a few conjugate gradients estimate.
+  template<int dim>
+  void
+  MultigridLevel<dim>::set_lines(const Dofs                      &new_lines,
+                                 const AffineConstraints<double> &by_others)
+  {
+    eliminated = new_lines;
+    if (&by_others != &line_constraints)
+      line_constraints.copy_from(by_others);
+    lines = SurfaceLines<Number>(eliminated,
+                                 line_constraints,
+                                 dof_handler.locally_owned_dofs(),
+                                 communicator);
+
+    auto    matrix  = std::make_shared<DiagonalMatrix<Vector>>();
+    Vector &inverse = matrix->get_vector();
+    inverse         = diagonal;
+    lines.condense_diagonal(inverse);
+    for (auto &value : inverse)
+      value = value > 0 ? 1 / value : 1;
+
+    typename decltype(smoother)::AdditionalData data;
+    data.degree              = 4;
+    data.smoothing_range     = 16;
+    data.eig_cg_n_iterations = 12;
+    data.preconditioner      = matrix;
+    smoother.initialize(*this, data);
+  }
+
+
+
+  template<int dim>
+  void MultigridLevel<dim>::vmult(Vector &dst, const Vector &src) const
+  {
+    work = src;
+    lines.expand(work);
+    bodies->vmult(dst, work);
+    lines.condense(dst);
+  }
+
+
+
+  template<int dim>
+  typename MultigridLevel<dim>::Number MultigridLevel<dim>::el(const Dof,
+                                                               const Dof) const
+  {
+    AssertThrow(false, ExcNotImplemented());
+    return 0;
+  }
+
+  template class MultigridLevel<2>;
+  template class MultigridLevel<3>;
+} // namespace Contact

@@ -1,0 +1,102 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_multigrid_level_h
+#define contact_multigrid_level_h
+
+#include <deal.II/lac/precondition.h>
+
+#include "solid/elasticity.h"
+#include "solvers/body_operator.h"
+#include "solvers/surface_lines.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * A level of ContactMultigrid: a mesh with the tangent of the bodies, the
+   * lines of contact, and Chebyshev's iteration as smoother. In single
+   * precision.
+   */
+  template<int dim>
+  class MultigridLevel : public Subscriptor
+  {
+  public:
+    using Dof    = types::global_dof_index;
+    using Dofs   = std::vector<Dof>;
+    using Number = float;
+    using Vector = LinearAlgebra::distributed::Vector<Number>;
+
+    /// With the elements and the bodies of the finest mesh.
+    MultigridLevel(const Triangulation<dim>                     &mesh,
+                   const Discretization<dim>                    &finest,
+                   const std::map<types::material_id, Material> &materials);
+
+    /// Support the unknowns @p fixed, the same on all ranks. Collective.
+    void make_operator(const std::set<Dof> &fixed);
+
+    /// Linearise bodies of large displacement, which are not of @p
+    /// small_strain, in the present solution.
+    void linearize(const std::set<types::material_id> &small_strain);
+
+    /// Take over the elimination of the active points and make the smoother
+    /// for it. Collective.
+    void set_lines(const Dofs                      &eliminated,
+                   const AffineConstraints<double> &constraints);
+
+    /// C^T K C; zero in what is eliminated or constrained.
+    void vmult(Vector &dst, const Vector &src) const;
+
+    /// The unknowns, for PreconditionChebyshev.
+    Dof m() const
+    {
+      return dof_handler.n_dofs();
+    }
+    Number el(const Dof, const Dof) const;
+
+    /// Smooth from zero, and from the present solution.
+    void smooth_from_zero() const
+    {
+      smoother.vmult(solution, rhs);
+    }
+    void smooth() const
+    {
+      smoother.step(solution, rhs);
+    }
+
+    /// Hanging nodes and supports.
+    const AffineConstraints<Number> &supports() const
+    {
+      return constraints;
+    }
+
+    const SurfaceLines<Number> &contact_lines() const
+    {
+      return lines;
+    }
+
+    /// The same as they were given, on all ranks.
+    Dofs                      eliminated;
+    AffineConstraints<double> line_constraints;
+
+    DoFHandler<dim>     dof_handler;
+    const Mapping<dim> &mapping;
+    mutable Vector      rhs, solution, residual;
+
+  private:
+    const MPI_Comm                                communicator;
+    const std::map<types::material_id, Material> &materials;
+    AffineConstraints<Number>                     constraints;
+    std::unique_ptr<BodyOperator<dim, Number>>    bodies;
+    Vector                                        diagonal; // of the bodies
+    SurfaceLines<Number>                          lines;
+    mutable Vector                                work;
+    PreconditionChebyshev<MultigridLevel, Vector, DiagonalMatrix<Vector>>
+      smoother;
+  };
+} // namespace Contact
+
+#endif
