@@ -42,7 +42,7 @@ namespace Contact
       IndexSet own = shared & owned;
       own.fill_index_vector(own_shared);
       shared.subtract_set(owned);
-      copies.reinit(owned, shared, communicator);
+      copies = std::make_shared<Vector>(owned, shared, communicator);
     }
 
     /// Get the values of @p v. Collective.
@@ -51,13 +51,13 @@ namespace Contact
       if (!distributed)
         return;
       for (const Dof dof : own_shared)
-        copies(dof) = v(dof);
-      copies.update_ghost_values();
+        (*copies)(dof) = v(dof);
+      copies->update_ghost_values();
     }
 
     Number operator()(const Vector &v, const Dof dof) const
     {
-      return distributed ? copies(dof) : v(dof);
+      return distributed ? (*copies)(dof) : v(dof);
     }
 
     /// Begin to add.
@@ -65,14 +65,14 @@ namespace Contact
     {
       if (!distributed)
         return;
-      copies.zero_out_ghost_values();
+      copies->zero_out_ghost_values();
       for (const Dof dof : own_shared)
-        copies(dof) = 0;
+        (*copies)(dof) = 0;
     }
 
     void add(Vector &v, const Dof dof, const Number value) const
     {
-      (distributed ? copies(dof) : v(dof)) += value;
+      (distributed ? (*copies)(dof) : v(dof)) += value;
     }
 
     /// Add what all ranks have added to @p v. Collective.
@@ -80,15 +80,17 @@ namespace Contact
     {
       if (!distributed)
         return;
-      copies.compress(VectorOperation::add);
+      copies->compress(VectorOperation::add);
       for (const Dof dof : own_shared)
-        v(dof) += copies(dof);
+        v(dof) += (*copies)(dof);
     }
 
   private:
     bool             distributed = false;
     std::vector<Dof> own_shared; // those used that this rank owns
-    mutable Vector   copies;
+
+    /// Assignment to a vector would keep the ghosts that it has.
+    std::shared_ptr<Vector> copies;
   };
 } // namespace Contact
 
