@@ -108,12 +108,14 @@ def rows(name, file="profile.csv"):
                  for k, v in row.items()} for row in csv.DictReader(lines)]
 
 
-def solve(path, *settings):
+def solve(path, *settings, ranks=1):
     """Run a parameter file with settings on top, for its values alone. Returns
     status, what was said, and the summary."""
     command = [str(contact), str(path), "--quiet"]
     for setting in settings:
         command += ["--set", setting]
+    if ranks > 1:
+        command = ["mpirun", "-np", str(ranks)] + command
     result = subprocess.run(command, capture_output=True, text=True)
     summary = pathlib.Path(f"output/{path.stem}/summary.json")
     return (result.returncode, result.stdout + result.stderr,

@@ -121,8 +121,11 @@ namespace Contact
                         linear_solver,
                         "UMFPACK for saddle point systems; for condensed ones "
                         "CHOLMOD, AMG (conjugate gradients with smoothed "
-                        "aggregation) or MUMPS [-]; automatic: for condensed "
-                        "systems CHOLMOD below 100000 unknowns (in space "
+                        "aggregation), GMG (with geometric multigrid, and "
+                        "without a matrix) or MUMPS [-]; automatic: for "
+                        "condensed systems GMG from 20000 unknowns (in space "
+                        "5000) on if the mesh is a refined one and the scene "
+                        "one for it, else CHOLMOD below 100000 (in space "
                         "10000) on one rank and AMG beyond; for saddle point "
                         "systems UMFPACK below 30000 unknowns, and beyond "
                         "CHOLMOD for the bodies and LAPACK for the contact, if "

@@ -107,11 +107,30 @@ namespace Contact
 
 
 
+  // By unknowns of the coarse level that are not constrained.
+  template<int dim>
+  void LevelTransfer<dim>::add_coarse(const Dof              fine_dof,
+                                      const double           factor,
+                                      std::map<Dof, double> &sum) const
+  {
+    for (const auto &[dof, weight] : rows.at(fine_dof))
+      {
+        const auto by = constrained.find(dof);
+        if (by == constrained.end())
+          sum[dof] += factor * weight;
+        else
+          for (const auto &[leader, share] : by->second)
+            sum[leader] += factor * weight * share;
+      }
+  }
+
+
+
   template<int dim>
   void LevelTransfer<dim>::hand_down() const
   {
-    Dofs eliminated;
-    auto lines = std::make_shared<AffineConstraints<double>>();
+    Dofs                      eliminated;
+    AffineConstraints<double> lines;
     for (const Dof dof : fine.eliminated)
       {
         const Row &row = rows.at(dof);
@@ -122,21 +141,16 @@ namespace Contact
         if (const auto *entries =
               fine.line_constraints.get_constraint_entries(dof))
           for (const auto &[other, factor] : *entries)
-            for (const auto &[c, weight] : rows.at(other))
-              if (const auto by = constrained.find(c); by == constrained.end())
-                sum[c] += factor * weight;
-              else
-                for (const auto &[c2, weight2] : by->second)
-                  sum[c2] += factor * weight * weight2;
-        lines->add_line(here);
+            add_coarse(other, factor, sum);
+        lines.add_line(here);
         for (const auto &[other, factor] : sum)
           if (factor != 0 && other != here)
-            lines->add_entry(here, other, factor);
+            lines.add_entry(here, other, factor);
         eliminated.push_back(here);
       }
-    lines->close();
+    lines.close();
     std::sort(eliminated.begin(), eliminated.end());
-    coarse.set_lines(eliminated, *lines);
+    coarse.set_lines(eliminated, lines);
   }
 
 

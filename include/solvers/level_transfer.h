@@ -67,6 +67,11 @@ namespace Contact
   private:
     using Row = std::vector<std::pair<Dof, double>>;
 
+    /// Add a fine unknown times @p factor to @p sum.
+    void add_coarse(const Dof              fine_dof,
+                    const double           factor,
+                    std::map<Dof, double> &sum) const;
+
     Level                          &coarse, &fine;
     SurfaceCells<dim>               cells; // coarse ones
     MGTwoLevelTransfer<dim, Vector> transfer;

@@ -245,12 +245,8 @@ namespace Contact
             : std::min(1e-5, parameters.linear_tolerance * step.residual);
         const double relative =
           std::max(0.1 * step.tolerance, one_solve_is_all ? 0. : forcing);
-        unsigned int n = present_system().solve(state.solution,
-                                                state.start,
-                                                rhs,
-                                                relative * step.force,
-                                                update,
-                                                step.continues);
+        unsigned int n =
+          solve_for_update(rhs, relative * step.force, step, state);
         if (model.interface && !model.interface->free_motions().empty())
           n += add_motions(rhs, relative * step.force, step, state);
         screen << "      solved to " << std::scientific << std::setprecision(1)
@@ -407,6 +403,38 @@ namespace Contact
                                         discretization.communicator));
       }
 
+      // Where the multigrid without a matrix was the choice of the program and
+      // stalls, the assembled one goes on.
+      unsigned int solve_for_update(const GhostedVector       &rhs,
+                                    const double               tolerance,
+                                    const Step                &step,
+                                    const IncrementState<dim> &state)
+      {
+        const auto solve = [&] {
+          return present_system().solve(state.solution,
+                                        state.start,
+                                        rhs,
+                                        tolerance,
+                                        update,
+                                        step.continues);
+        };
+        try
+          {
+            return solve();
+          }
+        catch (const MultigridStalls &stall)
+          {
+            if (parameters.linear_solver != Parameters::SolverKind::automatic)
+              throw;
+            screen << "      " << stall.what() << ": done from here on"
+                   << std::endl;
+            solver = Parameters::SolverKind::amg;
+            system = create(solver);
+            system->update_pattern();
+            return solve();
+          }
+      }
+
       // Springs hold bodies for a while: these are in no multigrid without a
       // matrix.
       CondensedSystem<dim> &present_system()
@@ -444,7 +472,7 @@ namespace Contact
       const Parameters::Solution parameters;
       ConditionalOStream        &screen;
       TimerOutput               &timer;
-      const SolverChoice         solver;
+      SolverChoice               solver;
       ContactElimination<dim>    elimination;
 
       std::unique_ptr<CondensedSystem<dim>> system, while_held;

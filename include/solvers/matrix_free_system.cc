@@ -225,10 +225,10 @@ namespace Contact
       {
         std::ostringstream residual;
         residual << control.last_value();
-        throw NotConverged("geometric multigrid stalls at the residual " +
-                           residual.str() + " N/mm (rings: N) after " +
-                           std::to_string(max_iterations) +
-                           " iterations; set Solution/Linear solver = AMG");
+        throw MultigridStalls("geometric multigrid stalls at the residual " +
+                              residual.str() + " N/mm (rings: N) after " +
+                              std::to_string(max_iterations) +
+                              " iterations; set Solution/Linear solver = AMG");
       }
     std::copy_n(of_rank.begin(), n, x.begin());
     return control.last_step();
