@@ -392,6 +392,8 @@ namespace Contact
                                  of,
                                "entry Solution/Linear solver = GMG",
                                "set 'Linear solver = AMG', or 'automatic'");
+            if (MatrixFreeSystem<dim>::is_too_deep(discretization.mesh))
+              return Parameters::SolverKind::amg;
           }
         if (parameters.linear_solver != Parameters::SolverKind::automatic)
           return parameters.linear_solver;

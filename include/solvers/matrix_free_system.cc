@@ -8,6 +8,8 @@
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_gmres.h>
 
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Contact
@@ -62,6 +64,17 @@ namespace Contact
 
 
   template<int dim>
+  bool MatrixFreeSystem<dim>::is_too_deep(const Mesh<dim> &mesh)
+  {
+    const auto &cells = mesh.triangulation;
+    return double(cells.n_cells(0)) *
+             std::pow(2., double(dim * cells.n_global_levels())) >
+           double(std::numeric_limits<types::global_dof_index>::max());
+  }
+
+
+
+  template<int dim>
   bool MatrixFreeSystem<dim>::is_best(const Discretization<dim> &discretization,
                                       const Elasticity<dim>     &elasticity)
   {
@@ -69,7 +82,8 @@ namespace Contact
     const std::size_t n      = discretization.dof_handler.n_dofs();
     const std::size_t least  = dim == 2 ? 20000 : 5000;
     const double coarse_part = double(mesh.n_cells(0)) / mesh.n_active_cells();
-    return n >= least && n * coarse_part < least &&
+    return n >= least && !is_too_deep(discretization.mesh) &&
+           n * coarse_part < least &&
            refusal(discretization, elasticity).empty();
   }
 

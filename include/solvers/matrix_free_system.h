@@ -41,6 +41,11 @@ namespace Contact
     static std::string refusal(const Discretization<dim> &discretization,
                                const Elasticity<dim>     &elasticity);
 
+    /// deal.II's transfer between levels numbers the cells of uniform
+    /// refinement to the finest level: beyond the range of its indices, which
+    /// adaptive meshes come to after some 12 levels, there is none.
+    static bool is_too_deep(const Mesh<dim> &mesh);
+
     /**
      * Whether it is the best choice: the scene is one for it, and multigrid is
      * faster than CHOLMOD. From 20000 unknowns in the plane and 5000 in space
