@@ -62,12 +62,18 @@ namespace Contact
 
 
 
+    /// Cells that share no more than a vertex differ by one level at most, as
+    /// in p4est's forests of several processes: the refined mesh is the same
+    /// on any number of them.
     template<int dim>
     std::unique_ptr<Triangulation<dim>>
     make_triangulation(const MshFile &msh, const MPI_Comm communicator)
     {
       if (Utilities::MPI::n_mpi_processes(communicator) == 1)
-        return std::make_unique<Triangulation<dim>>();
+        return std::make_unique<Triangulation<dim>>(
+          has_triangles(msh)
+            ? Triangulation<dim>::none
+            : Triangulation<dim>::limit_level_difference_at_vertices);
       if (has_triangles(msh))
         return std::make_unique<parallel::shared::Triangulation<dim>>(
           communicator,

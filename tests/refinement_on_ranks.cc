@@ -3,9 +3,10 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// On several processes, too, displacements that both meshes can represent are
-// transferred as they are: each of several ones, in all that a process holds of
-// it, its own and ghosts. Run by mpirun.
+// Several processes refine as one does, also where levels differ at a vertex
+// alone. Displacements that both meshes can represent are transferred as they
+// are: each of several ones, in all that a process holds of it, its own and
+// ghosts. Run by mpirun.
 
 #include <deal.II/dofs/dof_tools.h>
 
@@ -76,6 +77,16 @@ namespace
     solution.update_ghosts();
     return solution;
   }
+
+
+  /// Flag the cell to the lower left of a vertex: the cell on the other side of
+  /// the vertex has none of its sides.
+  void flag_cell_below(const Point<2> &place, Mesh<2> &mesh)
+  {
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->vertex(3).distance(place) < 1e-10)
+        cell->set_refine_flag();
+  }
 } // namespace
 
 
@@ -85,7 +96,7 @@ int main()
   const MPI_Comm     communicator = MPI_COMM_WORLD;
   const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
   Parameters::All    parameters;
-  parameters.mesh.file           = "transfer_on_ranks.msh";
+  parameters.mesh.file           = "refinement_on_ranks.msh";
   parameters.element.degree      = 2;
   parameters.element.centre_node = "free";
   if (rank == 0)
@@ -97,26 +108,43 @@ int main()
   MPI_Barrier(communicator);
 
   Mesh<2>                    mesh(parameters.mesh, communicator);
+  Mesh<2>                    of_one_process(parameters.mesh, MPI_COMM_SELF);
   Discretization<2>          discretization(mesh, parameters, communicator);
   std::vector<GhostedVector> solutions;
   const unsigned int         n_solutions = 3;
   for (unsigned int k = 0; k < n_solutions; ++k)
     solutions.push_back(interpolate(discretization, k));
 
-  double worst = 0;
-  for (unsigned int level = 1; level <= 2; ++level)
+  // First all cells, then to a place.
+  const Point<2> place(0.8, 0.5);
+  double         worst = 0;
+  bool           alike = true;
+  for (unsigned int level = 1; level <= 5; ++level)
     {
-      flag_all_cells(mesh);
+      for (Mesh<2> *one : {&mesh, &of_one_process})
+        if (level == 1)
+          flag_all_cells(*one);
+        else
+          flag_cell_below(place, *one);
+      of_one_process.triangulation.execute_coarsening_and_refinement();
       refine_and_transfer(mesh, discretization, solutions);
       for (unsigned int k = 0; k < n_solutions; ++k)
         worst = std::max(worst, miss(discretization, solutions[k], k));
+      alike = alike && mesh.triangulation.n_global_active_cells() ==
+                         of_one_process.triangulation.n_active_cells();
     }
   const unsigned int fewest =
     Utilities::MPI::min(discretization.distribution->locally_owned_size(),
                         communicator);
+  const bool hangs =
+    Utilities::MPI::max(static_cast<unsigned int>(
+                          mesh.triangulation.has_hanging_nodes()),
+                        communicator) > 0;
   if (rank == 0)
     {
       check("each process has a part", fewest > 0);
+      check("hanging nodes", hangs);
+      check("as many cells as on one process", alike);
       check_small("displacements carried over", worst, 1e-13);
     }
 }
