@@ -14,12 +14,17 @@ namespace Contact
     const Triangulation<dim>                     &mesh,
     const Discretization<dim>                    &finest,
     const std::map<types::material_id, Material> &materials)
-    : dof_handler(mesh)
+    : dof_handler(&mesh == &finest.mesh.triangulation ? finest.dof_handler
+                                                      : own_dof_handler)
     , mapping(finest.mapping[0])
     , communicator(finest.communicator)
     , materials(materials)
   {
-    dof_handler.distribute_dofs(finest.fe[0]);
+    if (&dof_handler == &own_dof_handler)
+      {
+        own_dof_handler.reinit(mesh);
+        own_dof_handler.distribute_dofs(finest.fe[0]);
+      }
   }
 
 

@@ -30,7 +30,8 @@ namespace Contact
     using Number = float;
     using Vector = LinearAlgebra::distributed::Vector<Number>;
 
-    /// With the elements and the bodies of the finest mesh.
+    /// Of the bodies on a coarser mesh, with the elements of the @p finest one,
+    /// or on that.
     MultigridLevel(const Triangulation<dim>                     &mesh,
                    const Discretization<dim>                    &finest,
                    const std::map<types::material_id, Material> &materials);
@@ -82,9 +83,13 @@ namespace Contact
     Dofs                      eliminated;
     AffineConstraints<double> line_constraints;
 
-    DoFHandler<dim>     dof_handler;
-    const Mapping<dim> &mapping;
-    mutable Vector      rhs, solution, residual;
+  private:
+    DoFHandler<dim> own_dof_handler; // of coarser meshes
+
+  public:
+    const DoFHandler<dim> &dof_handler;
+    const Mapping<dim>    &mapping;
+    mutable Vector         rhs, solution, residual;
 
   private:
     const MPI_Comm                                communicator;
