@@ -357,7 +357,10 @@ namespace Contact
                                          report.timer);
       pairing.begin_level(*system);
     }
-    pairing.pair(state.solution);
+    // In space pairings cost, and without friction nothing asks for one before
+    // the start from the coarser level has its own.
+    if (dim == 2 || levels.present() == 0 || model.has_friction())
+      pairing.pair(state.solution);
 
     // The levels below the last one need no more than the accuracy of their
     // mesh.

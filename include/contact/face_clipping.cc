@@ -12,7 +12,7 @@ namespace Contact
 {
   namespace
   {
-    using Polygon = std::vector<Point<2>>;
+    using Polygon = boost::container::small_vector<Point<2>, 12>;
 
 
 
@@ -25,12 +25,19 @@ namespace Contact
 
 
 
+    double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
+    {
+      return a[0] * b[1] - a[1] * b[0];
+    }
+
+
+
     /// Counterclockwise round its corners.
     Polygon make_polygon(const PlaneQuadrangle &q)
     {
       if (cross(q[0], q[1], q[3]) + cross(q[0], q[3], q[2]) >= 0)
-        return {q[0], q[1], q[3], q[2]};
-      return {q[0], q[2], q[3], q[1]};
+        return Polygon{q[0], q[1], q[3], q[2]};
+      return Polygon{q[0], q[2], q[3], q[1]};
     }
 
 
@@ -100,8 +107,8 @@ namespace Contact
 
 
   // A convex polygon is the triangles between a point inside and its sides.
-  std::vector<PlaneTriangle> intersection(const PlaneQuadrangle &a,
-                                          const PlaneQuadrangle &b)
+  PlaneTriangles intersection(const PlaneQuadrangle &a,
+                              const PlaneQuadrangle &b)
   {
     const Polygon subject = make_polygon(a), window = make_polygon(b);
     const double  least  = 1e-12 * std::min(area(subject), area(window));
@@ -114,7 +121,7 @@ namespace Contact
     Point<2> middle;
     for (const Point<2> &x : common)
       middle += (x - Point<2>()) / double(common.size());
-    std::vector<PlaneTriangle> triangles;
+    PlaneTriangles triangles;
     for (std::size_t i = 0; i < common.size(); ++i)
       {
         const PlaneTriangle triangle{
@@ -127,29 +134,55 @@ namespace Contact
 
 
 
-  // Newton's method from the middle; of a parallelogram one step.
-  Point<2> coordinates_in(const PlaneQuadrangle &q, const Point<2> &x)
+  BilinearMap::BilinearMap(const PlaneQuadrangle &q)
+    : middle(0.25 * (q[0] + (q[1] - Point<2>()) + (q[2] - Point<2>()) +
+                     (q[3] - Point<2>()) - Point<2>()))
+    , by_x(0.25 * ((q[1] - q[0]) + (q[3] - q[2])))
+    , by_y(0.25 * ((q[2] - q[0]) + (q[3] - q[1])))
+    , mixed(0.25 * ((q[3] - q[2]) - (q[1] - q[0])))
+    , bend((std::abs(cross(by_x, mixed)) + std::abs(cross(mixed, by_y))) /
+           std::abs(cross(by_x, by_y)))
   {
-    const Tensor<1, 2> middle =
-      0.25 * (q[0] + (q[1] - Point<2>()) + (q[2] - Point<2>()) +
-              (q[3] - Point<2>()) - Point<2>());
-    const Tensor<1, 2> by_x  = 0.25 * ((q[1] - q[0]) + (q[3] - q[2]));
-    const Tensor<1, 2> by_y  = 0.25 * ((q[2] - q[0]) + (q[3] - q[1]));
-    const Tensor<1, 2> mixed = 0.25 * ((q[3] - q[2]) - (q[1] - q[0]));
-    Point<2>           xi;
+  }
+
+
+
+  // Newton's method from the middle. After a step the rest of the equation is
+  // the product of its components by the mixed term: nothing of a
+  // parallelogram.
+  Point<2> BilinearMap::coordinates_of(const Point<2> &x,
+                                       const Point<2> &start) const
+  {
+    const double       round_off = 1e-17;
+    const Tensor<1, 2> from      = x - Point<2>(middle);
+    Point<2>           xi        = start;
     for (unsigned int iteration = 0; iteration < 30; ++iteration)
       {
-        const Tensor<1, 2> r = x - Point<2>(middle) - xi[0] * by_x -
-                               xi[1] * by_y - xi[0] * xi[1] * mixed;
+        const Tensor<1, 2> r =
+          from - xi[0] * by_x - xi[1] * by_y - xi[0] * xi[1] * mixed;
         const Tensor<1, 2> a = by_x + xi[1] * mixed, b = by_y + xi[0] * mixed;
-        const double       det = a[0] * b[1] - a[1] * b[0];
+        const double       det = cross(a, b);
         Tensor<1, 2>       step;
-        step[0] = (r[0] * b[1] - r[1] * b[0]) / det;
-        step[1] = (a[0] * r[1] - a[1] * r[0]) / det;
+        step[0] = cross(r, b) / det;
+        step[1] = cross(a, r) / det;
         xi += step;
-        if (step.norm() < 1e-14)
+        if (bend * std::abs(step[0] * step[1]) < round_off)
           break;
       }
     return xi;
+  }
+
+
+
+  double BilinearMap::jacobian(const Point<2> &xi) const
+  {
+    return std::abs(cross(by_x + xi[1] * mixed, by_y + xi[0] * mixed));
+  }
+
+
+
+  Point<2> coordinates_in(const PlaneQuadrangle &q, const Point<2> &x)
+  {
+    return BilinearMap(q).coordinates_of(x);
   }
 } // namespace Contact

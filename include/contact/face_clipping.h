@@ -9,7 +9,7 @@
 #include <deal.II/base/point.h>
 
 #include <array>
-#include <vector>
+#include <boost/container/small_vector.hpp>
 
 namespace Contact
 {
@@ -39,17 +39,46 @@ namespace Contact
   /// A quadrangle in the plane: the corners in the order of deal.II.
   using PlaneQuadrangle = std::array<Point<2>, 4>;
 
+  /// Of two quadrangles that meet no more than eight.
+  using PlaneTriangles = boost::container::small_vector<PlaneTriangle, 8>;
+
   /// The intersection of two convex quadrangles, cut into triangles; empty if
   /// it is no larger than round-off (I. E. Sutherland and G. W. Hodgman, Comm.
   /// ACM 17, 1974). Its area is continuous in the corners, also where sides lie
   /// on each other up to round-off, as on a symmetry plane. There
   /// Boost.Geometry 1.74, told not to round to a grid, loses up to 60 % of the
   /// area, twice in a thousand pairs (tests/face_clipping.cc has such pairs).
-  std::vector<PlaneTriangle> intersection(const PlaneQuadrangle &a,
-                                          const PlaneQuadrangle &b);
+  PlaneTriangles intersection(const PlaneQuadrangle &a,
+                              const PlaneQuadrangle &b);
 
-  /// The coordinates in [-1, 1] x [-1, 1] of a point of a quadrangle, by its
-  /// bilinear map.
+
+
+  /// The map of [-1, 1] x [-1, 1] to a quadrangle.
+  class BilinearMap
+  {
+  public:
+    BilinearMap(const PlaneQuadrangle &quadrangle);
+
+    /// The coordinates of a point of the quadrangle, which are near @p start.
+    Point<2> coordinates_of(const Point<2> &x,
+                            const Point<2> &start = Point<2>()) const;
+
+    /// The absolute value of the determinant of the map.
+    double jacobian(const Point<2> &xi) const;
+
+    /// By how much the determinant varies, relative to that in the middle: zero
+    /// of a parallelogram.
+    double variation() const
+    {
+      return bend;
+    }
+
+  private:
+    Tensor<1, 2> middle, by_x, by_y, mixed;
+    double       bend;
+  };
+
+  /// The same for one point.
   Point<2> coordinates_in(const PlaneQuadrangle &quadrangle, const Point<2> &x);
 
   /// The area of a triangle, not signed.

@@ -27,56 +27,6 @@ namespace Contact
 
 
 
-  FacetDualFunctions::FacetDualFunctions(
-    const unsigned int              degree,
-    const std::vector<FacetSample> &samples,
-    const std::vector<double>      &shares,
-    const Carriers                 &carries)
-    : n_nodes(shares.size())
-    , degree(degree)
-  {
-    const auto integrals = [&]() {
-      std::vector<double> sums(n_nodes, 0.);
-      for (const FacetSample &sample : samples)
-        {
-          const auto values = functions(sample.slave_xi);
-          for (unsigned int a = 0; a < n_nodes; ++a)
-            sums[a] += sample.weight * values[a];
-        }
-      return sums;
-    };
-    std::vector<double> of_functions = integrals();
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      partly = partly || of_functions[a] < shares[a] / 2;
-    piecewise = degree == 2 && partly;
-    if (piecewise)
-      of_functions = integrals();
-    find_carriers(of_functions, carries);
-
-    const unsigned int n = carriers.size();
-    FullMatrix<double> G(n, n);
-    Vector<double>     D(n);
-    for (const FacetSample &sample : samples)
-      {
-        const Values M = test_functions(sample.slave_xi);
-        for (unsigned int k = 0; k < n; ++k)
-          {
-            D[k] += sample.weight * M[k];
-            for (unsigned int j = 0; j < n; ++j)
-              G(k, j) += sample.weight * M[k] * M[j];
-          }
-      }
-    if (n == 0)
-      return;
-    G.gauss_jordan();
-    A.reinit(n, n);
-    for (unsigned int k = 0; k < n; ++k)
-      for (unsigned int j = 0; j < n; ++j)
-        A(k, j) = D[k] * G(k, j);
-  }
-
-
-
   // Functions that vanish on what faces the master have no part in it. A node
   // that the master covers much less of than of another one would have a gap
   // extrapolated to where no master is, on a strip the slope of the gap: it
@@ -121,6 +71,9 @@ namespace Contact
                   [](const auto &of_node) {
                     return of_node.size() == 1 && of_node[0].second == 1;
                   });
+    are_shared = !dual_to_shapes || carriers.size() < n_nodes;
+    if (!are_shared)
+      return;
     shared.reinit(carriers.size(), n_nodes);
     const auto hand_over =
       [&](const unsigned int from, const unsigned int to, const double part) {
@@ -151,19 +104,26 @@ namespace Contact
 
 
 
-  FacetShape<3>::Values FacetDualFunctions::functions(const Point<2> &xi) const
+  FacetShape<3>::Values
+  FacetDualFunctions::functions(const FacetSample &sample) const
   {
-    return piecewise ? piecewise_bilinear(xi)
-                     : FacetShape<3>::values(degree, xi);
+    return piecewise ? piecewise_bilinear(sample.slave_xi)
+                     : sample.slave_values;
   }
 
 
 
   FacetDualFunctions::Values
-  FacetDualFunctions::test_functions(const Point<2> &xi) const
+  FacetDualFunctions::test_functions(const FacetSample &sample) const
   {
-    const auto all = functions(xi);
-    Values     M(carriers.size(), 0.);
+    Values M(are_shared ? carriers.size() : n_nodes, 0.);
+    if (!are_shared)
+      {
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          M[a] = sample.slave_values[a];
+        return M;
+      }
+    const auto all = functions(sample);
     for (unsigned int j = 0; j < carriers.size(); ++j)
       for (unsigned int a = 0; a < n_nodes; ++a)
         M[j] += shared(j, a) * all[a];
@@ -173,9 +133,9 @@ namespace Contact
 
 
   FacetDualFunctions::Values
-  FacetDualFunctions::values(const Point<2> &xi) const
+  FacetDualFunctions::values(const FacetSample &sample) const
   {
-    const Values M = test_functions(xi);
+    const Values M = test_functions(sample);
     Values       phi(carriers.size(), 0.);
     for (unsigned int k = 0; k < phi.size(); ++k)
       for (unsigned int j = 0; j < phi.size(); ++j)

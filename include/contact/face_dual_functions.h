@@ -16,11 +16,13 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// A place of a facet in space, and the undeformed area that it stands for.
+  /// A place of a facet in space, the shape functions there, and the undeformed
+  /// area that it stands for.
   struct FacetSample
   {
-    Point<2> slave_xi;
-    double   weight; // [mm^2]
+    Point<2>              slave_xi;
+    FacetShape<3>::Values slave_values;
+    double                weight; // [mm^2]
   };
 
 
@@ -61,10 +63,11 @@ namespace Contact
      * by node of the facet, the nodes of the surface with a multiplier that
      * its function belongs to, and their parts in it; none if it has none.
      */
-    FacetDualFunctions(const unsigned int              degree,
-                       const std::vector<FacetSample> &samples,
-                       const std::vector<double>      &shares,
-                       const Carriers                 &carries);
+    template<typename Sample>
+    FacetDualFunctions(const unsigned int         degree,
+                       const std::vector<Sample> &samples,
+                       const std::vector<double> &shares,
+                       const Carriers            &carries);
 
     /// The nodes of the surface that have a dual function here.
     const std::vector<unsigned int> &nodes() const
@@ -81,26 +84,89 @@ namespace Contact
     }
 
     /// The values of their dual functions at a place, in the same order.
-    Values values(const Point<2> &xi) const;
+    Values values(const FacetSample &sample) const;
+
+    /// Those of the M_j.
+    Values test_functions(const FacetSample &sample) const;
+
+    /// The A_kj, by which sums of the M_j become those of the Phi_k.
+    const FullMatrix<double> &coefficients() const
+    {
+      return A;
+    }
+
+    /// The D_k.
+    const Vector<double> &integrals() const
+    {
+      return D;
+    }
 
   private:
     /// The M_j before nodes without a multiplier left theirs, by node.
-    FacetShape<3>::Values functions(const Point<2> &xi) const;
-
-    /// The M_j of the carriers.
-    Values test_functions(const Point<2> &xi) const;
+    FacetShape<3>::Values functions(const FacetSample &sample) const;
 
     void find_carriers(const std::vector<double> &integrals,
                        const Carriers            &carries);
 
     const unsigned int        n_nodes;
-    const unsigned int        degree;
     bool                      partly = false, piecewise = false;
     bool                      dual_to_shapes = false;
+    bool                      are_shared = true; // or shared is the identity
     std::vector<unsigned int> carriers;
     FullMatrix<double>        shared; // M_j = sum_a shared(j, a) functions[a]
     FullMatrix<double>        A;
+    Vector<double>            D;
   };
+
+
+
+  template<typename Sample>
+  FacetDualFunctions::FacetDualFunctions(const unsigned int         degree,
+                                         const std::vector<Sample> &samples,
+                                         const std::vector<double> &shares,
+                                         const Carriers            &carries)
+    : n_nodes(shares.size())
+  {
+    const auto integrals = [&]() {
+      std::vector<double> sums(n_nodes, 0.);
+      for (const FacetSample &sample : samples)
+        {
+          const auto values = functions(sample);
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            sums[a] += sample.weight * values[a];
+        }
+      return sums;
+    };
+    std::vector<double> of_functions = integrals();
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      partly = partly || of_functions[a] < shares[a] / 2;
+    piecewise = degree == 2 && partly;
+    if (piecewise)
+      of_functions = integrals();
+    find_carriers(of_functions, carries);
+
+    const unsigned int n = carriers.size();
+    if (n == 0)
+      return;
+    FullMatrix<double> G(n, n);
+    D.reinit(n);
+    for (const FacetSample &sample : samples)
+      {
+        const Values M = test_functions(sample);
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            const double of_k = sample.weight * M[k];
+            D[k] += of_k;
+            for (unsigned int j = 0; j < n; ++j)
+              G(k, j) += of_k * M[j];
+          }
+      }
+    G.gauss_jordan();
+    A.reinit(n, n);
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int j = 0; j < n; ++j)
+        A(k, j) = D[k] * G(k, j);
+  }
 } // namespace Contact
 
 #endif

@@ -6,6 +6,7 @@
 #include "contact/face_mortar.h"
 
 #include <deal.II/base/timer.h>
+#include <deal.II/base/vectorization.h>
 
 #include <algorithm>
 #include <limits>
@@ -16,16 +17,114 @@ namespace Contact
   {
     /// Values that belong to nodes, those of hanging ones handed over to the
     /// nodes that they follow.
-    std::map<unsigned int, double>
-    followed(const Surface<3>                     &surface,
-             const std::map<unsigned int, double> &of)
+    template<typename Map, typename Value>
+    boost::container::flat_map<unsigned int, double>
+    followed(const Surface<3> &surface, const Map &of, const Value &value_of)
     {
-      std::map<unsigned int, double> values;
-      for (const auto &[node, value] : of)
-        for (const auto &[leader, part] : surface.followed_by(node))
-          values[leader] += part * value;
+      boost::container::flat_map<unsigned int, double> values;
+      values.reserve(of.size());
+      for (const auto &[node, integrals] : of)
+        if (surface.leaders[node].empty())
+          values[node] += value_of(integrals);
+        else
+          for (const auto &[leader, part] : surface.leaders[node])
+            values[leader] += part * value_of(integrals);
       return values;
     }
+
+
+
+    double itself(const double value)
+    {
+      return value;
+    }
+
+
+
+    /// Some places of integration, whose shares in the integrals of all test
+    /// functions are added at once: most of the time would go into the transfer
+    /// of the sums from and to the memory.
+    template<typename Row>
+    class PlaceBlock
+    {
+    public:
+      PlaceBlock(const unsigned int n_nodes)
+        : n_nodes(n_nodes)
+      {
+      }
+
+      bool is_full() const
+      {
+        return n == size;
+      }
+
+      /// The next place: its row, to be filled in, and what the test functions
+      /// are there times its weight.
+      Row &push(const FacetDualFunctions::Values &tests, const double weight)
+      {
+        for (unsigned int j = 0; j < tests.size(); ++j)
+          factors[j][n] = weight * tests[j];
+        return places[n++];
+      }
+
+      /// Add all places to the integrals, and forget them.
+      void add_to(std::vector<Row> &integrals)
+      {
+        for (unsigned int j = 0; j < integrals.size() && n > 0; ++j)
+          {
+            for (unsigned int k = n; k < size; ++k)
+              factors[j][k] = 0;
+            if (n_nodes == 4)
+              add<4>(factors[j], integrals[j]);
+            else
+              add<9>(factors[j], integrals[j]);
+          }
+        n = 0;
+      }
+
+      /// Room for so many test functions.
+      void reserve(const unsigned int n_tests)
+      {
+        factors.resize(n_tests);
+      }
+
+    private:
+      static constexpr unsigned int size = 4;
+      using Factors                      = std::array<double, size>;
+
+      template<unsigned int n_nodes>
+      void add(const Factors &factor, Row &integrals) const
+      {
+        using Numbers                    = VectorizedArray<double>;
+        constexpr unsigned int    width  = Numbers::size();
+        constexpr unsigned int    length = 4 * n_nodes;
+        constexpr unsigned int    rest   = length % width;
+        std::array<Numbers, size> factors;
+        for (unsigned int k = 0; k < size; ++k)
+          factors[k] = factor[k];
+        for (unsigned int i = 0; i < length - rest; i += width)
+          {
+            Numbers sum, value;
+            sum.load(&integrals[i]);
+            for (unsigned int k = 0; k < size; ++k)
+              {
+                value.load(&places[k][i]);
+                sum += factors[k] * value;
+              }
+            sum.store(&integrals[i]);
+          }
+        for (unsigned int i = length - rest; i < length; ++i)
+          for (unsigned int k = 0; k < size; ++k)
+            integrals[i] += factor[k] * places[k][i];
+      }
+
+      const unsigned int    n_nodes;
+      unsigned int          n = 0;
+      std::array<Row, size> places{};
+      std::vector<Factors>  factors;
+    };
+
+
 
     /// The functions of the nodes that facets are projected with.
     FacetShape<3>::Values projected_values(const unsigned int degree,
@@ -53,6 +152,8 @@ namespace Contact
     , master_bends(planes.bends(master))
   {
     find_carriers();
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
+      shares.push_back(slave.shares_of_nodes(e));
   }
 
 
@@ -97,7 +198,64 @@ namespace Contact
 
 
 
+  std::vector<double>
+  MortarDiscretization<3>::motion(const GhostedVector &u) const
+  {
+    std::vector<double> values;
+    if (u.size() == 0)
+      return values;
+    for (const Surface<3> *surface : {&slave, &master})
+      for (const SurfaceNode<3> &node : surface->nodes)
+        for (const auto dof : node.dofs)
+          values.push_back(u[dof]);
+    return values;
+  }
+
+
+
   bool MortarDiscretization<3>::pair(const ArrayView<ContactPoint<3>> &points,
+                                     const GhostedVector              &u,
+                                     const bool with_derivatives) const
+  {
+    std::vector<PointPairing<3>::PerNode<NodeDoFs<3>>> old_dofs;
+    for (ContactPoint<3> &point : points)
+      {
+        old_dofs.push_back(point.dofs);
+        point.change = PairingChange<3>();
+      }
+    Last now{motion(u), {}, {}};
+    if (!with_derivatives && now.motion == last.motion &&
+        last.pairings.size() == points.size())
+      for (unsigned int q = 0; q < points.size(); ++q)
+        {
+          const auto motions                        = points[q].motions;
+          points[q].weight                          = last.weights[q];
+          static_cast<PointPairing<3> &>(points[q]) = last.pairings[q];
+          points[q].motions                         = motions;
+        }
+    else
+      {
+        pair_anew(points, u, with_derivatives);
+        if (!with_derivatives)
+          for (const ContactPoint<3> &point : points)
+            {
+              now.weights.push_back(point.weight);
+              now.pairings.push_back(point);
+            }
+        last = std::move(now);
+      }
+    return !std::equal(points.begin(),
+                       points.end(),
+                       old_dofs.begin(),
+                       [](const ContactPoint<3> &point, const auto &old) {
+                         return point.dofs == old;
+                       });
+  }
+
+
+
+  void
+  MortarDiscretization<3>::pair_anew(const ArrayView<ContactPoint<3>> &points,
                                      const GhostedVector              &u,
                                      const bool with_derivatives) const
   {
@@ -108,22 +266,17 @@ namespace Contact
     for (unsigned int q = point_shares->first(); q < point_shares->end(); ++q)
       is_own[slave_node(points[q])] = true;
 
-    const FaceConfiguration    now(slave, master, planes, u);
-    const FaceSegments         segments(slave, master, now);
-    std::vector<NodeIntegrals> of_nodes(slave.nodes.size());
+    const FaceConfiguration                now(slave, master, planes, u);
+    FaceSegments                           segments(slave, master, now);
+    std::vector<NodeIntegrals>             of_nodes(slave.nodes.size());
+    std::vector<std::vector<Tensor<1, 3>>> distances(slave.facets.size());
     for (unsigned int q = point_shares->first(); q < point_shares->end(); ++q)
       if (with_derivatives && points[q].status.kind != Status::open)
         of_nodes[slave_node(points[q])].change.emplace();
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       if (carries_any(e, is_own))
-        integrate(e, segments.samples(e), now, of_nodes);
+        integrate(e, segments.samples(e), now, distances[e], of_nodes);
 
-    std::vector<PointPairing<3>::PerNode<NodeDoFs<3>>> old_dofs;
-    for (ContactPoint<3> &point : points)
-      {
-        old_dofs.push_back(point.dofs);
-        point.change = PairingChange<3>();
-      }
     for (unsigned int q = point_shares->first(); q < point_shares->end(); ++q)
       {
         const unsigned int node = slave_node(points[q]);
@@ -132,12 +285,6 @@ namespace Contact
           differentiate(of_nodes[node], node, now, points[q]);
       }
     point_shares->exchange(points, timer.wall_time());
-    return !std::equal(points.begin(),
-                       points.end(),
-                       old_dofs.begin(),
-                       [](const ContactPoint<3> &point, const auto &old) {
-                         return point.dofs == old;
-                       });
   }
 
 
@@ -159,144 +306,268 @@ namespace Contact
   MortarDiscretization<3>::integrate(const unsigned int             e,
                                      const std::vector<FaceSample> &points,
                                      const FaceConfiguration       &now,
+                                     std::vector<Tensor<1, 3>>     &distances,
                                      std::vector<NodeIntegrals> &of_nodes) const
   {
-    const auto shares  = slave.shares_of_nodes(e);
-    double     covered = 0, whole = 0;
+    double covered = 0, whole = 0;
     for (const FaceSample &point : points)
       covered += point.weight;
-    for (const double share : shares)
+    for (const double share : shares[e])
       whole += share;
     discretization.counters.projections += points.size();
     if (covered <= 1e-8 * whole)
       return;
-
-    const FacetDualFunctions     dual(slave.degree,
-                                  {points.begin(), points.end()},
-                                  shares,
-                                  carries[e]);
-    const auto                  &nodes = slave.facets[e].nodes;
-    std::vector<NodeIntegrals *> carriers;
-    for (const unsigned int node : dual.nodes())
-      carriers.push_back(&of_nodes[node]);
-
-    PerFacetNode<3, PerFacetNode<3, double>> of_slave{};
-    std::vector<Segment>                     segments;
     for (const FaceSample &point : points)
       {
-        if (segments.empty() ||
-            segments.back().master_facet != point.master_facet)
-          {
-            segments.push_back({point.master_facet, {}, {}, {}});
-            for (const NodeIntegrals *carrier : carriers)
-              segments.back().changes.emplace_back(
-                carrier->change ? new FaceMortarChange::OfFacets() : nullptr);
-          }
-        const auto values = FacetShape<3>::values(slave.degree, point.slave_xi);
-        FacetDualFunctions::Values phi = dual.values(point.slave_xi);
-        for (unsigned int k = 0; k < phi.size(); ++k)
-          {
-            phi[k] *= point.weight;
-            for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-              of_slave[k][a] += phi[k] * values[a];
-          }
-        const FacetShape<3> shape(master.degree, point.master_xi);
-        add_master(point, phi, shape, now, segments.back());
-        add_normals(point, phi, shape, now, carriers);
+        distances.push_back(point.distance);
+        if (point.distance_at_corner)
+          distances.push_back(*point.distance_at_corner);
       }
-    for (unsigned int k = 0; k < carriers.size(); ++k)
+
+    const FacetDualFunctions dual(slave.degree, points, shares[e], carries[e]);
+    std::vector<NodeIntegrals *> carriers;
+    for (const unsigned int node : dual.nodes())
       {
-        if (dual.are_dual_to_shapes())
-          keep_own(of_slave[k],
-                   std::find(nodes.begin(), nodes.end(), dual.nodes()[k]) -
-                     nodes.begin());
-        for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-          carriers[k]->slave[nodes[a]] += of_slave[k][a];
-        for (const Segment &segment : segments)
-          for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
-            {
-              const unsigned int m =
-                master.facets[segment.master_facet].nodes[b];
-              carriers[k]->master[m] += segment.values[k][b];
-              carriers[k]->gradients[m] += segment.gradients[k][b];
-            }
-        for (const Segment &segment : segments)
-          if (carriers[k]->change)
-            {
-              const auto &facet = master.facets[segment.master_facet];
-              carriers[k]->change->add(slave.facets[e],
-                                       facet,
-                                       slave,
-                                       master,
-                                       *segment.changes[k]);
-              for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
-                carriers[k]->normals[{segment.master_facet, b}] +=
-                  segment.values[k][b];
-            }
+        carriers.push_back(&of_nodes[node]);
+        carriers.back()->distances.push_back(&distances);
       }
+    const auto segments = make_segments(dual, points, now, carriers);
+    add_slave(e, dual, points, carriers);
+    add_master(dual, segments, carriers);
+    add_normals(dual, segments, now, carriers);
+    add_changes(e, dual, segments, carriers);
   }
 
 
 
   // Gradients are along the master.
-  void
-  MortarDiscretization<3>::add_master(const FaceSample                 &point,
-                                      const FacetDualFunctions::Values &phi,
-                                      const FacetShape<3>              &shape,
-                                      const FaceConfiguration          &now,
-                                      Segment &segment) const
+  std::vector<MortarDiscretization<3>::Segment>
+  MortarDiscretization<3>::make_segments(
+    const FacetDualFunctions           &dual,
+    const std::vector<FaceSample>      &points,
+    const FaceConfiguration            &now,
+    const std::vector<NodeIntegrals *> &carriers) const
   {
-    const auto                 &facet = master.facets[point.master_facet];
-    std::array<Tensor<1, 3>, 2> t;
-    for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
-      for (unsigned int i = 0; i < 2; ++i)
-        t[i] += shape.first[i][b] * now.master_x[facet.nodes[b]];
-    const auto                  d = dual_basis(t);
-    FaceMortarChange::Gradients gradients{};
-    for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
-      gradients[b] = shape.first[0][b] * d[0] + shape.first[1][b] * d[1];
-
-    for (unsigned int k = 0; k < phi.size(); ++k)
-      {
-        for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
-          {
-            segment.values[k][b] += phi[k] * shape.value[b];
-            segment.gradients[k][b] += phi[k] * gradients[b];
-          }
+    const unsigned int n           = master.n_nodes_per_facet();
+    const bool         has_changes = std::any_of(carriers.begin(),
+                                         carriers.end(),
+                                         [](const NodeIntegrals *carrier) {
+                                           return carrier->change.has_value();
+                                         });
+    const auto         add_change = [&](const FaceSample                 &point,
+                                const FacetDualFunctions::Values &phi,
+                                const Segment::Row               &place,
+                                Segment                          &segment) {
+      FaceMortarChange::Gradients gradients{};
+      for (unsigned int b = 0; b < n; ++b)
+        for (unsigned int i = 0; i < 3; ++i)
+          gradients[b][i] = place[(1 + i) * n + b];
+      for (unsigned int k = 0; k < phi.size(); ++k)
         if (segment.changes[k])
           segment.changes[k]->add(
-            phi[k],
+            point.weight * phi[k],
             projected_values(slave.degree, point.slave_xi),
             projected_values(master.degree, point.master_xi),
             gradients);
+    };
+    std::vector<Segment>      segments;
+    PlaceBlock<Segment::Row>  block(n);
+    PerFacetNode<3, Point<3>> x;
+    block.reserve(carriers.size());
+    for (const FaceSample &point : points)
+      {
+        if (segments.empty() ||
+            segments.back().master_facet != point.master_facet)
+          {
+            if (!segments.empty())
+              block.add_to(segments.back().rows);
+            segments.push_back(
+              {point.master_facet,
+               std::vector<Segment::Row>(carriers.size(), Segment::Row{}),
+               {}});
+            for (const NodeIntegrals *carrier : carriers)
+              segments.back().changes.emplace_back(
+                carrier->change ? new FaceMortarChange::OfFacets() : nullptr);
+            for (unsigned int b = 0; b < n; ++b)
+              x[b] = now.master_x[master.facets[point.master_facet].nodes[b]];
+          }
+        Segment                    &segment = segments.back();
+        const FacetBasis           &basis   = point.master_basis;
+        std::array<Tensor<1, 3>, 2> t;
+        for (unsigned int b = 0; b < n; ++b)
+          for (unsigned int i = 0; i < 2; ++i)
+            t[i] += basis.first[i][b] * x[b];
+        const auto    d = dual_basis(t);
+        Segment::Row &place =
+          block.push(dual.test_functions(point), point.weight);
+        std::copy_n(basis.value.begin(), n, place.begin());
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int b = 0; b < n; ++b)
+            place[(1 + i) * n + b] =
+              basis.first[0][b] * d[0][i] + basis.first[1][b] * d[1][i];
+        if (has_changes)
+          add_change(point, dual.values(point), place, segment);
+        if (block.is_full())
+          block.add_to(segment.rows);
+      }
+    if (!segments.empty())
+      block.add_to(segments.back().rows);
+    return segments;
+  }
+
+
+
+  // Where the dual functions are dual to the shape functions, all integrals but
+  // the own one are round-off, which is large where the master covers a sliver
+  // of the facet.
+  void MortarDiscretization<3>::add_slave(
+    const unsigned int                  e,
+    const FacetDualFunctions           &dual,
+    const std::vector<FaceSample>      &points,
+    const std::vector<NodeIntegrals *> &carriers) const
+  {
+    const auto        &A      = dual.coefficients();
+    const unsigned int n      = slave.n_nodes_per_facet();
+    const auto        &nodes  = slave.facets[e].nodes;
+    const auto         weight = [&](const unsigned int k) {
+      double sum = 0;
+      for (unsigned int j = 0; j < carriers.size(); ++j)
+        sum += A(k, j) * dual.integrals()[j];
+      return sum;
+    };
+    for (unsigned int k = 0; k < carriers.size(); ++k)
+      carriers[k]->weight += weight(k);
+    if (dual.are_dual_to_shapes())
+      {
+        for (unsigned int k = 0; k < carriers.size(); ++k)
+          carriers[k]->slave[dual.nodes()[k]] += weight(k);
+        return;
+      }
+
+    std::vector<PerFacetNode<3, double>> of_tests(carriers.size());
+    for (const FaceSample &point : points)
+      {
+        const auto M = dual.test_functions(point);
+        for (unsigned int j = 0; j < M.size(); ++j)
+          for (unsigned int a = 0; a < n; ++a)
+            of_tests[j][a] += point.weight * M[j] * point.slave_values[a];
+      }
+    for (unsigned int k = 0; k < carriers.size(); ++k)
+      for (unsigned int a = 0; a < n; ++a)
+        {
+          double &sum = carriers[k]->slave[nodes[a]];
+          for (unsigned int j = 0; j < carriers.size(); ++j)
+            sum += A(k, j) * of_tests[j][a];
+        }
+  }
+
+
+
+  // Facets have nodes in common.
+  void MortarDiscretization<3>::add_master(
+    const FacetDualFunctions           &dual,
+    const std::vector<Segment>         &segments,
+    const std::vector<NodeIntegrals *> &carriers) const
+  {
+    const auto               &A = dual.coefficients();
+    const unsigned int        n = master.n_nodes_per_facet();
+    std::vector<unsigned int> nodes;
+    for (const Segment &segment : segments)
+      {
+        const auto &of_facet = master.facets[segment.master_facet].nodes;
+        nodes.insert(nodes.end(), of_facet.begin(), of_facet.begin() + n);
+      }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+
+    // Of each node a value and a gradient.
+    const unsigned int  length = 4 * nodes.size();
+    std::vector<double> of_tests(carriers.size() * length, 0.);
+    for (const Segment &segment : segments)
+      for (unsigned int b = 0; b < n; ++b)
+        {
+          const unsigned int m = master.facets[segment.master_facet].nodes[b];
+          const unsigned int place =
+            std::lower_bound(nodes.begin(), nodes.end(), m) - nodes.begin();
+          for (unsigned int j = 0; j < carriers.size(); ++j)
+            for (unsigned int i = 0; i < 4; ++i)
+              of_tests[j * length + 4 * place + i] +=
+                segment.rows[j][i * n + b];
+        }
+
+    std::vector<double> sum(length);
+    for (unsigned int k = 0; k < carriers.size(); ++k)
+      {
+        std::fill(sum.begin(), sum.end(), 0.);
+        for (unsigned int j = 0; j < carriers.size(); ++j)
+          for (unsigned int i = 0; i < length; ++i)
+            sum[i] += A(k, j) * of_tests[j * length + i];
+        for (unsigned int m = 0; m < nodes.size(); ++m)
+          {
+            OfMaster &of_node = carriers[k]->master[nodes[m]];
+            of_node.value += sum[4 * m];
+            for (unsigned int i = 0; i < 3; ++i)
+              of_node.gradient[i] += sum[4 * m + 1 + i];
+          }
       }
   }
 
 
 
+  // At its corners each facet of the master has normals of its own.
   void MortarDiscretization<3>::add_normals(
-    const FaceSample                   &point,
-    const FacetDualFunctions::Values   &phi,
-    const FacetShape<3>                &shape,
+    const FacetDualFunctions           &dual,
+    const std::vector<Segment>         &segments,
     const FaceConfiguration            &now,
     const std::vector<NodeIntegrals *> &carriers) const
   {
-    const auto  &facet = master.facets[point.master_facet];
-    Tensor<1, 3> normal;
-    double       bend = 0;
-    for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
-      {
-        normal += shape.value[b] * now.master_normals[point.master_facet][b];
-        bend += shape.value[b] * master_bends[facet.nodes[b]];
-      }
-    for (unsigned int k = 0; k < phi.size(); ++k)
-      {
-        carriers[k]->weight += phi[k];
-        carriers[k]->master_normal += phi[k] * normal;
-        carriers[k]->master_bend += phi[k] * bend;
-        carriers[k]->distances.push_back(point.distance);
-        carriers[k]->distances.push_back(point.distance_at_corner);
-      }
+    const auto               &A = dual.coefficients();
+    std::vector<Tensor<1, 3>> normals(carriers.size());
+    std::vector<double>       bends(carriers.size(), 0.);
+    for (const Segment &segment : segments)
+      for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
+        {
+          const unsigned int m = segment.master_facet;
+          for (unsigned int j = 0; j < carriers.size(); ++j)
+            {
+              const double value = segment.rows[j][b];
+              normals[j] += value * now.master_normals[m][b];
+              bends[j] += value * master_bends[master.facets[m].nodes[b]];
+            }
+        }
+    for (unsigned int k = 0; k < carriers.size(); ++k)
+      for (unsigned int j = 0; j < carriers.size(); ++j)
+        {
+          carriers[k]->master_normal += A(k, j) * normals[j];
+          carriers[k]->master_bend += A(k, j) * bends[j];
+        }
+  }
+
+
+
+  void MortarDiscretization<3>::add_changes(
+    const unsigned int                  e,
+    const FacetDualFunctions           &dual,
+    const std::vector<Segment>         &segments,
+    const std::vector<NodeIntegrals *> &carriers) const
+  {
+    const auto &A = dual.coefficients();
+    for (unsigned int k = 0; k < carriers.size(); ++k)
+      if (carriers[k]->change)
+        for (const Segment &segment : segments)
+          {
+            carriers[k]->change->add(slave.facets[e],
+                                     master.facets[segment.master_facet],
+                                     slave,
+                                     master,
+                                     *segment.changes[k]);
+            for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
+              {
+                double &sum = carriers[k]->normals[{segment.master_facet, b}];
+                for (unsigned int j = 0; j < carriers.size(); ++j)
+                  sum += A(k, j) * segment.rows[j][b];
+              }
+          }
   }
 
 
@@ -314,7 +585,7 @@ namespace Contact
     point.normal     = normal(integrals, node, now);
     if (!point.facing)
       {
-        point.weight = slave.shares_of_nodes(point.slave_facet)[0];
+        point.weight = shares[point.slave_facet][0];
         point.add_node(slave.nodes[node], 1, 0, 0);
         point.n_slave_nodes = 1;
         set_tangents(point);
@@ -331,8 +602,9 @@ namespace Contact
     // distances, which at a corner of the slave is that of the node itself; a
     // ten-thousandth of a facet is left to it.
     double smallest = std::numeric_limits<double>::max();
-    for (const Tensor<1, 3> &distance : integrals.distances)
-      smallest = std::min(smallest, distance * point.normal);
+    for (const auto *of_facet : integrals.distances)
+      for (const Tensor<1, 3> &distance : *of_facet)
+        smallest = std::min(smallest, distance * point.normal);
     const double excess = r * point.normal - smallest + 1e-4 * length;
     if (excess < 0)
       point.projection += excess * point.normal;
@@ -374,20 +646,6 @@ namespace Contact
 
 
 
-  // Round-off in the integrals of the others is large where the master covers a
-  // sliver of the facet.
-  void MortarDiscretization<3>::keep_own(PerFacetNode<3, double> &of_slave,
-                                         const unsigned int       own)
-  {
-    double sum = 0;
-    for (const double integral : of_slave)
-      sum += integral;
-    of_slave      = {};
-    of_slave[own] = sum;
-  }
-
-
-
   // Biorthogonality leaves round-off where the coefficient is zero. What hangs
   // is replaced by what it follows.
   void MortarDiscretization<3>::add_nodes(const NodeIntegrals &integrals,
@@ -395,11 +653,12 @@ namespace Contact
                                           ContactPoint<3>     &point) const
   {
     const double round_off = 1e-10;
-    const auto   add = [&](const SurfaceNode<3> &of, const double integral) {
+    const auto value_of = [](const OfMaster &of_node) { return of_node.value; };
+    const auto add      = [&](const SurfaceNode<3> &of, const double integral) {
       point.add_node(of, integral / integrals.weight, 0, 0);
     };
-    const auto of_slave  = followed(slave, integrals.slave);
-    const auto of_master = followed(master, integrals.master);
+    const auto of_slave  = followed(slave, integrals.slave, itself);
+    const auto of_master = followed(master, integrals.master, value_of);
     add(slave.nodes[node], of_slave.at(node));
     for (const auto &[a, integral] : of_slave)
       if (a != node && std::abs(integral) > round_off * integrals.weight)
@@ -415,22 +674,21 @@ namespace Contact
   // the displacement of the undeformed body says nothing of.
   Point<3> MortarDiscretization<3>::bulge(const NodeIntegrals &integrals) const
   {
-    const auto add = [&](const Surface<3>                     &surface,
-                         const std::map<unsigned int, double> &of,
-                         const double                          sign,
-                         Point<3>                             &sum) {
-      for (const auto &[node, integral] : of)
-        if (!surface.leaders[node].empty())
-          {
-            Tensor<1, 3> beside(surface.nodes[node].X);
-            for (const auto &[leader, part] : surface.leaders[node])
-              beside -= part * Tensor<1, 3>(surface.nodes[leader].X);
-            sum -= sign * integral / integrals.weight * beside;
-          }
+    Point<3>   sum;
+    const auto add = [&](const Surface<3>  &surface,
+                         const unsigned int node,
+                         const double       integral) {
+      if (surface.leaders[node].empty())
+        return;
+      Tensor<1, 3> beside(surface.nodes[node].X);
+      for (const auto &[leader, part] : surface.leaders[node])
+        beside -= part * Tensor<1, 3>(surface.nodes[leader].X);
+      sum -= integral / integrals.weight * beside;
     };
-    Point<3> sum;
-    add(slave, integrals.slave, 1, sum);
-    add(master, integrals.master, -1, sum);
+    for (const auto &[a, integral] : integrals.slave)
+      add(slave, a, integral);
+    for (const auto &[m, of_node] : integrals.master)
+      add(master, m, -of_node.value);
     return sum;
   }
 
@@ -443,8 +701,8 @@ namespace Contact
                                        const ContactPoint<3>   &point) const
   {
     Tensor<2, 3> moves; // of x_master by tau
-    for (const auto &[m, gradient] : integrals.gradients)
-      moves += outer_product(Tensor<1, 3>(now.master_x[m]), gradient) /
+    for (const auto &[m, of_node] : integrals.master)
+      moves += outer_product(Tensor<1, 3>(now.master_x[m]), of_node.gradient) /
                integrals.weight;
     Tensor<2, 2> E;
     for (unsigned int i = 0; i < 2; ++i)
@@ -475,17 +733,17 @@ namespace Contact
     Tensor<1, 3> r;
     for (const auto &[a, integral] : integrals.slave)
       r += integral / integrals.weight * now.slave_x[a];
-    for (const auto &[m, integral] : integrals.master)
-      r -= integral / integrals.weight * now.master_x[m];
-    const Tensor<1, 3>             tau = way_of_feet(integrals, now, point) * r;
-    std::map<unsigned int, double> changes;
-    for (const auto &[m, gradient] : integrals.gradients)
-      {
-        changes[m] = gradient * tau / integrals.weight;
-        r -= changes[m] * now.master_x[m];
-      }
+    for (const auto &[m, of_node] : integrals.master)
+      r -= of_node.value / integrals.weight * now.master_x[m];
+    const Tensor<1, 3> tau       = way_of_feet(integrals, now, point) * r;
+    const auto         change_of = [&](const OfMaster &of_node) {
+      return of_node.gradient * tau / integrals.weight;
+    };
+    for (const auto &[m, of_node] : integrals.master)
+      r -= change_of(of_node) * now.master_x[m];
     unsigned int a = point.n_slave_nodes;
-    for (const auto &[m, change] : followed(master, changes))
+    for (const auto &[m, change] :
+         followed(master, integrals.master, change_of))
       point.C[a++] -= change;
     return r;
   }

@@ -8,6 +8,7 @@
 
 #include <deal.II/base/array_view.h>
 
+#include <boost/container/flat_map.hpp>
 #include <map>
 #include <optional>
 
@@ -55,16 +56,28 @@ namespace Contact
               const bool                        with_derivatives = false) const;
 
   private:
+    /// Of a node of the master: the integrals of a dual function times its
+    /// shape function, and times the gradient of that.
+    struct OfMaster
+    {
+      double       value = 0;
+      Tensor<1, 3> gradient;
+    };
+
+    template<typename T>
+    using ByNode = boost::container::flat_map<unsigned int, T>;
+
     /// The integrals that belong to a slave node.
     struct NodeIntegrals
     {
-      double                               weight = 0; // D_k [mm^2]
-      Tensor<1, 3>                         master_normal;
-      double                               master_bend = 0;
-      std::map<unsigned int, double>       slave;  // of the coefficients
-      std::map<unsigned int, double>       master; // of the coefficients
-      std::map<unsigned int, Tensor<1, 3>> gradients;
-      std::vector<Tensor<1, 3>>            distances;
+      double           weight = 0; // D_k [mm^2]
+      Tensor<1, 3>     master_normal;
+      double           master_bend = 0;
+      ByNode<double>   slave;  // of the coefficients
+      ByNode<OfMaster> master; // of the coefficients
+
+      /// Of the surfaces from each other, by facet.
+      std::vector<const std::vector<Tensor<1, 3>> *> distances;
 
       /// If it is asked for; and of which normals of the master, by facet and
       /// its node, master_normal is the sum.
@@ -72,33 +85,53 @@ namespace Contact
       std::map<std::pair<unsigned int, unsigned int>, double> normals;
     };
 
-    /// The integrals of a slave facet's dual functions over what it shares with
-    /// one master facet, by dual function and node of the master.
+    /// The integrals of a slave facet's test functions over what it shares with
+    /// one master facet.
     struct Segment
     {
-      unsigned int                                   master_facet;
-      PerFacetNode<3, PerFacetNode<3, double>>       values;
-      PerFacetNode<3, PerFacetNode<3, Tensor<1, 3>>> gradients;
+      /// By test function: the values of the master's n nodes, and behind them
+      /// the components of their gradients, n at a time.
+      using Row = std::array<double, 4 * 9>;
+
+      unsigned int     master_facet;
+      std::vector<Row> rows;
 
       /// By dual function, none if it is not asked for.
       std::vector<std::unique_ptr<FaceMortarChange::OfFacets>> changes;
     };
 
-    void         integrate(const unsigned int             slave_facet,
-                           const std::vector<FaceSample> &points,
-                           const FaceConfiguration       &now,
-                           std::vector<NodeIntegrals>    &of_nodes) const;
-    static void  keep_own(PerFacetNode<3, double> &of_slave,
-                          const unsigned int       own);
-    void         add_master(const FaceSample                 &point,
-                            const FacetDualFunctions::Values &phi,
-                            const FacetShape<3>              &shape,
-                            const FaceConfiguration          &now,
-                            Segment                          &segment) const;
-    void         add_normals(const FaceSample                   &point,
-                             const FacetDualFunctions::Values   &phi,
-                             const FacetShape<3>                &shape,
+    void pair_anew(const ArrayView<ContactPoint<3>> &points,
+                   const GhostedVector              &u,
+                   const bool                        with_derivatives) const;
+
+    void integrate(const unsigned int             slave_facet,
+                   const std::vector<FaceSample> &points,
+                   const FaceConfiguration       &now,
+                   std::vector<Tensor<1, 3>>     &distances,
+                   std::vector<NodeIntegrals>    &of_nodes) const;
+
+    /// The segments of a slave facet; what its dual functions belong to are @p
+    /// carriers.
+    std::vector<Segment>
+    make_segments(const FacetDualFunctions           &dual,
+                  const std::vector<FaceSample>      &points,
+                  const FaceConfiguration            &now,
+                  const std::vector<NodeIntegrals *> &carriers) const;
+
+    void         add_slave(const unsigned int                  slave_facet,
+                           const FacetDualFunctions           &dual,
+                           const std::vector<FaceSample>      &points,
+                           const std::vector<NodeIntegrals *> &carriers) const;
+    void         add_master(const FacetDualFunctions           &dual,
+                            const std::vector<Segment>         &segments,
+                            const std::vector<NodeIntegrals *> &carriers) const;
+    void         add_normals(const FacetDualFunctions           &dual,
+                             const std::vector<Segment>         &segments,
                              const FaceConfiguration            &now,
+                             const std::vector<NodeIntegrals *> &carriers) const;
+    void         add_changes(const unsigned int                  slave_facet,
+                             const FacetDualFunctions           &dual,
+                             const std::vector<Segment>         &segments,
                              const std::vector<NodeIntegrals *> &carriers) const;
     void         fill_in(const NodeIntegrals     &integrals,
                          const unsigned int       node,
@@ -133,6 +166,9 @@ namespace Contact
 
     unsigned int slave_node(const ContactPoint<3> &point) const;
 
+    /// The displacements of the nodes of both surfaces.
+    std::vector<double> motion(const GhostedVector &u) const;
+
     /// Whether a multiplier of one of these nodes acts on a facet.
     bool carries_any(const unsigned int       slave_facet,
                      const std::vector<bool> &nodes) const;
@@ -145,10 +181,24 @@ namespace Contact
     /// By facet and node, see FacetDualFunctions.
     std::vector<FacetDualFunctions::Carriers> carries;
 
+    /// By facet, see Surface::shares_of_nodes().
+    std::vector<std::vector<double>> shares;
+
     const SymmetryPlanes planes;
 
     /// Who pairs which points does not change what is found.
     mutable std::optional<PointShares> point_shares;
+
+    /// The last pairing without derivatives. Surfaces that are where they were
+    /// then have the same one, as at the start of Newton's method, and glued
+    /// ones always.
+    struct Last
+    {
+      std::vector<double>          motion;
+      std::vector<double>          weights;
+      std::vector<PointPairing<3>> pairings;
+    };
+    mutable Last last;
 
     /// By how much the undeformed surfaces turn around each node [rad].
     std::vector<double> slave_bends, master_bends;

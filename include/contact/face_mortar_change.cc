@@ -132,13 +132,13 @@ namespace Contact
         {
           const unsigned int a      = rows.at(master.nodes[n].dofs);
           const double       factor = part / integrals.weight;
-          change.slide[a] -= factor * integrals.gradients.at(m);
+          change.slide[a] -= factor * integrals.master.at(m).gradient;
           for (const auto &[dofs, derivative] : places)
             for (unsigned int j = 0; j < 3; ++j)
               change.C(a, columns.at(dofs) + j) -= factor * derivative[j];
           for (unsigned int j = 0; j < offset.size(); ++j)
             change.C(a, j) -=
-              factor * (integrals.gradients.at(m) * (way * offset[j]));
+              factor * (integrals.master.at(m).gradient * (way * offset[j]));
         }
     keep_symmetric(point, change);
   }

@@ -57,9 +57,54 @@ namespace Contact
           largest = std::max(largest, box.side_length(c));
         box.extend((surface.degree == 2 ? 0.25 + overhang : overhang) *
                    largest);
+        hulls.push_back(hull(e, nodes));
         entries.emplace_back(box, e);
       }
     tree = pack_rtree(entries);
+  }
+
+
+
+  // That of the facet's control points, as of a surface of Bezier: at degree 2
+  // the middle one of three nodes a, m, b of a line is 2 m - (a + b) / 2. With
+  // an overhang the line goes on to where its own control points are.
+  SurfaceSearch<3>::Box SurfaceSearch<3>::hull(const unsigned int facet,
+                                               const Nodes       &nodes) const
+  {
+    Nodes      points  = nodes;
+    const auto control = [&](const unsigned int first,
+                             const unsigned int last,
+                             const unsigned int middle,
+                             const unsigned int k) {
+      const auto  &ends  = surface.facets[facet].ends_face;
+      const double begin = ends[2 * k] ? -1 - overhang : -1,
+                   end   = ends[2 * k + 1] ? 1 + overhang : 1;
+      const Point<3> a = points[first], b = points[last];
+      if (surface.degree == 1)
+        {
+          const Tensor<1, 3> slope = 0.5 * (b - a);
+          points[first]            = a + (begin + 1) * slope;
+          points[last]             = b + (end - 1) * slope;
+          return;
+        }
+      const Point<3>     m     = points[middle];
+      const Tensor<1, 3> slope = 0.5 * (b - a);
+      const Tensor<1, 3> bend  = 0.5 * ((a - m) + (b - m));
+      points[first]            = m + begin * slope + begin * begin * bend;
+      points[last]             = m + end * slope + end * end * bend;
+      points[middle] = m + 0.5 * (begin + end) * slope + begin * end * bend;
+    };
+    control(0, 1, 6, 0);
+    control(2, 3, 7, 0);
+    if (surface.degree == 2)
+      control(4, 5, 8, 0);
+    control(0, 2, 4, 1);
+    control(1, 3, 5, 1);
+    if (surface.degree == 2)
+      control(6, 7, 8, 1);
+    return Box(
+      std::vector<Point<3>>(points.begin(),
+                            points.begin() + surface.n_nodes_per_facet()));
   }
 
 
@@ -117,6 +162,13 @@ namespace Contact
 
 
 
+  Projection<3> SurfaceSearch<3>::closest_alone(const Point<3> &x) const
+  {
+    return closest(x, [](const Projection<3> &) { return true; });
+  }
+
+
+
   Point<3> SurfaceSearch<3>::position(const Projection<3> &projection) const
   {
     const auto  values = FacetShape<3>::values(surface.degree, projection.xi);
@@ -136,7 +188,7 @@ namespace Contact
     if (found.facet == numbers::invalid_unsigned_int)
       {
         // Only to have a distance.
-        found = closest(x, [](const Projection<3> &) { return true; });
+        found             = closest_alone(x);
         found.off_the_end = true;
         return found;
       }
@@ -151,6 +203,7 @@ namespace Contact
   {
     namespace bgi = boost::geometry::index;
 
+    const double round_off = 1e-10;
     ++surface.counters().projections;
     Projection<3> best;
     double        best_distance = std::numeric_limits<double>::max();
@@ -161,6 +214,9 @@ namespace Contact
         if (boost::geometry::comparable_distance(x, entry->first) >
             best_distance)
           break;
+        if (boost::geometry::comparable_distance(x, hulls[entry->second]) >
+            (1 + round_off) * best_distance)
+          continue;
         ++surface.counters().candidate_pairs;
         const Projection<3> candidate = project(x, entry->second);
         const double        distance  = distance_square(x, candidate);
@@ -252,12 +308,16 @@ namespace Contact
 
 
   // Where the Hessian of half the squared distance is not positive definite,
-  // Gauss-Newton takes over. Iterates stay near the facet.
+  // Gauss-Newton takes over. Iterates stay near the facet. Where it is far from
+  // the origin, the round-off of places may be more than the tolerance: then
+  // the last steps do not become shorter.
   Point<2> SurfaceSearch<3>::minimize(const Point<3>            &x,
                                       const Nodes               &nodes,
                                       Point<2>                   xi,
                                       const std::array<bool, 2> &is_free) const
   {
+    const double small = 1e-8;
+    double       last  = std::numeric_limits<double>::max();
     for (unsigned int iteration = 0; iteration < 50; ++iteration)
       {
         const FacetShape<3>         shape(surface.degree, xi);
@@ -300,8 +360,10 @@ namespace Contact
               }
         for (unsigned int k = 0; k < 2; ++k)
           xi[k] = std::max(-2., std::min(2., xi[k] + step[k]));
-        if (step.norm() < 1e-14)
+        const double length = step.norm();
+        if (length < 1e-14 || (length < small && length >= last))
           break;
+        last = length;
       }
     return xi;
   }

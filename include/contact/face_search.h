@@ -62,6 +62,9 @@ namespace Contact
 
     Projection<3> closest_point(const Point<3> &x) const;
 
+    /// The same without its twins.
+    Projection<3> closest_alone(const Point<3> &x) const;
+
     /// The place of a projection.
     Point<3> position(const Projection<3> &projection) const;
 
@@ -119,10 +122,14 @@ namespace Contact
                       Point<2>                   xi,
                       const std::array<bool, 2> &is_free) const;
 
+    /// A box that a facet is in, with its overhang, however it bends.
+    Box hull(const unsigned int facet, const Nodes &nodes) const;
+
     Nodes facet_positions(const unsigned int facet) const;
 
     const Surface<3>                   &surface;
     std::vector<Point<3>>               positions;
+    std::vector<Box>                    hulls;
     RTree<std::pair<Box, unsigned int>> tree;
   };
 } // namespace Contact

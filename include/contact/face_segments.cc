@@ -8,7 +8,6 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 
 namespace Contact
@@ -50,30 +49,46 @@ namespace Contact
 
 
 
-    /// By how much the determinant of the bilinear map of a quadrangle varies,
-    /// relative to that in the middle: zero of a parallelogram.
-    double variation(const PlaneQuadrangle &q)
+    /// The sum over the nodes of a facet, which are at @p x.
+    Point<3> sum(const FacetShape<3>::Values         &values,
+                 const PerFacetNode<3, unsigned int> &nodes,
+                 const std::vector<Point<3>>         &x,
+                 const unsigned int                   n)
     {
-      const auto cross = [](const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
-        return a[0] * b[1] - a[1] * b[0];
-      };
-      const Tensor<1, 2> x     = (q[1] - q[0]) + (q[3] - q[2]);
-      const Tensor<1, 2> y     = (q[2] - q[0]) + (q[3] - q[1]);
-      const Tensor<1, 2> mixed = (q[3] - q[2]) - (q[1] - q[0]);
-      return (std::abs(cross(x, mixed)) + std::abs(cross(mixed, y))) /
-             std::abs(cross(x, y));
+      Point<3> place;
+      for (unsigned int a = 0; a < n; ++a)
+        place += values[a] * x[nodes[a]];
+      return place;
     }
 
 
 
-    /// Whether a point is in the box around a quadrangle.
-    bool is_in_box(const PlaneQuadrangle &q, const Point<2> &x)
+    /// The place of a triangle with these coordinates.
+    Point<2> inside(const std::array<Point<2>, 3> &triangle,
+                    const Point<2>                &eta)
     {
-      for (unsigned int i = 0; i < 2; ++i)
-        if (x[i] < std::min({q[0][i], q[1][i], q[2][i], q[3][i]}) ||
-            x[i] > std::max({q[0][i], q[1][i], q[2][i], q[3][i]}))
-          return false;
-      return true;
+      return Point<2>(triangle[0] + eta[0] * (triangle[1] - triangle[0]) +
+                      eta[1] * (triangle[2] - triangle[0]));
+    }
+
+
+
+    /// The outward unit normals in the middle of the facets.
+    std::vector<Tensor<1, 3>> middle_normals(const Surface<3> &surface,
+                                             const std::vector<Point<3>> &x)
+    {
+      const FacetBasis          basis(surface.degree, Point<2>());
+      std::vector<Tensor<1, 3>> normals;
+      for (const SurfaceFacet<3> &facet : surface.facets)
+        {
+          std::array<Tensor<1, 3>, 2> tangents;
+          for (unsigned int k = 0; k < 2; ++k)
+            tangents[k] =
+              sum(basis.first[k], facet.nodes, x, surface.n_nodes_per_facet());
+          const Tensor<1, 3> outward = outward_normal(tangents);
+          normals.push_back(outward / outward.norm());
+        }
+      return normals;
     }
 
 
@@ -101,34 +116,65 @@ namespace Contact
         ++n;
       return rules[n - 3];
     }
-
-
-
-    /// The determinant of the bilinear map of a quadrangle.
-    double jacobian(const PlaneQuadrangle &q, const Point<2> &xi)
-    {
-      const FacetShape<3> shape(1, xi);
-      Tensor<1, 2>        a, b;
-      for (unsigned int k = 0; k < 4; ++k)
-        {
-          a += shape.first[0][k] * q[k];
-          b += shape.first[1][k] * q[k];
-        }
-      return std::abs(a[0] * b[1] - a[1] * b[0]);
-    }
-
-
-
-    Point<3> position(const SurfaceSearch<3> &search,
-                      const unsigned int      facet,
-                      const Point<2>         &xi)
-    {
-      Projection<3> place;
-      place.facet = facet;
-      place.xi    = xi;
-      return search.position(place);
-    }
   } // namespace
+
+
+
+  FacetBasis::FacetBasis(const unsigned int degree, const Point<2> &xi)
+  {
+    const EdgeShape x(degree, xi[0]), y(degree, xi[1]);
+    for (unsigned int a = 0; a < (degree == 1 ? 4 : 9); ++a)
+      {
+        const auto [i, j] = FacetShape<3>::factors[a];
+        value[a]          = x.value[i] * y.value[j];
+        first[0][a]       = x.first[i] * y.value[j];
+        first[1][a]       = x.value[i] * y.first[j];
+      }
+  }
+
+
+
+  struct FaceSegments::ProjectedPart
+  {
+    ProjectedPart(const PlaneQuadrangle &quadrangle, const Part &part)
+      : quadrangle(quadrangle)
+      , lower(quadrangle[0])
+      , upper(quadrangle[0])
+      , map(quadrangle)
+      , part(part)
+    {
+      for (const Point<2> &corner : quadrangle)
+        for (unsigned int i = 0; i < 2; ++i)
+          {
+            lower[i] = std::min(lower[i], corner[i]);
+            upper[i] = std::max(upper[i], corner[i]);
+          }
+    }
+
+    /// Whether the boxes around the quadrangles have something in common.
+    bool is_near(const ProjectedPart &other) const
+    {
+      return lower[0] <= other.upper[0] && other.lower[0] <= upper[0] &&
+             lower[1] <= other.upper[1] && other.lower[1] <= upper[1];
+    }
+
+    bool is_in_box(const Point<2> &x) const
+    {
+      return lower[0] <= x[0] && x[0] <= upper[0] && lower[1] <= x[1] &&
+             x[1] <= upper[1];
+    }
+
+    /// In the coordinates of the facet.
+    Point<2> in_facet(const Point<2> &xi) const
+    {
+      return part.middle + part.scale * xi;
+    }
+
+    const PlaneQuadrangle quadrangle;
+    Point<2>              lower, upper;
+    const BilinearMap     map;
+    const Part           &part;
+  };
 
 
 
@@ -138,18 +184,37 @@ namespace Contact
                const Surface<3>        &slave,
                const FaceConfiguration &now)
       : index(index)
+      , facet(slave.facets[index])
       , normal(now.slave_middles[index])
-      , plane(position(now.slave_search, index, Point<2>()), normal)
+      , plane(sum(FacetShape<3>::values(slave.degree, Point<2>()),
+                  facet.nodes,
+                  now.slave_x,
+                  slave.n_nodes_per_facet()),
+              normal)
     {
       for (const Part &part : parts_of_facet(slave.degree))
-        parts.push_back(
-          project(plane, part, slave.facets[index].nodes, now.slave_x));
+        parts.emplace_back(project(plane, part, facet.nodes, now.slave_x),
+                           part);
+      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+        X.push_back(slave.nodes[facet.nodes[a]].X);
     }
 
-    const unsigned int           index;
-    const Tensor<1, 3>           normal;
-    const ProjectionPlane        plane;
-    std::vector<PlaneQuadrangle> parts;
+    /// The undeformed area per unit of the coordinates.
+    double reference_jacobian(const FacetBasis &basis) const
+    {
+      std::array<Tensor<1, 3>, 2> tangents;
+      for (unsigned int a = 0; a < X.size(); ++a)
+        for (unsigned int k = 0; k < 2; ++k)
+          tangents[k] += basis.first[k][a] * X[a];
+      return outward_normal(tangents).norm();
+    }
+
+    const unsigned int         index;
+    const SurfaceFacet<3>     &facet;
+    const Tensor<1, 3>         normal;
+    const ProjectionPlane      plane;
+    std::vector<ProjectedPart> parts;
+    std::vector<Point<3>>      X; // of the nodes, undeformed
   };
 
 
@@ -160,17 +225,14 @@ namespace Contact
                                        const GhostedVector  &u)
     : slave_normals(planes.facet_normals(slave, u))
     , master_normals(planes.facet_normals(master, u))
-    , slave_search(slave, u)
     , search(master, u)
   {
     for (unsigned int i = 0; i < slave.nodes.size(); ++i)
       slave_x.push_back(slave.position(i, u));
     for (unsigned int i = 0; i < master.nodes.size(); ++i)
       master_x.push_back(master.position(i, u));
-    for (unsigned int e = 0; e < slave.facets.size(); ++e)
-      slave_middles.push_back(slave_search.normal(e, Point<2>()));
-    for (unsigned int e = 0; e < master.facets.size(); ++e)
-      master_middles.push_back(search.normal(e, Point<2>()));
+    slave_middles  = middle_normals(slave, slave_x);
+    master_middles = middle_normals(master, master_x);
   }
 
 
@@ -181,6 +243,7 @@ namespace Contact
     : slave(slave)
     , master(master)
     , now(now)
+    , closest(slave.nodes.size())
   {
   }
 
@@ -188,90 +251,121 @@ namespace Contact
 
   // The master facets that face a slave facet are in its box, widened by the
   // distance of the surfaces there.
-  std::vector<FaceSample> FaceSegments::samples(const unsigned int e) const
+  const std::vector<FaceSample> &FaceSegments::samples(const unsigned int e)
   {
     std::vector<Point<3>> x;
-    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-      x.push_back(now.slave_x[slave.facets[e].nodes[a]]);
-    NormalCone<3> directions;
+    NormalCone<3>         directions;
     directions.normals = {now.slave_middles[e]};
 
     double distance = 0;
-    for (const Point<3> &node : x)
+    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
       {
-        const Projection<3> foot = now.search.closest_facing(node, directions);
-        distance =
-          std::max(distance, std::sqrt(now.search.distance_square(node, foot)));
+        const unsigned int node = slave.facets[e].nodes[a];
+        x.push_back(now.slave_x[node]);
+        distance = std::max(distance, distance_to_master(node, directions));
       }
     BoundingBox<3> box(x);
     box.extend(distance + 0.1 * slave.reference_length(e));
-    std::vector<FaceSample> samples;
-    const SlaveFacet        own(e, slave, now);
+    of_facet.clear();
+    const SlaveFacet own(e, slave, now);
     for (const unsigned int m : now.search.facets_in(box))
       if (directions.faces(now.master_middles[m]))
-        add_segment(own, m, samples);
-    remove_hidden(own, samples);
-    return samples;
+        add_segment(own, m);
+    remove_hidden(own);
+    return of_facet;
   }
 
 
 
-  void FaceSegments::add_segment(const SlaveFacet        &own,
-                                 const unsigned int       m,
-                                 std::vector<FaceSample> &samples) const
+  // From all facets around a node the master is seen at the same place, if that
+  // faces them.
+  double FaceSegments::distance_to_master(const unsigned int   node,
+                                          const NormalCone<3> &directions)
   {
-    const auto &facet  = slave.facets[own.index];
-    const auto &parts  = parts_of_facet(slave.degree);
-    const auto &others = parts_of_facet(master.degree);
-    for (const Part &other : others)
+    const Point<3> &x = now.slave_x[node];
+    if (!closest[node])
       {
-        const PlaneQuadrangle t =
-          project(own.plane, other, master.facets[m].nodes, now.master_x);
-        for (unsigned int k = 0; k < parts.size(); ++k)
+        const Projection<3> foot = now.search.closest_alone(x);
+        closest[node] = Closest{std::sqrt(now.search.distance_square(x, foot)),
+                                now.search.normal(foot.facet, foot.xi)};
+      }
+    if (directions.faces(closest[node]->normal))
+      return closest[node]->distance;
+    return std::sqrt(
+      now.search.distance_square(x, now.search.closest_facing(x, directions)));
+  }
+
+
+
+  void FaceSegments::add_segment(const SlaveFacet &own, const unsigned int m)
+  {
+    const auto &other_nodes = master.facets[m].nodes;
+    const auto  on_slave    = [&](const FacetShape<3>::Values &values) {
+      return sum(values,
+                 own.facet.nodes,
+                 now.slave_x,
+                 slave.n_nodes_per_facet());
+    };
+    const auto on_master = [&](const FacetShape<3>::Values &values) {
+      return sum(values, other_nodes, now.master_x, master.n_nodes_per_facet());
+    };
+    for (const Part &other : parts_of_facet(master.degree))
+      {
+        const ProjectedPart t(
+          project(own.plane, other, other_nodes, now.master_x),
+          other);
+        for (const ProjectedPart &s : own.parts)
           {
-            const Part            &part      = parts[k];
-            const PlaneQuadrangle &s         = own.parts[k];
-            const auto             triangles = intersection(s, t);
+            if (!s.is_near(t))
+              continue;
+            const auto triangles = intersection(s.quadrangle, t.quadrangle);
             if (triangles.empty())
               continue;
             const Quadrature<2> &quadrature =
               rule(std::max(slave.degree, master.degree),
-                   std::max(variation(s), variation(t)));
-            const auto distance = [&](const Point<2> &xi,
-                                      const Point<2> &master_xi) {
-              return position(now.slave_search, own.index, xi) -
-                     position(now.search, m, master_xi);
-            };
-            const auto distance_at = [&](const Point<2> &place) {
-              return distance(part.middle +
-                                part.scale * coordinates_in(s, place),
-                              other.middle +
-                                other.scale * coordinates_in(t, place));
-            };
+                   std::max(s.map.variation(), t.map.variation()));
+            const double scale = s.part.scale;
             for (const PlaneTriangle &triangle : triangles)
-              for (unsigned int q = 0; q < quadrature.size(); ++q)
-                {
-                  const Point<2> &eta = quadrature.point(q);
-                  const Point<2>  place(triangle[0] +
-                                       eta[0] * (triangle[1] - triangle[0]) +
-                                       eta[1] * (triangle[2] - triangle[0]));
-                  const Point<2>  in_s = coordinates_in(s, place);
-                  FaceSample      sample;
-                  sample.slave_xi = part.middle + part.scale * in_s;
-                  sample.weight =
-                    2 * area(triangle) * quadrature.weight(q) /
-                    jacobian(s, in_s) * part.scale * part.scale *
-                    slave.reference_jacobian(facet,
-                                             FacetShape<3>(slave.degree,
-                                                           sample.slave_xi));
-                  sample.master_facet = m;
-                  sample.master_xi =
-                    other.middle + other.scale * coordinates_in(t, place);
-                  sample.distance = distance(sample.slave_xi, sample.master_xi);
-                  sample.distance_at_corner =
-                    q < 3 ? distance_at(triangle[q]) : sample.distance;
-                  samples.push_back(sample);
-                }
+              {
+                std::array<Point<2>, 3> corners_in_s, corners_in_t;
+                for (unsigned int k = 0; k < 3; ++k)
+                  {
+                    corners_in_s[k] = s.map.coordinates_of(triangle[k]);
+                    corners_in_t[k] = t.map.coordinates_of(triangle[k]);
+                  }
+                for (unsigned int q = 0; q < quadrature.size(); ++q)
+                  {
+                    const Point<2> &eta   = quadrature.point(q);
+                    const Point<2>  place = inside(triangle, eta);
+                    const Point<2>  in_s =
+                      s.map.coordinates_of(place, inside(corners_in_s, eta));
+                    const Point<2>   slave_xi = s.in_facet(in_s);
+                    const FacetBasis basis(slave.degree, slave_xi);
+                    const double     weight = 2 * area(triangle) *
+                                          quadrature.weight(q) /
+                                          s.map.jacobian(in_s) * scale * scale *
+                                          own.reference_jacobian(basis);
+                    const Point<2> master_xi = t.in_facet(
+                      t.map.coordinates_of(place, inside(corners_in_t, eta)));
+                    of_facet.emplace_back(FacetSample{slave_xi,
+                                                      basis.value,
+                                                      weight},
+                                          master_xi,
+                                          m,
+                                          master.degree);
+                    FaceSample &sample = of_facet.back();
+                    sample.distance    = on_slave(sample.slave_values) -
+                                      on_master(sample.master_basis.value);
+                    if (q < 3)
+                      sample.distance_at_corner =
+                        on_slave(
+                          FacetShape<3>::values(slave.degree,
+                                                s.in_facet(corners_in_s[q]))) -
+                        on_master(
+                          FacetShape<3>::values(master.degree,
+                                                t.in_facet(corners_in_t[q])));
+                  }
+              }
           }
       }
   }
@@ -279,41 +373,50 @@ namespace Contact
 
 
   // Facets next to each other are no further apart than they are large.
-  void FaceSegments::remove_hidden(const SlaveFacet        &own,
-                                   std::vector<FaceSample> &samples) const
+  void FaceSegments::remove_hidden(const SlaveFacet &own)
   {
-    std::map<unsigned int, std::vector<PlaneQuadrangle>> facets;
-    double                                               least = 0, largest = 0;
-    for (const FaceSample &sample : samples)
+    if (of_facet.empty())
+      return;
+    double least = of_facet[0].distance * own.normal, largest = least;
+    bool   are_of_one = true;
+    for (const FaceSample &sample : of_facet)
       {
         const double along = sample.distance * own.normal;
-        least              = facets.empty() ? along : std::min(least, along);
-        largest            = facets.empty() ? along : std::max(largest, along);
-        facets[sample.master_facet];
+        least              = std::min(least, along);
+        largest            = std::max(largest, along);
+        are_of_one =
+          are_of_one && sample.master_facet == of_facet[0].master_facet;
       }
     const double thin = 0.1;
-    if (facets.size() < 2 ||
+    if (are_of_one ||
         largest - least <= thin * slave.reference_length(own.index))
       return;
-    for (auto &[m, parts] : facets)
-      for (const Part &part : parts_of_facet(master.degree))
-        parts.push_back(
-          project(own.plane, part, master.facets[m].nodes, now.master_x));
+
+    std::map<unsigned int, std::vector<ProjectedPart>> facets;
+    for (const FaceSample &sample : of_facet)
+      {
+        auto &parts = facets[sample.master_facet];
+        if (parts.empty())
+          for (const Part &part : parts_of_facet(master.degree))
+            parts.emplace_back(project(own.plane,
+                                       part,
+                                       master.facets[sample.master_facet].nodes,
+                                       now.master_x),
+                               part);
+      }
     const auto is_hidden = [&](const FaceSample &sample) {
-      const Point<3> on_slave =
-        position(now.slave_search, own.index, sample.slave_xi);
-      const Point<2> place = own.plane.project(on_slave);
+      const Point<3> on_slave = sum(sample.slave_values,
+                                    own.facet.nodes,
+                                    now.slave_x,
+                                    slave.n_nodes_per_facet());
+      const Point<2> place    = own.plane.project(on_slave);
       return std::any_of(facets.begin(), facets.end(), [&](const auto &facet) {
         return facet.first != sample.master_facet &&
                is_behind(sample, own, on_slave, place, facet);
       });
     };
-    const std::vector<FaceSample> all = samples;
-    samples.clear();
-    std::remove_copy_if(all.begin(),
-                        all.end(),
-                        std::back_inserter(samples),
-                        is_hidden);
+    of_facet.erase(std::remove_if(of_facet.begin(), of_facet.end(), is_hidden),
+                   of_facet.end());
   }
 
 
@@ -325,20 +428,21 @@ namespace Contact
                                const Point<2>       &place,
                                const ProjectedFacet &facet) const
   {
-    const auto &[m, quadrangles] = facet;
-    const auto &parts            = parts_of_facet(master.degree);
-    for (unsigned int k = 0; k < parts.size(); ++k)
+    const auto &[m, parts] = facet;
+    for (const ProjectedPart &part : parts)
       {
-        if (!is_in_box(quadrangles[k], place))
+        if (!part.is_in_box(place))
           continue;
-        const Point<2> xi = coordinates_in(quadrangles[k], place);
+        const Point<2> xi = part.map.coordinates_of(place);
         if (!(std::max(std::abs(xi[0]), std::abs(xi[1])) < 1))
           continue;
-        const double other =
-          (on_slave -
-           position(now.search, m, parts[k].middle + parts[k].scale * xi)) *
-          own.normal;
-        if (std::abs(other) < std::abs(sample.distance * own.normal))
+        const Point<3> on_other =
+          sum(FacetShape<3>::values(master.degree, part.in_facet(xi)),
+              master.facets[m].nodes,
+              now.master_x,
+              master.n_nodes_per_facet());
+        if (std::abs((on_slave - on_other) * own.normal) <
+            std::abs(sample.distance * own.normal))
           return true;
       }
     return false;

@@ -6,6 +6,7 @@
 #ifndef contact_face_segments_h
 #define contact_face_segments_h
 
+#include <optional>
 #include <utility>
 
 #include "contact/face_clipping.h"
@@ -27,10 +28,22 @@ namespace Contact
 
     std::vector<Point<3>>  slave_x, master_x;
     FacetNormals<3>        slave_normals, master_normals;
-    const SurfaceSearch<3> slave_search, search;
+    const SurfaceSearch<3> search; // of the master
 
     /// The outward normals in the middle of the facets.
     std::vector<Tensor<1, 3>> slave_middles, master_middles;
+  };
+
+
+
+  /// The shape functions of a facet at one place of it and their derivatives:
+  /// those of FacetShape that integrals need.
+  struct FacetBasis
+  {
+    FacetBasis(const unsigned int degree, const Point<2> &xi);
+
+    FacetShape<3>::Values                value;
+    std::array<FacetShape<3>::Values, 2> first;
   };
 
 
@@ -39,10 +52,24 @@ namespace Contact
   /// master facet.
   struct FaceSample : public FacetSample
   {
+    FaceSample(const FacetSample &on_slave,
+               const Point<2>    &master_xi,
+               const unsigned int master_facet,
+               const unsigned int master_degree)
+      : FacetSample(on_slave)
+      , master_xi(master_xi)
+      , master_facet(master_facet)
+      , master_basis(master_degree, master_xi)
+    {
+    }
+
     Point<2>     master_xi;
     unsigned int master_facet;
-    Tensor<1, 3> distance;           // slave less master [mm]
-    Tensor<1, 3> distance_at_corner; // in a corner of the triangle around it
+    FacetBasis   master_basis;
+    Tensor<1, 3> distance; // slave less master [mm]
+
+    /// In a corner of the triangle around it, if it stands for one.
+    std::optional<Tensor<1, 3>> distance_at_corner;
   };
 
 
@@ -64,22 +91,24 @@ namespace Contact
                  const Surface<3>        &master,
                  const FaceConfiguration &now);
 
-    /// The Gauss points of a slave facet.
-    std::vector<FaceSample> samples(const unsigned int slave_facet) const;
+    /// The Gauss points of a slave facet, in a list that is used again.
+    const std::vector<FaceSample> &samples(const unsigned int slave_facet);
 
   private:
     /// A slave facet and its parts in the plane that masters are projected on.
     struct SlaveFacet;
 
-    void add_segment(const SlaveFacet        &own,
-                     const unsigned int       master_facet,
-                     std::vector<FaceSample> &samples) const;
-    void remove_hidden(const SlaveFacet        &own,
-                       std::vector<FaceSample> &samples) const;
+    /// A part of a facet in that plane.
+    struct ProjectedPart;
+
+    double distance_to_master(const unsigned int   slave_node,
+                              const NormalCone<3> &directions);
+    void   add_segment(const SlaveFacet &own, const unsigned int master_facet);
+    void   remove_hidden(const SlaveFacet &own);
 
     /// A master facet and its parts in that plane.
     using ProjectedFacet =
-      std::pair<const unsigned int, std::vector<PlaneQuadrangle>>;
+      std::pair<const unsigned int, std::vector<ProjectedPart>>;
 
     bool is_behind(const FaceSample     &sample,
                    const SlaveFacet     &own,
@@ -89,6 +118,18 @@ namespace Contact
 
     const Surface<3>        &slave, &master;
     const FaceConfiguration &now;
+
+    /// The closest point of the master to a node of the slave.
+    struct Closest
+    {
+      double       distance; // [mm]
+      Tensor<1, 3> normal;
+    };
+
+    /// By node, as far as they have been asked for.
+    std::vector<std::optional<Closest>> closest;
+
+    std::vector<FaceSample> of_facet;
   };
 } // namespace Contact
 

@@ -205,6 +205,7 @@ namespace Contact
                        std::string("name a boundary group of the mesh that ") +
                          "has " + (dim == 2 ? "lines" : "surfaces"));
     arrange();
+    find_parted();
   }
 
 
@@ -344,6 +345,21 @@ namespace Contact
 
 
   template<int dim>
+  void Surface<dim>::find_parted()
+  {
+    parted.resize(facets.size());
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+        {
+          auto around = smooth_around(e, a);
+          if (around.size() != facets_of_node[facets[e].nodes[a]].size())
+            parted[e][a] = std::move(around);
+        }
+  }
+
+
+
+  template<int dim>
   FacetNormals<dim> Surface<dim>::facet_normals(const GhostedVector &u) const
   {
     const auto        mean = normals(u);
@@ -351,12 +367,10 @@ namespace Contact
     for (unsigned int e = 0; e < facets.size(); ++e)
       for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
         {
-          const unsigned int node   = facets[e].nodes[a];
-          const auto         around = smooth_around(e, a);
-          if (around.size() == facets_of_node[node].size())
-            normals[e][a] = mean[node];
-          else
-            normals[e][a] = mean_normal(node, around, u);
+          const unsigned int node = facets[e].nodes[a];
+          normals[e][a]           = parted[e][a].empty()
+                                      ? mean[node]
+                                      : mean_normal(node, parted[e][a], u);
         }
     return normals;
   }

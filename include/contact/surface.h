@@ -364,6 +364,7 @@ namespace Contact
     void renumber_nodes();
     void link_edges();
     void find_corners();
+    void find_parted();
     void measure_turns();
 
     void link_sides();
@@ -384,6 +385,10 @@ namespace Contact
                           const GhostedVector     &u) const;
 
     const Discretization<dim> &discretization;
+
+    /// By facet and node smooth_around(), where that is not all facets around
+    /// the node; else nothing.
+    std::vector<PerFacetNode<dim, std::vector<unsigned int>>> parted;
   };
 
 
@@ -429,7 +434,8 @@ namespace Contact
   {
     const double g00 = t[0] * t[0], g01 = t[0] * t[1], g11 = t[1] * t[1];
     const double det = g00 * g11 - g01 * g01;
-    return {{(g11 * t[0] - g01 * t[1]) / det, (g00 * t[1] - g01 * t[0]) / det}};
+    return {{g11 / det * t[0] - g01 / det * t[1],
+             g00 / det * t[1] - g01 / det * t[0]}};
   }
 
 

@@ -213,16 +213,17 @@ namespace Contact
   std::vector<double>
   Surface<3>::shares_of_nodes(const unsigned int facet) const
   {
-    const QGauss<2>     quadrature(degree + 1);
-    std::vector<double> shares(n_nodes_per_facet());
+    static const std::array<QGauss<2>, 2> rules{{QGauss<2>(2), QGauss<2>(3)}};
+    const QGauss<2>                      &quadrature = rules[degree - 1];
+    std::vector<double>                   shares(n_nodes_per_facet());
     for (unsigned int q = 0; q < quadrature.size(); ++q)
       {
         const Point<2>      xi(2 * quadrature.point(q)[0] - 1,
                           2 * quadrature.point(q)[1] - 1);
         const FacetShape<3> shape(degree, xi);
+        const double        jacobian = reference_jacobian(facets[facet], shape);
         for (unsigned int a = 0; a < shares.size(); ++a)
-          shares[a] += 4 * quadrature.weight(q) * shape.value[a] *
-                       reference_jacobian(facets[facet], shape);
+          shares[a] += 4 * quadrature.weight(q) * shape.value[a] * jacobian;
       }
     return shares;
   }
