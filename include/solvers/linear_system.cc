@@ -399,14 +399,19 @@ namespace Contact
           return parameters.linear_solver;
         if (MatrixFreeSystem<dim>::is_best(discretization, elasticity))
           return Parameters::SolverKind::gmg;
+        return choose_with_matrix(model);
+      }
+
+      static SolverChoice choose_with_matrix(const ContactModel<dim> &model)
+      {
         return DefiniteSolver::choose(dim,
                                       model.n_displacements(),
                                       Utilities::MPI::n_mpi_processes(
-                                        discretization.communicator));
+                                        model.discretization->communicator));
       }
 
       // Where the multigrid without a matrix was the choice of the program and
-      // stalls, the assembled one goes on.
+      // stalls, a solver with a matrix goes on.
       unsigned int solve_for_update(const GhostedVector       &rhs,
                                     const double               tolerance,
                                     const Step                &step,
@@ -430,7 +435,7 @@ namespace Contact
               throw;
             screen << "      " << stall.what() << ": done from here on"
                    << std::endl;
-            solver = Parameters::SolverKind::amg;
+            solver = choose_with_matrix(model);
             system = create(solver);
             system->update_pattern();
             return solve();
