@@ -456,7 +456,7 @@ namespace Contact
           {
             if (!while_held)
               {
-                while_held = create(Parameters::SolverKind::amg);
+                while_held = create(choose_with_matrix(model));
                 while_held->update_pattern();
               }
             last = while_held.get();

@@ -80,7 +80,9 @@ namespace Contact
   {
     const auto       &mesh   = discretization.mesh.triangulation;
     const std::size_t n      = discretization.dof_handler.n_dofs();
-    const std::size_t least  = dim == 2 ? 20000 : 5000;
+    const std::size_t least  = elasticity.is_linear()
+                                 ? (dim == 2 ? 20000 : 5000)
+                                 : (dim == 2 ? 100000 : 10000);
     const double coarse_part = double(mesh.n_cells(0)) / mesh.n_active_cells();
     return n >= least && !is_too_deep(discretization.mesh) &&
            n * coarse_part < least &&

@@ -50,6 +50,8 @@ namespace Contact
      * Whether it is the best choice: the scene is one for it, and multigrid is
      * faster than CHOLMOD. From 20000 unknowns in the plane and 5000 in space
      * on it is, if the coarsest mesh has less than CHOLMOD takes a moment for.
+     * In large displacement CHOLMOD is the choice as long as it is with AMG: it
+     * alone tells of a tangent that is no longer definite.
      */
     static bool is_best(const Discretization<dim> &discretization,
                         const Elasticity<dim>     &elasticity);
