@@ -89,6 +89,7 @@ namespace Contact
                                discretization.communicator);
     coarse_displacement.copy_locally_owned_data_from(levels[0]->solution);
     coarse_displacement.update_ghost_values();
+    coarse_tangents.clear();
   }
 
 
@@ -106,13 +107,33 @@ namespace Contact
 
 
 
+  template<int dim>
+  void ContactMultigrid<dim>::make_coarse_tangents()
+  {
+    const MultigridLevel<dim> &level = *levels[0];
+    const FiniteElement<dim>  &fe    = level.dof_handler.get_fe();
+    const unsigned int         n     = fe.n_dofs_per_cell();
+    FEValues<dim>              values(level.mapping,
+                         fe,
+                         QGauss<dim>(fe.degree + 1),
+                         update_gradients | update_JxW_values);
+    for (const auto &cell : level.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          values.reinit(cell);
+          coarse_tangents.emplace_back(n, n);
+          add_tangent(coarse_tangents.back(), values, cell);
+        }
+  }
+
+
+
   // The mesh is small: every rank has room for all rows of the pattern.
   template<int dim>
   void ContactMultigrid<dim>::make_coarse_matrix()
   {
     const MultigridLevel<dim> &level       = *levels[0];
     const DoFHandler<dim>     &dof_handler = level.dof_handler;
-    const FiniteElement<dim>  &fe          = dof_handler.get_fe();
     const IndexSet            &owned       = dof_handler.locally_owned_dofs();
     const bool                 alone =
       Utilities::MPI::n_mpi_processes(discretization.communicator) == 1;
@@ -135,21 +156,15 @@ namespace Contact
     coarse_matrix.clear();
     coarse_matrix.reinit(owned, owned, pattern, discretization.communicator);
 
-    FEValues<dim>      values(level.mapping,
-                         fe,
-                         QGauss<dim>(fe.degree + 1),
-                         update_gradients | update_JxW_values);
-    const unsigned int n = fe.n_dofs_per_cell();
-    FullMatrix<double> tangent(n, n);
-    Dofs               dofs(n);
+    if (coarse_tangents.empty())
+      make_coarse_tangents();
+    Dofs dofs(dof_handler.get_fe().n_dofs_per_cell());
+    auto tangent = coarse_tangents.begin();
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          values.reinit(cell);
           cell->get_dof_indices(dofs);
-          tangent = 0;
-          add_tangent(tangent, values, cell);
-          all.distribute_local_to_global(tangent, dofs, coarse_matrix);
+          all.distribute_local_to_global(*tangent++, dofs, coarse_matrix);
         }
     coarse_matrix.compress(VectorOperation::add);
     coarse_solver =

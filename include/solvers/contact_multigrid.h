@@ -50,6 +50,7 @@ namespace Contact
     void vmult(Fine &dst, const Fine &src) const;
 
   private:
+    void make_coarse_tangents();
     void make_coarse_matrix();
     void add_tangent(
       FullMatrix<double>                                   &matrix,
@@ -65,6 +66,7 @@ namespace Contact
     std::vector<std::unique_ptr<MultigridLevel<dim>>>      levels;
     std::vector<std::unique_ptr<LevelTransfer<dim>>> transfers; // l: to l + 1
 
+    std::vector<FullMatrix<double>> coarse_tangents; // of this rank's cells
     TrilinosWrappers::SparseMatrix  coarse_matrix;
     std::unique_ptr<DefiniteSolver> coarse_solver;
     Fine                            coarse_displacement; // if large
