@@ -37,7 +37,7 @@ namespace Contact
                      ContactElimination<dim>     &elimination,
                      TimerOutput                 &timer);
 
-    /// What of a scene it is not for, behind "of"; empty if it serves.
+    /// The part of a scene that it is not for, behind "of"; empty if it serves.
     static std::string refusal(const Discretization<dim> &discretization,
                                const Elasticity<dim>     &elasticity);
 
