@@ -498,6 +498,7 @@ namespace Contact
     coarser = std::move(here);
     postprocessor.record_level(levels.present(),
                                levels.may_be_last(),
+                               system->name(),
                                estimate_errors());
   }
 

@@ -6,16 +6,20 @@
 # wall time, from 80000 unknowns on.
 #   scaling.sh CONTACT [MAX_UNKNOWNS [OPTION...]]
 #   scaling.sh CONTACT space [OPTION...]   in space, see scaling_space.py
+#   scaling.sh CONTACT processes [OPTION...]   see scaling_processes.py
 # MAX_UNKNOWNS is 1400000 by default; 5300000 takes 10 GB. Not a test: nothing
 # is asserted but convergence. Results go to a scratch directory.
 # SPDX-License-Identifier: LGPL-2.1-or-later
 set -eu
 
 contact=$1
-if [ "${2-}" = space ]; then
-  shift 2
-  exec "$(dirname -- "$0")/scaling_space.py" "$contact" "$@"
-fi
+case ${2-} in
+  space | processes)
+    study=scaling_$2.py
+    shift 2
+    exec "$(dirname -- "$0")/$study" "$contact" "$@"
+    ;;
+esac
 max_unknowns=${2-1400000}
 shift $(($# < 2 ? $# : 2))
 parameters=$(CDPATH='' cd -- "$(dirname -- "$0")/../parameters" && pwd)
@@ -95,7 +99,10 @@ row() {
     part == "levels" && /"wall"/ { finest += $2 }
     part == "unknowns" && /"displacement"/ { unknowns = $2 + 0 }
     part == "peak_memory_mb" { memory = $2; part = "" }
-    part == "effects" && /"system"/ { method = $NF; gsub(/[ "]/, "", method) }
+    part == "levels" && /"system"/ {
+      n = split($0, words, /[ "]+/)
+      method = words[n - 1]
+    }
     END {
       printf "| %s | %d | %d | %s | %d | %.1f | %.2f | %.2f | %s | %s | %.0f |",
         label, degree, unknowns, method, newton, linear / (newton ? newton : 1),
@@ -176,8 +183,7 @@ if command -v mpirun >/dev/null; then
       echo 0 >tied
       for ranks in 1 2; do
         row "$case, $ranks rank(s)" "$degree" "$ranks" "$case" \
-          --set "Refinement/Levels=$level" --set Solution/Increments=1 \
-          --set "Solution/Linear solver=AMG" "$@"
+          --set "Refinement/Levels=$level" --set Solution/Increments=1 "$@"
         [ "$ranks" = 2 ] || [ "$wall" = 0 ] || echo "$wall" >tied
       done
     done

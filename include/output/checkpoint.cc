@@ -154,7 +154,7 @@ namespace Contact
   template<int dim>
   std::vector<GhostedVector *> Checkpoint<dim>::vectors(State &start) const
   {
-    auto all = start.vectors();
+    auto all = start.vectors(model.discretization->distribution);
     all.push_back(&state.solution);
     return all;
   }

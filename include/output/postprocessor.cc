@@ -265,6 +265,7 @@ namespace Contact
   template<int dim>
   void Postprocessor<dim>::record_level(const unsigned int level,
                                         const bool         is_last,
+                                        const std::string &system,
                                         const ProbeErrors &errors)
   {
     const RunSummary &summary = report.summary;
@@ -278,6 +279,7 @@ namespace Contact
     record.n_cells         = model.mesh->triangulation.n_global_active_cells();
     record.n_displacements = model.n_displacements();
     record.n_multipliers   = model.n_multipliers();
+    record.system          = system;
     for (const IncrementRecord &increment : summary.increments)
       if (increment.level == level)
         {

@@ -59,6 +59,7 @@ namespace Contact
     /// the run.
     void record_level(const unsigned int level,
                       const bool         is_last,
+                      const std::string &system,
                       const ProbeErrors &errors);
 
   private:

@@ -184,6 +184,7 @@ namespace Contact
       return {{"cells", level.n_cells},
               {"displacements", level.n_displacements},
               {"multipliers", level.n_multipliers},
+              {"system", level.system},
               {"newton_iterations", level.newton_iterations},
               {"linear_iterations", level.linear_iterations},
               {"probes", level.probes},

@@ -119,9 +119,10 @@ namespace Contact
   /// The cost of a mesh of nested iteration; without, there is one.
   struct LevelRecord
   {
-    std::size_t  n_cells           = 0;
-    std::size_t  n_displacements   = 0; // unknowns
-    std::size_t  n_multipliers     = 0;
+    std::size_t  n_cells         = 0;
+    std::size_t  n_displacements = 0; // unknowns
+    std::size_t  n_multipliers   = 0;
+    std::string  system; // and how it was solved
     unsigned int newton_iterations = 0;
     unsigned int linear_iterations = 0; // 1 for each direct solve
 

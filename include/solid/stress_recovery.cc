@@ -39,7 +39,8 @@ namespace Contact
   StressRecovery<dim>::vertex_stresses(const Elasticity<dim> &elasticity,
                                        const GhostedVector   &u) const
   {
-    return vertex_values(elasticity.stresses(u));
+    return vertex_values<SymmetricTensor<2, 3>>(
+      [&](const unsigned int cell) { return elasticity.stresses(cell, u); });
   }
 
 
@@ -49,7 +50,9 @@ namespace Contact
   std::vector<double>
   StressRecovery<dim>::vertex_strains(const Elasticity<dim> &elasticity) const
   {
-    auto strains = vertex_values(elasticity.plastic_strains());
+    const auto of_cells = elasticity.plastic_strains();
+    auto       strains  = vertex_values<double>(
+      [&](const unsigned int cell) { return of_cells[cell]; });
     for (double &strain : strains)
       strain = std::max(0., strain);
     return strains;
@@ -60,7 +63,7 @@ namespace Contact
   template<int dim>
   template<typename Value>
   std::vector<Value> StressRecovery<dim>::vertex_values(
-    const std::vector<std::vector<Value>> &at_points) const
+    const std::function<std::vector<Value>(unsigned int)> &values_of_cell) const
   {
     const unsigned int n_vertices =
       discretization.mesh.triangulation.n_vertices();
@@ -71,10 +74,10 @@ namespace Contact
       {
         if (cell->is_artificial())
           continue;
+        const auto at_points = values_of_cell(cell->active_cell_index());
         for (const unsigned int v : cell->vertex_indices())
           {
-            at_vertices[cell->vertex_index(v)] +=
-              at_vertex(cell, v, at_points[cell->active_cell_index()]);
+            at_vertices[cell->vertex_index(v)] += at_vertex(cell, v, at_points);
             ++n_cells[cell->vertex_index(v)];
           }
       }

@@ -8,6 +8,8 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <functional>
+
 #include "solid/elasticity.h"
 
 namespace Contact
@@ -47,10 +49,12 @@ namespace Contact
                                     const GhostedVector   &u) const;
 
   private:
-    /// By vertex, of the values in the points by active cell.
+    /// By vertex, of the values in the points that a function has for the
+    /// index of an active cell.
     template<typename Value>
-    std::vector<Value>
-    vertex_values(const std::vector<std::vector<Value>> &at_points) const;
+    std::vector<Value> vertex_values(
+      const std::function<std::vector<Value>(unsigned int)> &values_of_cell)
+      const;
 
     template<typename Value>
     Value at_vertex(const typename DoFHandler<dim>::active_cell_iterator &cell,

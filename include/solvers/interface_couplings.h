@@ -6,6 +6,8 @@
 #ifndef contact_interface_couplings_h
 #define contact_interface_couplings_h
 
+#include <boost/container/flat_set.hpp>
+
 #include "solvers/contact_elimination.h"
 
 namespace Contact
@@ -68,12 +70,11 @@ namespace Contact
     /// Of each point, the unknowns that it may see.
     std::vector<Dofs> provided;
 
-    std::map<types::global_dof_index, std::set<types::global_dof_index>>
-      partners;
+    using Partners = boost::container::flat_set<types::global_dof_index>;
+    std::map<types::global_dof_index, Partners> partners;
 
     /// Of the unknowns where projections may be those of the edges around them.
-    std::map<types::global_dof_index, std::set<types::global_dof_index>>
-      neighbors;
+    std::map<types::global_dof_index, Partners> neighbors;
   };
 } // namespace Contact
 

@@ -246,6 +246,8 @@ namespace Contact
                               std::to_string(max_iterations) +
                               " iterations; set Solution/Linear solver = AMG");
       }
+    // deal.II keeps the vectors of a solver for the next one.
+    GrowingVectorMemory<Vector>::release_unused_memory();
     std::copy_n(of_rank.begin(), n, x.begin());
     return control.last_step();
   }

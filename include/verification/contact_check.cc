@@ -90,7 +90,9 @@ namespace Contact
             {
               const double share = point.weight * point.C[a];
               pressures[point.dofs[a][i]] += share * t.p * point.normal[i];
-              for (unsigned int k = 0; k < dim - 1; ++k)
+              for (unsigned int k = 0;
+                   k < dim - 1 && interface.has_friction(point);
+                   ++k)
                 shears[point.dofs[a][i]] +=
                   share * t.q[k] * point.tangents[k][i];
             }

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -64,8 +65,7 @@ namespace Contact
     , interface(interface)
     , parameters(parameters)
   {
-    for (GhostedVector *vector : start.vectors())
-      *vector = GhostedVector(discretization.distribution);
+    start.displacement = GhostedVector(discretization.distribution);
   }
 
 
@@ -103,10 +103,9 @@ namespace Contact
                                         const double         moved)
   {
     Invariants found;
-    end              = start;
-    end.displacement = discretization.displacements(solution);
-    end.pressures    = 0;
-    end.shears       = 0;
+    end                       = State();
+    static_cast<Works &>(end) = start;
+    end.displacement          = discretization.displacements(solution);
 
     const double force = reference_force > 0 ? reference_force : 1;
     Slack        slack{force, newton_tolerance, newton_tolerance * force};
@@ -119,8 +118,14 @@ namespace Contact
                                         start.displacement,
                                         moved);
         contact.widen(slack);
+        end.pressures = GhostedVector(discretization.distribution);
+        if (std::any_of(interface->pairs.begin(),
+                        interface->pairs.end(),
+                        [](const auto &contact_pair) {
+                          return !contact_pair->law.is_frictionless();
+                        }))
+          end.shears = GhostedVector(discretization.distribution);
         contact.add_forces(end.pressures, end.shears, end.dissipation);
-        end.obstacles.clear();
         for (const auto &contact_pair : interface->pairs)
           if (contact_pair->obstacle)
             end.obstacles.push_back(
@@ -167,12 +172,12 @@ namespace Contact
                                            const GhostedVector *hold_forces,
                                            Invariants          &found)
   {
-    end.holds = 0;
     if (hold_forces != nullptr)
       end.holds = *hold_forces;
     GhostedVector left = elasticity.forces(end.displacement, load_factor);
     for (const auto *forces : {&end.pressures, &end.shears, &end.holds})
-      left -= *forces;
+      if (forces->size() > 0)
+        left -= *forces;
     hand_over_from_followers(discretization, left);
 
     const auto   &constraints = discretization.constraints;
@@ -306,8 +311,11 @@ namespace Contact
     end.strain_energy = elasticity.strain_energy(end.displacement);
 
     // By the trapezoidal rule.
+    const auto work_of = [&](const GhostedVector &forces) {
+      return forces.size() > 0 ? forces * d : 0.;
+    };
     const auto work = [&](const GhostedVector State::*forces) {
-      return 0.5 * ((start.*forces) * d + (end.*forces) * d);
+      return 0.5 * (work_of(start.*forces) + work_of(end.*forces));
     };
     const auto   of_obstacles = work_of_obstacles();
     const double external =

@@ -122,7 +122,7 @@ namespace Contact
     {
       /// Displacements [mm], and forces on the nodes [N per mm]: loads and
       /// reactions; of the pressures and the shears of contact; of what else
-      /// holds the bodies.
+      /// holds the bodies. Forces of nothing that acts have size 0.
       GhostedVector displacement;
       GhostedVector external, pressures, shears, holds;
 
@@ -133,9 +133,18 @@ namespace Contact
       /// force.
       std::vector<double> motions, motion_forces;
 
-      std::vector<GhostedVector *> vectors()
+      /// All of them with the unknowns of @p distribution.
+      std::vector<GhostedVector *> vectors(const Distribution &distribution)
       {
-        return {&displacement, &external, &pressures, &shears, &holds};
+        const std::vector<GhostedVector *> all = {&displacement,
+                                                  &external,
+                                                  &pressures,
+                                                  &shears,
+                                                  &holds};
+        for (GhostedVector *vector : all)
+          if (vector->size() == 0)
+            *vector = GhostedVector(distribution);
+        return all;
       }
 
       template<class Archive>
