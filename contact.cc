@@ -154,6 +154,7 @@ namespace Contact
 
     // Newton's method.
     void solve_newton();
+    void note_open_stability();
 
     // The effects, estimated in the last state.
     void estimate_effects();
@@ -196,9 +197,10 @@ namespace Contact
     StressPeaks<dim> stress_peaks;
 
     // Whether the ends of the masters are corners, see solve_first_level().
-    bool ends_are_corners     = false;
-    bool is_smallest_step     = false; // of the load
-    bool coarser_start_failed = false; // of the present increment
+    bool ends_are_corners        = false;
+    bool is_smallest_step        = false; // of the load
+    bool coarser_start_failed    = false; // of the present increment
+    bool open_stability_is_noted = false;
   };
 
 
@@ -269,6 +271,8 @@ namespace Contact
     catch (const NotConverged &failure)
       {
         summary.message = failure.what();
+        summary.may_try_again =
+          dynamic_cast<const SolverStalls *>(&failure) == nullptr;
       }
     catch (const Interrupted &interruption)
       {
@@ -286,6 +290,9 @@ namespace Contact
       }
     if (!summary.converged)
       report.screen << summary.message << std::endl;
+    // Also of a scene that can not be set up.
+    if (!report.has_files())
+      report.open_files(*model.discretization);
     report.finish();
     return summary;
   }
@@ -412,6 +419,10 @@ namespace Contact
       {
         solve_level();
       }
+    catch (const SolverStalls &)
+      {
+        throw;
+      }
     catch (const NotConverged &failure)
       {
         if (!model.interface || !model.interface->lacks_ends_of_masters())
@@ -453,6 +464,11 @@ namespace Contact
         try
           {
             solve_increment(step);
+          }
+        catch (const SolverStalls &stall)
+          {
+            report.increment().message = stall.what();
+            throw;
           }
         catch (const NotConverged &failure)
           {
@@ -912,11 +928,15 @@ namespace Contact
         newton.accept();
 
         // No stable state has an indefinite tangent: it has to be known at the
-        // solution itself, too, not only on the way.
+        // solution itself, too, not only on the way. Coarser levels are starts:
+        // there it is not looked for.
         const bool has_converged = newton.has_converged();
         const bool is_accepted   = has_converged && pairing.accepts(state);
-        if (is_accepted && !system->tangent_is_indefinite())
-          return;
+        if (is_accepted && !system->tangent_is_indefinite(levels.may_be_last()))
+          {
+            note_open_stability();
+            return;
+          }
         if (is_accepted && is_checked)
           throw NotConverged("a body has lost its stability: the tangent of "
                              "the solution is not positive definite");
@@ -954,6 +974,20 @@ namespace Contact
         record.linear_iterations += newton.make_step();
         ++record.newton_iterations;
       }
+  }
+
+
+
+  // @sect4{ContactProblem::note_open_stability}
+  //
+  // Once in a run.
+  template<int dim>
+  void ContactProblem<dim>::note_open_stability()
+  {
+    const std::string what = system->open_stability();
+    if (!what.empty() && !open_stability_is_noted)
+      report.print_error(": note: " + what);
+    open_stability_is_noted = open_stability_is_noted || !what.empty();
   }
 
 
@@ -1062,7 +1096,8 @@ namespace Contact
                         newton.convergence.tolerance(),
                         newton.convergence.force_scale(),
                         springs.size() > 0 ? &springs : nullptr,
-                        pairing.shift_of_feet(state));
+                        pairing.shift_of_feet(state),
+                        newton.convergence.given_force());
     invariants->advance();
     if (const std::string note = pairing.note(found.moment_imbalance);
         !note.empty())

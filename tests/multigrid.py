@@ -12,12 +12,16 @@ Proves that
   its cells eight times as small;
 - each process has its part of the unknowns alone;
 - springs that hold a body before it touches another one are left to AMG;
+- a straight column beyond Euler's load is no result, of multigrid with and without a
+  matrix, and one below it is;
+- where it stalls and was asked for, the run ends at once and names the remedy;
 - what it does not know is refused, with a remedy, and left to other solvers by
   default.
 
 Usage: multigrid.py CONTACT PARAMETERS MESHES
 """
 
+import math
 import pathlib
 import sys
 
@@ -120,6 +124,53 @@ for label, mesh, stiffness in (
         compare(label, *results, displacement=0.05)
         check(f"{label}: few iterations", iterations(results[1]) <= 12,
               f"{iterations(results[1]):.1f}")
+
+
+
+def column(part, solver, ranks=1):
+    """Clamped, pressed by a part of Euler's load in plane strain; the shear makes
+    that a percent less."""
+    thickness, length, young = 2, 20, 210000 / (1 - 0.3**2)
+    euler = math.pi**2 * young * thickness**3 / 12 / (4 * length**2)
+    mesh = Mesh()
+    mesh.block("Col", 1, 10, lambda r, s: (thickness * r, length * s),
+               {"bottom": "Base", "top": "Head"})
+    mesh.write("column")
+    return run("column", {
+        "Mesh/File": "column.msh", "Mesh/Refinements": 2, "Element/Degree": 2,
+        "Element/Centre node": "free", "Solids/Young's modulus": "Col: 210000",
+        "Solids/Poisson's ratio": "Col: 0.3",
+        "Boundary conditions/Displacement x": "Base: 0",
+        "Boundary conditions/Displacement y": "Base: 0",
+        "Boundary conditions/Resultant force y": f"Head: {-part * euler}",
+        "Solution/Increments": 1, "Solution/Max cut-backs": 0,
+        "Solution/Linear solver": solver, "Output/VTU": "false"}, ranks)
+
+
+for solver, ranks in (("CHOLMOD", 1), ("AMG", 1), ("GMG", 1), ("GMG", 2)):
+    for part in (0.5, 0.95, 1.05, 1.2, 3):
+        status, said, _ = column(part, solver, ranks)
+        check(f"column under {part} of Euler's load, {solver}, {ranks} process(es)",
+              status == 0 if part < 1 else
+              status == 3 and "lost its stability" in said, f"{status} {said[-400:]}")
+
+# Cells a thousand times as long as high, bent: points do not smooth there.
+layer = Mesh()
+layer.block("Layer", 16, 16, lambda r, s: (1000 * r, s),
+            {"bottom": "Base", "top": "Head"})
+layer.write("layer")
+status, said, summary = run("layer", {
+    "Mesh/File": "layer.msh", "Mesh/Refinements": 3, "Element/Degree": 2,
+    "Element/Centre node": "free", "Solids/Kinematics": "small strain",
+    "Solids/Young's modulus": "Layer: 1000", "Solids/Poisson's ratio": "Layer: 0.4",
+    "Boundary conditions/Displacement x": "Base: 0",
+    "Boundary conditions/Displacement y": "Base: 0",
+    "Boundary conditions/Displacement formula y": "Head: 0.01*sin(x)",
+    "Solution/Linear solver": "GMG", "Solution/Increments": 2, "Output/VTU": "false"})
+check("a choice that stalls ends the run at once", status == 3 and
+      "geometric multigrid stalls" in said and "Linear solver = automatic" in said and
+      len(summary["increments"]) == 1 and "Once more" not in said,
+      f"{status} {said[-400:]}")
 
 for what, case, *settings in (
         ("triangles", "ssnp154", "Contact/Discretization=mortar"),

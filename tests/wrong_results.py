@@ -13,8 +13,9 @@ Proves that
 - in two halves, one glued to the other, it does so, too;
 - masters with teeth do not end in an error of the program, nor in much memory;
 - a slave with lines of its master's own body is refused;
-- loads that round-off swallows are named, and forces that add up to round-off are
-  no error of the program;
+- loads that round-off swallows are named, and so are given displacements, for a
+  body too stiff or a way too small; forces that add up to round-off are no error
+  of the program;
 - a contact zone that ends where supports hold both bodies converges, and one
   where slave and master end at the same place;
 - slave nodes that supports hold or move along the surface carry shear, mu times
@@ -39,7 +40,9 @@ Proves that
 - a scene that nothing loads, and one where nothing touches, are noted;
 - slave nodes that slide off the end of the master, where they face it with one
   pairing and nothing with the next, are not called converged; the mortar
-  discretization has a solution there.
+  discretization has a solution there;
+- a body on a corner of its polygon that each pairing moves on is not called
+  converged before it has come to rest, whatever the solver.
 
 Usage: wrong_results.py CONTACT PARAMETERS MESHES
 """
@@ -225,6 +228,64 @@ def round_off():
         "Boundary conditions/Resultant force y": "Head: -0.1"})
     check("loads that round-off swallows are no result with status 0",
           status in (1, 3), f"{status} {said[:200]}")
+
+
+def lost_ways():
+    """A block pressed and dragged by given ways: one 1e14 times as stiff as the
+    one below it, and ways of 1e-12 mm, which round-off swallows; ways of 1e-6 mm,
+    which it does not."""
+    mesh = Mesh()
+    mesh.block("A", 8, 4, box(-10, -10, 10, 0), {"bottom": "Base", "top": "Ground"})
+    mesh.block("B", 6, 6, box(-5, 0, 5, 8), {"bottom": "Sole", "top": "Head"})
+    mesh.write("lost_ways")
+    for young, way, good in (("A: 1, B: 1e14", 0.1, False),
+                             ("A: 1, B: 1e6", 0.1, True),
+                             ("A: 7e4, B: 2.1e5", 1e-12, False),
+                             ("A: 7e4, B: 2.1e5", 1e-6, True)):
+        for solver in ("CHOLMOD", "AMG", "GMG"):
+            if solver != "CHOLMOD" and young.startswith("A: 1,") or (
+                    solver == "CHOLMOD" and not good and young[3] == "7"):
+                continue  # stalls; has them
+            status, said, _ = run("lost_ways", {
+                "Mesh/File": "lost_ways.msh", "Mesh/Refinements": "1",
+                **solids(young, kinematics="large displacement"), **CONTACT,
+                "Element/Degree": "2", "Element/Centre node": "free",
+                "Contact/Friction coefficient": "0.3",
+                "Boundary conditions/Displacement x": f"Base: 0, Head: {way}",
+                "Boundary conditions/Displacement y": f"Base: 0, Head: {-way}",
+                "Solution/Linear solver": solver, "Solution/System": "condensed",
+                "Solution/Newton tolerance": "1e-11"})
+            check(f"{young}, {way} mm, {solver}: " +
+                  ("a result" if good else "no result with status 0"),
+                  status == 0 if good else
+                  status == 3 or status == 1 and "violated: resolution" in said,
+                  f"{status} {said[:300]}")
+
+
+def on_a_corner():
+    """A cap of chords of a parabola, pressed by a force, on a block: a symmetric
+    scene, and no horizontal force."""
+    mesh = Mesh()
+    mesh.block("A", 4, 2, box(-10, -10, 10, 0), {"bottom": "Base", "top": "Ground"})
+    mesh.block("B", 4, 3, lambda s, t: (
+        -5 + 10 * s, (1 - t) * (10 * s - 5)**2 / 40 + 8 * t + 0.01 * (1 - t)),
+        {"bottom": "Sole", "top": "Head"})
+    mesh.add(0, "T", (15 + 3 + 5 * 3,))
+    mesh.write("on_a_corner")
+    for solver in ("CHOLMOD", "AMG", "GMG"):
+        status, said, summary = run("on_a_corner", {
+            "Mesh/File": "on_a_corner.msh", "Mesh/Refinements": "3",
+            **solids("A: 70000, B: 210000", kinematics="large displacement"),
+            **CONTACT, "Element/Degree": "2", "Element/Centre node": "free",
+            "Boundary conditions/Displacement x": "Base: 0, T: 0",
+            "Boundary conditions/Displacement y": "Base: 0",
+            "Boundary conditions/Resultant force y": "Head: -2500",
+            "Solution/Increments": "1", "Solution/Max cut-backs": "0",
+            "Solution/Linear solver": solver, "Solution/System": "condensed",
+            "Solution/Newton tolerance": "1e-11"})
+        drift = abs(summary["increments"][-1]["reactions"]["Base"]["x"])
+        check(f"a cap on its corner, {solver}: converges", status == 0, said[:300])
+        check("  without a horizontal force", drift < 1e-6 * 2500, str(drift))
 
 
 def beyond_round_off():
@@ -854,7 +915,7 @@ def off_the_end():
 
 
 for scene in (carried, overlap, cantilever, halves, teeth, own_master, round_off,
-              beyond_round_off, held_ends, dragged, driven, cornered, in_a_corner,
+              lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered, in_a_corner,
               roles, tied, flank, groove, slide, pinned, clamped, between_nodes, foil,
               turning, coarse_fit, flat_ends, glued_apart, idle, off_the_end):
     print(scene.__name__)

@@ -43,6 +43,15 @@ namespace Contact
   };
 
   /**
+   * The linear solver that the user has chosen stalls. Neither shorter
+   * increments nor other loops are what was asked for.
+   */
+  struct SolverStalls : public NotConverged
+  {
+    using NotConverged::NotConverged;
+  };
+
+  /**
    * Somebody ends the run from outside. What is finished stays; ends the
    * program with exit status 5.
    */

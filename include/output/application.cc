@@ -88,7 +88,8 @@ namespace Contact
       for (const Parameters::All &other :
            same.with_other_loops(summary.n_displacements))
         {
-          if (summary.converged || summary.interrupted)
+          if (summary.converged || summary.interrupted ||
+              !summary.may_try_again)
             break;
           if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
             std::cerr << parameters.name << ": " << summary.message

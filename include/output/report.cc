@@ -48,7 +48,9 @@ namespace Contact
                                                       discretization);
     if (!parameters.restart)
       result_files->remove_increments();
-    summary.message = "the run has not ended";
+    // A scene that can not be set up has its message already.
+    if (summary.message.empty())
+      summary.message = "the run has not ended";
     write_summary();
   }
 

@@ -51,6 +51,11 @@ namespace Contact
     /// ends, its summary says that it has not converged.
     void open_files(const Discretization<dim> &discretization);
 
+    bool has_files() const
+    {
+      return result_files != nullptr;
+    }
+
     /// Another attempt at all increments: nothing is left of the one before.
     void begin_anew(const Discretization<dim> &discretization);
 

@@ -145,6 +145,10 @@ namespace Contact
     bool        interrupted = false;
     std::string message;
 
+    /// Whether another attempt by other loops may help where it has not
+    /// converged.
+    bool may_try_again = true;
+
     /// Why an accuracy that was asked for is not reached, or nothing.
     std::string accuracy_missed;
 

@@ -7,6 +7,7 @@
 #define contact_assembled_system_h
 
 #include <map>
+#include <optional>
 
 #include "solvers/condensed_system.h"
 #include "solvers/definite_solver.h"
@@ -34,9 +35,17 @@ namespace Contact
                     const Parameters::SolverKind solver_kind,
                     TimerOutput                 &timer);
 
-    bool is_indefinite() const override
+    bool is_indefinite(const bool may_cost) override
     {
-      return current != nullptr && current->is_indefinite();
+      std::optional<TimerOutput::Scope> scope;
+      if (may_cost && solver_kind == Parameters::SolverKind::amg)
+        scope.emplace(timer, "stability");
+      return current != nullptr && current->is_indefinite(may_cost);
+    }
+
+    bool knows_definiteness() const override
+    {
+      return current == nullptr || current->knows_definiteness();
     }
 
     /// The matrix of the last solve.
@@ -60,6 +69,7 @@ namespace Contact
     using Base::owned;
     using Base::tangent_version;
     using Base::tangents_are_known;
+    using Base::timer;
 
     void         reset() override;
     void         assemble_bulk(const GhostedVector  &solution,

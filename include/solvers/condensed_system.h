@@ -70,8 +70,10 @@ namespace Contact
     GhostedVector linear_forces(const GhostedVector &solution,
                                 const double         load_factor) const;
 
-    /// Whether the matrix of the last solve is known to be indefinite.
-    virtual bool is_indefinite() const = 0;
+    /// Whether the matrix of the last solve is known to be indefinite, and
+    /// whether that would be known, see DefiniteSolver. Collective.
+    virtual bool is_indefinite(const bool may_cost) = 0;
+    virtual bool knows_definiteness() const         = 0;
 
   protected:
     using Dofs = std::vector<types::global_dof_index>;

@@ -56,6 +56,12 @@ namespace Contact
       return force;
     }
 
+    /// See ForceScale. Collective.
+    double given_force() const
+    {
+      return scale->given();
+    }
+
     double tolerance() const
     {
       return newton_tolerance;

@@ -18,10 +18,12 @@
 #include <cholmod.h>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <sstream>
 #include <umfpack.h>
 
 #include "base/errors.h"
+#include "solvers/negative_curvature.h"
 
 namespace Contact
 {
@@ -211,9 +213,14 @@ namespace Contact
                              "memory");
       }
 
-      bool is_indefinite() const override
+      bool is_indefinite(const bool) override
       {
         return indefinite != nullptr;
+      }
+
+      bool knows_definiteness() const override
+      {
+        return true;
       }
 
       // It keeps a factor of its own.
@@ -328,6 +335,7 @@ namespace Contact
         this->matrix     = &matrix;
         this->symmetric  = symmetric;
         this->eliminated = eliminated;
+        indefinite.reset();
         if (new_pattern || n_changed() > price_in_space ||
             (per_digit > 1.3 * per_digit_when_new &&
              excess >= price_of_hierarchy()))
@@ -337,6 +345,31 @@ namespace Contact
       void release() override
       {
         preconditioner.clear();
+        indefinite = false;
+      }
+
+      bool is_indefinite(const bool may_cost) override
+      {
+        if (!is_for_cg())
+          return false;
+        if (!indefinite && !may_cost)
+          return false;
+        if (!indefinite)
+          {
+            Vector r(matrix->locally_owned_range_indices(),
+                     matrix->get_mpi_communicator());
+            fill_at_random(r.begin(),
+                           r.end(),
+                           Utilities::MPI::this_mpi_process(
+                             matrix->get_mpi_communicator()));
+            indefinite = has_negative_curvature(*matrix, preconditioner, r);
+          }
+        return *indefinite;
+      }
+
+      bool knows_definiteness() const override
+      {
+        return is_for_cg();
       }
 
       unsigned int
@@ -462,6 +495,9 @@ namespace Contact
       bool   symmetric = true, symmetric_when_new = true;
       double per_digit = 0, per_digit_when_new = 0;
       Dofs   eliminated, eliminated_when_new;
+
+      /// Of the present matrix, once somebody has asked.
+      std::optional<bool> indefinite = false;
 
       /// Iterations beyond those that the hierarchy took when it was new.
       double excess = 0;

@@ -88,8 +88,18 @@ namespace Contact
                             const bool    new_pattern,
                             const Dofs   &eliminated) = 0;
 
-    /// Whether the matrix is known to be indefinite.
-    virtual bool is_indefinite() const
+    /// Whether the matrix is known to be indefinite: by its factorization
+    /// (CHOLMOD), or because a direction of negative curvature is found, for
+    /// which some iterations are made if it @p may_cost them (AMG with
+    /// conjugate gradients). MUMPS and GMRES do not know. Collective.
+    virtual bool is_indefinite(const bool may_cost)
+    {
+      (void)may_cost;
+      return false;
+    }
+
+    /// Whether they would know.
+    virtual bool knows_definiteness() const
     {
       return false;
     }

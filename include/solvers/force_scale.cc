@@ -21,8 +21,10 @@ namespace Contact
     , elasticity(elasticity)
     , interface(interface)
   {
+    softest = std::numeric_limits<double>::max();
     for (const auto &[name, body] : discretization.mesh.bodies)
       {
+        softest = std::min(softest, elasticity.youngs_modulus(body));
         const Material &material = elasticity.material(body);
         modulus = std::max(modulus, material.lambda + 2 * material.mu);
       }
@@ -52,6 +54,7 @@ namespace Contact
     size     = low.distance(high);
     slender  = std::max(1., size / smallest);
     modulus *= dim == 2 ? circumference : size;
+    softest *= dim == 2 ? circumference : size;
 
     if (interface != nullptr)
       {
@@ -81,11 +84,7 @@ namespace Contact
     if (way > 0)
       acting = std::max(acting, reactions(solution, load_factor));
 
-    double dead = elasticity.dead_loads.whole() + elasticity.thermal_forces();
-    if (interface != nullptr)
-      for (const FreeMotion *motion : interface->free_motions())
-        if (!motion->stays)
-          dead += std::abs(motion->force) / motion->lever;
+    const double dead = dead_forces();
     const double round_off =
       std::numeric_limits<double>::epsilon() * modulus * (coordinate + way) *
       std::sqrt(static_cast<double>(discretization.dof_handler.n_dofs()));
@@ -94,6 +93,30 @@ namespace Contact
                                          so_far,
                                          round_off / newton_tolerance}),
                                discretization.communicator);
+  }
+
+
+
+  template<int dim>
+  double ForceScale<dim>::dead_forces() const
+  {
+    double dead = elasticity.dead_loads.whole() + elasticity.thermal_forces();
+    if (interface != nullptr)
+      for (const FreeMotion *motion : interface->free_motions())
+        if (!motion->stays)
+          dead += std::abs(motion->force) / motion->lever;
+    return dead;
+  }
+
+
+
+  template<int dim>
+  double ForceScale<dim>::given() const
+  {
+    return Utilities::MPI::max(
+      dead_forces() +
+        softest * (discretization.largest_prescribed() + way_of_contact()),
+      discretization.communicator);
   }
 
 

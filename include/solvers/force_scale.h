@@ -57,6 +57,11 @@ namespace Contact
               const double         newton_tolerance,
               const bool           moving_bound) const;
 
+    /// The largest force that the data alone tell of, with that of the softest
+    /// body when it gives way by the ways that they prescribe: no state can
+    /// inflate it. Zero where nothing is prescribed, and not of overlaps.
+    double given() const;
+
     /// The state of which this was the scale is the end of an increment.
     void accept(const double scale)
     {
@@ -73,6 +78,9 @@ namespace Contact
     /// By how much obstacles that are moved, and interferences, displace the
     /// bodies [mm].
     double way_of_contact() const;
+    /// The sum of the magnitudes of loads, thermal forces, and those of free
+    /// motions.
+    double dead_forces() const;
     double contact_forces(const GhostedVector &solution,
                           const GhostedVector &u_start,
                           const bool           moving_bound) const;
@@ -88,6 +96,7 @@ namespace Contact
     Point<dim> middle;      // of the bodies
     double     size    = 0; // D [mm]
     double     modulus = 0; // M, of rings times the circumference, in space D
+    double     softest = 0; // the least Young's modulus, times the same
     double     coordinate = 0; // X [mm]
     double     overlap    = 0; // o [mm]
     double     slender    = 1; // D / h

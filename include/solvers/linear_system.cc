@@ -117,9 +117,14 @@ namespace Contact
         return 0;
       }
 
-      bool tangent_is_indefinite() const override
+      bool tangent_is_indefinite(const bool) override
       {
         return false; // nobody knows
+      }
+
+      std::string open_stability() const override
+      {
+        return "";
       }
 
       std::string contradiction() const override
@@ -263,9 +268,22 @@ namespace Contact
         return n;
       }
 
-      bool tangent_is_indefinite() const override
+      bool tangent_is_indefinite(const bool may_cost) override
       {
-        return last->is_indefinite();
+        return may_be_unstable() && last->is_indefinite(may_cost);
+      }
+
+      std::string open_stability() const override
+      {
+        if (!may_be_unstable() || last->knows_definiteness() ||
+            solver == Parameters::SolverKind::cholmod)
+          return "";
+        return "the stability of the solution is not checked: " +
+               std::string(solver == Parameters::SolverKind::mumps
+                             ? "MUMPS does"
+                             : "the solver of matrices that friction makes "
+                               "unsymmetric does") +
+               " not tell of a tangent that is not positive definite";
       }
 
       std::string contradiction() const override
@@ -274,6 +292,15 @@ namespace Contact
       }
 
     private:
+      // Stresses that turn with bodies may be a negative stiffness.
+      bool may_be_unstable() const
+      {
+        const auto &bodies = model.mesh->bodies;
+        return std::any_of(bodies.begin(), bodies.end(), [&](const auto &body) {
+          return !model.elasticity->is_small_strain(body.second);
+        });
+      }
+
       // In bodies that yield a step is solved to a tenth of what it
       // would leave of the residual if Newton's method converged quadratically
       // from the last step on, but to two digits (the second choice of S. C.
@@ -411,7 +438,8 @@ namespace Contact
       }
 
       // Where the multigrid without a matrix was the choice of the program and
-      // stalls, a solver with a matrix goes on.
+      // stalls, a solver with a matrix goes on. Of an indefinite matrix in
+      // large displacement it is not the solver's fault.
       unsigned int solve_for_update(const GhostedVector       &rhs,
                                     const double               tolerance,
                                     const Step                &step,
@@ -432,7 +460,15 @@ namespace Contact
         catch (const MultigridStalls &stall)
           {
             if (parameters.linear_solver != Parameters::SolverKind::automatic)
-              throw;
+              {
+                if (tangent_is_indefinite(/*may_cost=*/true))
+                  throw NotConverged(std::string(stall.what()) +
+                                     ": the matrix is not positive definite");
+                throw SolverStalls(
+                  std::string(stall.what()) +
+                  "; set 'Solution/Linear solver = automatic', which goes on "
+                  "with CHOLMOD or AMG then");
+              }
             screen << "      " << stall.what() << ": done from here on"
                    << std::endl;
             solver = choose_with_matrix(model);

@@ -79,8 +79,13 @@ namespace Contact
                                    IncrementState<dim> &state) = 0;
 
     /// Whether the tangent of the last step is known to be indefinite: no
-    /// stable state has such a one.
-    virtual bool tangent_is_indefinite() const = 0;
+    /// stable state has such a one. Iterative solvers look for it if it @p
+    /// may_cost some iterations. Collective.
+    virtual bool tangent_is_indefinite(const bool may_cost) = 0;
+
+    /// Why nobody would know, where large problems are left to a solver that
+    /// does not tell: a sentence, or nothing.
+    virtual std::string open_stability() const = 0;
 
     /// Of what may be why Newton's method does not converge: a sentence, or
     /// nothing.

@@ -12,6 +12,8 @@
 #include <limits>
 #include <sstream>
 
+#include "solvers/negative_curvature.h"
+
 namespace Contact
 {
   template<int dim>
@@ -159,6 +161,41 @@ namespace Contact
   {
     multigrid->set_lines(elimination.eliminated_dofs(),
                          elimination.constraints());
+    indefinite.reset();
+  }
+
+
+
+  template<int dim>
+  bool MatrixFreeSystem<dim>::knows_definiteness() const
+  {
+    return elimination.is_symmetric();
+  }
+
+
+
+  // In the unknowns that are solved for.
+  template<int dim>
+  bool MatrixFreeSystem<dim>::is_indefinite(const bool may_cost)
+  {
+    if (!knows_definiteness() || (!indefinite && !may_cost))
+      return false;
+    if (!indefinite)
+      {
+        TimerOutput::Scope scope(timer, "stability");
+        Vector             r(work);
+        fill_at_random(r.begin(),
+                       r.begin() + owned.n_elements(),
+                       Utilities::MPI::this_mpi_process(
+                         discretization.communicator));
+        const auto &base  = discretization.constraints;
+        const auto &lines = elimination.test_constraints();
+        for (const auto i : owned)
+          if (base.is_constrained(i) || lines.is_constrained(i))
+            r(i) = 0;
+        indefinite = has_negative_curvature(*this, *multigrid, r);
+      }
+    return *indefinite;
   }
 
 
@@ -243,8 +280,7 @@ namespace Contact
         residual << control.last_value();
         throw MultigridStalls("geometric multigrid stalls at the residual " +
                               residual.str() + " N/mm (rings: N) after " +
-                              std::to_string(max_iterations) +
-                              " iterations; set Solution/Linear solver = AMG");
+                              std::to_string(max_iterations) + " iterations");
       }
     // deal.II keeps the vectors of a solver for the next one.
     GrowingVectorMemory<Vector>::release_unused_memory();

@@ -6,6 +6,8 @@
 #ifndef contact_matrix_free_system_h
 #define contact_matrix_free_system_h
 
+#include <optional>
+
 #include "solvers/condensed_system.h"
 #include "solvers/contact_multigrid.h"
 
@@ -51,15 +53,13 @@ namespace Contact
      * faster than CHOLMOD. From 20000 unknowns in the plane and 5000 in space
      * on it is, if the coarsest mesh has less than CHOLMOD takes a moment for.
      * In large displacement CHOLMOD is the choice as long as it is with AMG: it
-     * alone tells of a tangent that is no longer definite.
+     * tells of a tangent that is no longer definite before the end of a step.
      */
     static bool is_best(const Discretization<dim> &discretization,
                         const Elasticity<dim>     &elasticity);
 
-    bool is_indefinite() const override
-    {
-      return false;
-    }
+    bool is_indefinite(const bool may_cost) override;
+    bool knows_definiteness() const override;
 
     using Vector = LinearAlgebra::distributed::Vector<double>;
 
@@ -92,6 +92,9 @@ namespace Contact
     std::unique_ptr<BodyOperator<dim, double>> bodies;
     std::unique_ptr<ContactMultigrid<dim>>     multigrid;
     SurfaceLines<double>                       lines, test_lines;
+
+    /// Whether the present operator is indefinite, once somebody has asked.
+    std::optional<bool> indefinite = false;
 
     /// Whether there are turning shears or a turning pairing.
     bool                  has_terms = false;

@@ -100,7 +100,8 @@ namespace Contact
                                         const double         newton_tolerance,
                                         const double         reference_force,
                                         const GhostedVector *hold_forces,
-                                        const double         moved)
+                                        const double         moved,
+                                        const double         given_force)
   {
     Invariants found;
     end                       = State();
@@ -153,7 +154,7 @@ namespace Contact
                 "a supported node is " + brief(found.supports) +
                   " mm from where it has to be",
                 wrong_forces);
-    balance_bodies(load_factor, slack, hold_forces, found);
+    balance_bodies(load_factor, slack, hold_forces, given_force, found);
     check_energy(slack, found);
     return found;
   }
@@ -170,6 +171,7 @@ namespace Contact
   void InvariantCheck<dim>::balance_bodies(const double         load_factor,
                                            const Slack         &slack,
                                            const GhostedVector *hold_forces,
+                                           const double         given_force,
                                            Invariants          &found)
   {
     if (hold_forces != nullptr)
@@ -208,37 +210,65 @@ namespace Contact
     end.external += reactions;
     add_up(reactions, found);
     judge_balance(residual.l2_norm(), slack, hold_forces != nullptr, found);
+    judge_resolution(residual.l2_norm(),
+                     given_force,
+                     reactions.l1_norm() + end.pressures.l1_norm() +
+                       end.shears.l1_norm(),
+                     slack,
+                     found);
   }
 
 
 
-  // The force scale knows the reactions, and the round-off of the stiffest
-  // body. Where what is left over of these is more than the loads, the loads
-  // are not in the solution. Of a coarser level only a start is asked for.
+  template<int dim>
+  std::string InvariantCheck<dim>::in_words(const double force) const
+  {
+    return brief(force) + " N" + discretization.per_thickness();
+  }
+
+
+
+  // Of a coarser level only a start is asked for.
+  template<int dim>
+  void InvariantCheck<dim>::judge_resolution(const double residual,
+                                             const double given_force,
+                                             const double acting,
+                                             const Slack &slack,
+                                             Invariants  &found) const
+  {
+    const double loads = elasticity.dead_loads.whole();
+    const double scale = loads > 0         ? loads
+                         : given_force > 0 ? std::max(given_force, acting)
+                                           : 0.;
+    if (scale == 0 || slack.relative > parameters.newton_tolerance ||
+        residual > slack.force + slack.shear_force)
+      return;
+    found.check(
+      "resolution",
+      residual / scale,
+      1e-3,
+      (loads > 0
+         ? "of loads of " + in_words(loads) + " " + in_words(residual) +
+             " are lost"
+         : "given displacements make forces of " + in_words(scale) +
+             " at most, and of these " + in_words(residual) + " are lost") +
+        " in the tolerance of " + in_words(slack.force) +
+        ", of the largest forces and the round-off of the stiffest body",
+      "Lower 'Solution/Newton tolerance'; if the round-off of a stiff body is "
+      "the cause, lower its Young's modulus or take an obstacle instead of "
+      "it.");
+  }
+
+
+
   template<int dim>
   void InvariantCheck<dim>::judge_balance(const double residual,
                                           const Slack &slack,
                                           const bool   is_held,
                                           Invariants  &found) const
   {
-    const auto in_words = [this](const double force) {
-      return brief(force) + " N" + discretization.per_thickness();
-    };
-    const double loads   = elasticity.dead_loads.whole();
     const double allowed = (slack.force + slack.shear_force) / slack.reference;
     found.equilibrium    = residual / slack.reference;
-    if (loads > 0 && found.equilibrium <= allowed &&
-        slack.relative <= parameters.newton_tolerance)
-      found.check("resolution",
-                  residual / loads,
-                  1e-3,
-                  "of loads of " + in_words(loads) + " " + in_words(residual) +
-                    " are lost in the tolerance of " + in_words(slack.force) +
-                    ", of the largest forces and the round-off of the "
-                    "stiffest body",
-                  "Lower 'Solution/Newton tolerance'; if the round-off of a "
-                  "stiff body is the cause, lower its Young's modulus or take "
-                  "an obstacle instead of it.");
     if (is_held)
       found.check("stabilization",
                   end.holds.l2_norm() / slack.reference,

@@ -110,6 +110,15 @@ namespace Contact
    * times the largest bound after the last Newton step. There are no others,
    * but round-off.
    *
+   * @par Resolution
+   * F knows the reactions, and the round-off of the stiffest body. A state with
+   * the residual r has forces that are off by r . v, v the displacements of the
+   * size of one that a unit force belongs to. So r has to be far below the
+   * loads; where supports or obstacles move the bodies, far below the forces of
+   * supports and contact in the state, which are off by no more than that, or
+   * where none acts yet, below what the softest body resists the given way
+   * with. Otherwise the loads, or the way, are not in the solution.
+   *
    * @par Cost
    * Two passes over the cells without a tangent; a third in large displacement.
    */
@@ -168,14 +177,16 @@ namespace Contact
      * is below @p newton_tolerance times @p reference_force [N per mm; 0: as an
      * absolute value]. @p hold_forces are what else acts on the nodes, if
      * anything does; by @p moved [mm] the pairing may have the feet of points
-     * off the closest ones.
+     * off the closest ones. The data alone tell of forces of the size of @p
+     * given_force [N per mm; 0: of none].
      */
     Invariants check(const GhostedVector &solution,
                      const double         load_factor,
                      const double         newton_tolerance,
                      const double         reference_force,
                      const GhostedVector *hold_forces = nullptr,
-                     const double         moved       = 0);
+                     const double         moved       = 0,
+                     const double         given_force = 0);
 
     /// The increment that was checked last is accepted: the next one starts
     /// from its end. Without, the increment is repeated from the same start.
@@ -187,21 +198,28 @@ namespace Contact
 
 
   private:
-    void balance_bodies(const double         load_factor,
-                        const Slack         &slack,
-                        const GhostedVector *hold_forces,
-                        Invariants          &found);
-    void judge_balance(const double residual,
-                       const Slack &slack,
-                       const bool   is_held,
-                       Invariants  &found) const;
-    void add_up(const GhostedVector &reactions, Invariants &found) const;
-    void add_rigid(const RigidBoundary<dim> &boundary,
-                   const double              load_factor,
-                   const GhostedVector      &left,
-                   GhostedVector            &reactions,
-                   Invariants               &found) const;
-    void check_energy(const Slack &slack, Invariants &found);
+    void        balance_bodies(const double         load_factor,
+                               const Slack         &slack,
+                               const GhostedVector *hold_forces,
+                               const double         given_force,
+                               Invariants          &found);
+    void        judge_balance(const double residual,
+                              const Slack &slack,
+                              const bool   is_held,
+                              Invariants  &found) const;
+    void        judge_resolution(const double residual,
+                                 const double given_force,
+                                 const double acting,
+                                 const Slack &slack,
+                                 Invariants  &found) const;
+    std::string in_words(const double force) const;
+    void        add_up(const GhostedVector &reactions, Invariants &found) const;
+    void        add_rigid(const RigidBoundary<dim> &boundary,
+                          const double              load_factor,
+                          const GhostedVector      &left,
+                          GhostedVector            &reactions,
+                          Invariants               &found) const;
+    void        check_energy(const Slack &slack, Invariants &found);
 
     /// The works of pressures and shears in the motion of the obstacles, and of
     /// preloads.
