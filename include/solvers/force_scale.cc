@@ -113,10 +113,9 @@ namespace Contact
   template<int dim>
   double ForceScale<dim>::given() const
   {
-    return Utilities::MPI::max(
-      dead_forces() +
-        softest * (discretization.largest_prescribed() + way_of_contact()),
-      discretization.communicator);
+    const double way = discretization.largest_prescribed() + way_of_contact();
+    return Utilities::MPI::max(way > 0 ? dead_forces() + softest * way : 0.,
+                               discretization.communicator);
   }
 
 

@@ -59,7 +59,7 @@ namespace Contact
 
     /// The largest force that the data alone tell of, with that of the softest
     /// body when it gives way by the ways that they prescribe: no state can
-    /// inflate it. Zero where nothing is prescribed, and not of overlaps.
+    /// inflate it. Zero where no way is; not of overlaps.
     double given() const;
 
     /// The state of which this was the scale is the end of an increment.
