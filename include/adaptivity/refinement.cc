@@ -132,6 +132,7 @@ namespace Contact
   {
     const auto        &triangulation = mesh.triangulation;
     std::vector<float> own, all;
+    mesh.levels.forget();
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
         own.push_back(indicators[cell->active_cell_index()]);
@@ -253,6 +254,7 @@ namespace Contact
   template<int dim>
   void flag_all_cells(Mesh<dim> &mesh)
   {
+    mesh.levels.keep(mesh.triangulation);
     mesh.triangulation.set_all_refine_flags();
   }
 

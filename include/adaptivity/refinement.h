@@ -62,7 +62,7 @@ namespace Contact
                           const Parameters::All   &parameters,
                           const Vector<float>     &indicators);
 
-  /// Flag all cells.
+  /// Flag all cells. Collective.
   template<int dim>
   void flag_all_cells(Mesh<dim> &mesh);
 

@@ -10,6 +10,8 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparsity_tools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +48,27 @@ namespace Contact
       if (!hypercubes.empty())
         GridTools::consistently_order_cells(hypercubes);
       std::copy(hypercubes.begin(), hypercubes.end(), cells.begin());
+    }
+
+
+
+    /// Put the cells in the order that p4est has them in, where those of a rank
+    /// follow each other. deal.II asks for sets of cells by their numbers
+    /// there, and a set that is not filled in ascending order takes the square
+    /// of the time.
+    template<int dim>
+    void order_as_p4est(const std::vector<Point<dim>> &vertices,
+                        std::vector<CellData<dim>>    &cells)
+    {
+      Triangulation<dim> coarse;
+      coarse.create_triangulation(vertices, cells, {});
+      DynamicSparsityPattern neighbors;
+      GridTools::get_vertex_connectivity_of_cells(coarse, neighbors);
+      std::vector<DynamicSparsityPattern::size_type> numbers(cells.size());
+      SparsityTools::reorder_hierarchical(neighbors, numbers);
+      const std::vector<CellData<dim>> old = cells;
+      for (unsigned int i = 0; i < cells.size(); ++i)
+        cells[numbers[i]] = old[i];
     }
 
 
@@ -285,6 +308,8 @@ namespace Contact
     name_points(parameters, placement, coarse, *this);
     place_vertices(placement, msh, coarse);
     order_cells(coarse.cells);
+    if (!is_complete())
+      order_as_p4est(coarse.vertices, coarse.cells);
     triangulation.create_triangulation(coarse.vertices,
                                        coarse.cells,
                                        coarse.faces);

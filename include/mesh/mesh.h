@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/level_meshes.h"
 #include "mesh/mesh_pieces.h"
 #include "parameters/parameters.h"
 
@@ -114,6 +115,9 @@ namespace Contact
 
     /// The pieces, each of which can move as a rigid body.
     MeshPieces<dim> pieces;
+
+    /// Those of a multigrid on this mesh.
+    LevelMeshes<dim> levels;
 
     /// The groups above, or an InputError which says what there is instead.
     /// @p entry is the entry of the parameters that names the group.

@@ -8,7 +8,6 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/lac/sparsity_tools.h>
 
 #include <algorithm>
 
@@ -21,10 +20,7 @@ namespace Contact
     const Discretization<dim> &discretization,
     const Elasticity<dim>     &elasticity)
     : discretization(discretization)
-    , meshes(
-        MGTransferGlobalCoarseningTools::create_geometric_coarsening_sequence(
-          static_cast<const Triangulation<dim> &>(
-            discretization.mesh.triangulation)))
+    , meshes(discretization.mesh.levels.of(discretization.mesh.triangulation))
   {
     for (const auto &[name, body] : discretization.mesh.bodies)
       {
@@ -68,6 +64,19 @@ namespace Contact
         levels[l]->make_operator(fixed);
         transfers[l]->initialize();
       }
+
+    coarse_supports.assign(fixed.begin(), fixed.end());
+    for (const auto &cell : levels[0]->dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell->get_dof_indices(of_cell);
+          coarse_cells.push_back(of_cell);
+        }
+    std::vector<Dofs> of_all;
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(discretization.communicator, coarse_cells))
+      of_all.insert(of_all.end(), of_rank.begin(), of_rank.end());
+    coarse_cells = std::move(of_all);
   }
 
 
@@ -128,52 +137,55 @@ namespace Contact
 
 
 
-  // The mesh is small: every rank has room for all rows of the pattern.
+  // The mesh is small: every rank has the whole matrix, to which each adds its
+  // cells, and factorizes it by itself. A solution then takes one sum over the
+  // ranks, where a factorization in parts sends more messages than it computes.
   template<int dim>
   void ContactMultigrid<dim>::make_coarse_matrix()
   {
-    const MultigridLevel<dim> &level       = *levels[0];
-    const DoFHandler<dim>     &dof_handler = level.dof_handler;
-    const IndexSet            &owned       = dof_handler.locally_owned_dofs();
-    const bool                 alone =
-      Utilities::MPI::n_mpi_processes(discretization.communicator) == 1;
-
-    AffineConstraints<double> all;
+    const MultigridLevel<dim> &level = *levels[0];
+    AffineConstraints<double>  all;
     all.copy_from(level.line_constraints);
-    for (const auto &line : level.supports().get_lines())
-      all.add_line(line.index); // the coarsest mesh has no hanging nodes
+    for (const Dof dof : coarse_supports) // the mesh has no hanging nodes
+      all.add_line(dof);
     all.close();
     DynamicSparsityPattern pattern(level.m(), level.m());
-    DoFTools::make_sparsity_pattern(dof_handler, pattern, all, true);
-    for (const auto i : owned)
+    for (const Dofs &dofs : coarse_cells)
+      all.add_entries_local_to_global(dofs,
+                                      pattern,
+                                      /*keep_constrained_entries=*/true);
+    for (Dof i = 0; i < level.m(); ++i)
       pattern.add(i, i);
-    if (!alone)
-      SparsityTools::distribute_sparsity_pattern(pattern,
-                                                 owned,
-                                                 discretization.communicator,
-                                                 complete_index_set(level.m()));
+    const IndexSet rows = complete_index_set(level.m());
     coarse_solver.reset();
     coarse_matrix.clear();
-    coarse_matrix.reinit(owned, owned, pattern, discretization.communicator);
+    coarse_matrix.reinit(rows, rows, pattern, MPI_COMM_SELF);
 
     if (coarse_tangents.empty())
       make_coarse_tangents();
-    Dofs dofs(dof_handler.get_fe().n_dofs_per_cell());
+    Dofs dofs(level.dof_handler.get_fe().n_dofs_per_cell());
     auto tangent = coarse_tangents.begin();
-    for (const auto &cell : dof_handler.active_cell_iterators())
+    for (const auto &cell : level.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
           cell->get_dof_indices(dofs);
           all.distribute_local_to_global(*tangent++, dofs, coarse_matrix);
         }
     coarse_matrix.compress(VectorOperation::add);
-    coarse_solver =
-      DefiniteSolver::create(alone ? Parameters::SolverKind::cholmod
-                                   : Parameters::SolverKind::mumps,
-                             /*symmetric=*/true,
-                             /*may_be_indefinite=*/true,
-                             {},
-                             discretization.counters);
+    int    *starts, *columns;
+    double *values;
+    coarse_matrix.trilinos_matrix().ExtractCrsDataPointers(starts,
+                                                           columns,
+                                                           values);
+    const ArrayView<double> entries(values, coarse_matrix.n_nonzero_elements());
+    Utilities::MPI::sum(ArrayView<const double>(entries),
+                        discretization.communicator,
+                        entries);
+    coarse_solver = DefiniteSolver::create(Parameters::SolverKind::cholmod,
+                                           /*symmetric=*/true,
+                                           /*may_be_indefinite=*/true,
+                                           {},
+                                           discretization.counters);
     coarse_solver->set_matrix(coarse_matrix, true, true, {});
   }
 
@@ -228,11 +240,18 @@ namespace Contact
   {
     const MultigridLevel<dim> &level = *levels[0];
     const IndexSet            &owned = level.dof_handler.locally_owned_dofs();
-    DefiniteSolver::Vector     b(owned, discretization.communicator), x(b);
-    const unsigned int         n = owned.n_elements();
-    std::copy_n(level.rhs.begin(), n, b.begin());
+    std::vector<double>        rhs(level.m());
+    auto                       own = level.rhs.begin();
+    for (const auto i : owned)
+      rhs[i] = *own++;
+    Utilities::MPI::sum(rhs, discretization.communicator, rhs);
+    DefiniteSolver::Vector b(complete_index_set(level.m()), MPI_COMM_SELF);
+    DefiniteSolver::Vector x(b);
+    std::copy(rhs.begin(), rhs.end(), b.begin());
     coarse_solver->solve(b, 0, x);
-    std::copy_n(x.begin(), n, level.solution.begin());
+    own = level.solution.begin();
+    for (const auto i : owned)
+      *own++ = x[i];
   }
 
 

@@ -22,8 +22,8 @@ namespace Contact
    * 4, 2001; C. Graeser, R. Kornhuber, J. Comput. Math. 27, 2009), applied to
    * the linear problem of an active set.
    *
-   * Levels are the meshes that global coarsening makes. On the coarsest one
-   * CHOLMOD solves, with several ranks MUMPS.
+   * Levels are the LevelMeshes. On the coarsest one every rank solves by
+   * itself, by CHOLMOD.
    */
   template<int dim>
   class ContactMultigrid
@@ -59,12 +59,16 @@ namespace Contact
     void cycle(const unsigned int l) const;
     void solve_coarse() const;
 
-    const Discretization<dim>                             &discretization;
-    std::vector<std::shared_ptr<const Triangulation<dim>>> meshes;
-    std::map<types::material_id, Material>                 materials;
-    std::set<types::material_id>                           small_strain;
-    std::vector<std::unique_ptr<MultigridLevel<dim>>>      levels;
-    std::vector<std::unique_ptr<LevelTransfer<dim>>> transfers; // l: to l + 1
+    const Discretization<dim>                        &discretization;
+    const typename LevelMeshes<dim>::List             meshes;
+    std::map<types::material_id, Material>            materials;
+    std::set<types::material_id>                      small_strain;
+    std::vector<std::unique_ptr<MultigridLevel<dim>>> levels;
+    std::vector<std::unique_ptr<LevelTransfer<dim>>>  transfers; // l: to l + 1
+
+    // Of the coarsest mesh, on all ranks.
+    Dofs              coarse_supports;
+    std::vector<Dofs> coarse_cells; // their unknowns
 
     std::vector<FullMatrix<double>> coarse_tangents; // of this rank's cells
     TrilinosWrappers::SparseMatrix  coarse_matrix;
