@@ -5,21 +5,45 @@
 
 #include "mesh/level_meshes.h"
 
-#include <deal.II/distributed/tria.h>
-#include <deal.II/multigrid/mg_transfer_global_coarsening.h>
+#include "mesh/distributed_mesh.h"
 
 namespace Contact
 {
+  namespace
+  {
+    template<int dim>
+    std::shared_ptr<Triangulation<dim>> copy_of(const Triangulation<dim> &mesh)
+    {
+      const auto  smoothing = mesh.get_mesh_smoothing();
+      const auto *distributed =
+        dynamic_cast<const DistributedMesh<dim> *>(&mesh);
+      std::shared_ptr<Triangulation<dim>> copy;
+      if (distributed != nullptr)
+        copy = std::make_shared<DistributedMesh<dim>>(
+          distributed->get_communicator(),
+          smoothing);
+      else
+        copy = std::make_shared<Triangulation<dim>>(smoothing);
+      copy->copy_triangulation(mesh);
+      return copy;
+    }
+  } // namespace
+
+
+
   template<int dim>
   typename LevelMeshes<dim>::List
   LevelMeshes<dim>::of(const Triangulation<dim> &finest) const
   {
     if (!are_known)
       {
-        coarser =
-          MGTransferGlobalCoarseningTools::create_geometric_coarsening_sequence(
-            finest);
-        coarser.pop_back(); // the finest one
+        for (unsigned int l = finest.n_global_levels(); l > 1; --l)
+          {
+            const auto copy =
+              copy_of(coarser.empty() ? finest : *coarser.front());
+            copy->coarsen_global();
+            coarser.insert(coarser.begin(), copy);
+          }
         are_known = true;
       }
     List all = coarser;
@@ -32,20 +56,8 @@ namespace Contact
   template<int dim>
   void LevelMeshes<dim>::keep(const Triangulation<dim> &mesh)
   {
-    if (!are_known)
-      return;
-    const auto                          smoothing = mesh.get_mesh_smoothing();
-    std::shared_ptr<Triangulation<dim>> copy;
-    if (const auto *distributed =
-          dynamic_cast<const parallel::distributed::Triangulation<dim> *>(
-            &mesh))
-      copy = std::make_shared<parallel::distributed::Triangulation<dim>>(
-        distributed->get_communicator(),
-        smoothing);
-    else
-      copy = std::make_shared<Triangulation<dim>>(smoothing);
-    copy->copy_triangulation(mesh);
-    coarser.push_back(copy);
+    if (are_known)
+      coarser.push_back(copy_of(mesh));
   }
 
   template class LevelMeshes<2>;

@@ -6,12 +6,9 @@
 #include "mesh/mesh.h"
 
 #include <deal.II/distributed/shared_tria.h>
-#include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/sparsity_tools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +17,7 @@
 #include "base/errors.h"
 #include "base/string_utilities.h"
 #include "mesh/coarse_mesh.h"
+#include "mesh/distributed_mesh.h"
 #include "mesh/groups.h"
 #include "mesh/placement.h"
 #include "mesh/round_boundaries.h"
@@ -48,27 +46,6 @@ namespace Contact
       if (!hypercubes.empty())
         GridTools::consistently_order_cells(hypercubes);
       std::copy(hypercubes.begin(), hypercubes.end(), cells.begin());
-    }
-
-
-
-    /// Put the cells in the order that p4est has them in, where those of a rank
-    /// follow each other. deal.II asks for sets of cells by their numbers
-    /// there, and a set that is not filled in ascending order takes the square
-    /// of the time.
-    template<int dim>
-    void order_as_p4est(const std::vector<Point<dim>> &vertices,
-                        std::vector<CellData<dim>>    &cells)
-    {
-      Triangulation<dim> coarse;
-      coarse.create_triangulation(vertices, cells, {});
-      DynamicSparsityPattern neighbors;
-      GridTools::get_vertex_connectivity_of_cells(coarse, neighbors);
-      std::vector<DynamicSparsityPattern::size_type> numbers(cells.size());
-      SparsityTools::reorder_hierarchical(neighbors, numbers);
-      const std::vector<CellData<dim>> old = cells;
-      for (unsigned int i = 0; i < cells.size(); ++i)
-        cells[numbers[i]] = old[i];
     }
 
 
@@ -103,8 +80,7 @@ namespace Contact
           Triangulation<dim>::none,
           /*allow_artificial_cells=*/false,
           parallel::shared::Triangulation<dim>::partition_zorder);
-      return std::make_unique<parallel::distributed::Triangulation<dim>>(
-        communicator);
+      return std::make_unique<DistributedMesh<dim>>(communicator);
     }
 
 
@@ -308,8 +284,6 @@ namespace Contact
     name_points(parameters, placement, coarse, *this);
     place_vertices(placement, msh, coarse);
     order_cells(coarse.cells);
-    if (!is_complete())
-      order_as_p4est(coarse.vertices, coarse.cells);
     triangulation.create_triangulation(coarse.vertices,
                                        coarse.cells,
                                        coarse.faces);

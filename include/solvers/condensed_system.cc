@@ -153,18 +153,26 @@ namespace Contact
   template<int dim>
   void CondensedSystem<dim>::couple()
   {
-    std::set<types::global_dof_index> touched = couplings.all();
+    Dofs of_cells;
     for (const unsigned int c : interface_cells)
       for (const auto dof : elasticity.dofs_of_cell(c))
         {
-          touched.insert(dof);
-          couplings.add_partners(dof, touched);
+          of_cells.push_back(dof);
+          if (const auto *entries =
+                discretization.constraints.get_constraint_entries(dof))
+            for (const auto &entry : *entries)
+              of_cells.push_back(entry.first);
         }
+    interface_dofs = couplings.all();
     for (const auto &of_rank :
-         Utilities::MPI::all_gather(discretization.communicator,
-                                    Dofs(touched.begin(), touched.end())))
-      touched.insert(of_rank.begin(), of_rank.end());
-    interface_dofs.assign(touched.begin(), touched.end());
+         Utilities::MPI::all_gather(discretization.communicator, of_cells))
+      interface_dofs.insert(interface_dofs.end(),
+                            of_rank.begin(),
+                            of_rank.end());
+    std::sort(interface_dofs.begin(), interface_dofs.end());
+    interface_dofs.erase(std::unique(interface_dofs.begin(),
+                                     interface_dofs.end()),
+                         interface_dofs.end());
 
     reset();
     tangents_are_known = false;

@@ -194,21 +194,22 @@ namespace Contact
 
 
 
-  // A cell at a support of another rank may not know that it is one.
+  // A cell may be at a support of another rank, whose owner tells.
   template<int dim>
   const std::vector<unsigned int> &ForceScale<dim>::cells_at_supports() const
   {
     if (!supported_cells)
       {
-        const bool is_alone =
-          Utilities::MPI::n_mpi_processes(discretization.communicator) == 1;
+        GhostedVector supported(discretization.distribution);
+        for (const auto dof : discretization.dof_handler.locally_owned_dofs())
+          supported[dof] = is_supported(dof);
+        supported.update_ghosts();
         supported_cells.emplace();
         for (unsigned int c = 0; c < elasticity.n_cells(); ++c)
           {
             const auto &dofs = elasticity.dofs_of_cell(c);
-            if (!is_alone ||
-                std::any_of(dofs.begin(), dofs.end(), [&](const auto dof) {
-                  return is_supported(dof);
+            if (std::any_of(dofs.begin(), dofs.end(), [&](const auto dof) {
+                  return supported[dof] != 0;
                 }))
               supported_cells->push_back(c);
           }

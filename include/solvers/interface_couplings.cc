@@ -9,6 +9,18 @@
 
 namespace Contact
 {
+  namespace
+  {
+    /// In ascending order, each once.
+    void make_set(std::vector<types::global_dof_index> &dofs)
+    {
+      std::sort(dofs.begin(), dofs.end());
+      dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
+    }
+  } // namespace
+
+
+
   template<int dim>
   InterfaceCouplings<dim>::InterfaceCouplings(
     const Discretization<dim>   &discretization,
@@ -33,13 +45,16 @@ namespace Contact
   {
     for (const SurfaceFacet<dim> &edge : surface.facets)
       for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-        for (unsigned int b = 0; b < surface.n_nodes_per_facet(); ++b)
-          for (unsigned int c = 0; c < dim; ++c)
+        {
+          Dofs &around = neighbors[surface.nodes[edge.nodes[a]].dofs[0]];
+          for (unsigned int b = 0; b < surface.n_nodes_per_facet(); ++b)
             {
-              const NodeDoFs<dim> &around = surface.nodes[edge.nodes[b]].dofs;
-              neighbors[surface.nodes[edge.nodes[a]].dofs[c]]
-                .insert(around.begin(), around.end());
+              const NodeDoFs<dim> &node = surface.nodes[edge.nodes[b]].dofs;
+              around.insert(around.end(), node.begin(), node.end());
             }
+        }
+    for (auto &of_node : neighbors)
+      make_set(of_node.second);
   }
 
 
@@ -48,16 +63,16 @@ namespace Contact
   typename InterfaceCouplings<dim>::Dofs
   InterfaceCouplings<dim>::reachable(const ContactPoint<dim> &point) const
   {
-    std::set<types::global_dof_index> dofs;
+    Dofs dofs;
     for (unsigned int a = 1; a < point.n_nodes; ++a)
-      for (const auto dof : point.dofs[a])
-        {
-          dofs.insert(dof);
-          if (const auto around = neighbors.find(dof);
-              around != neighbors.end())
-            dofs.insert(around->second.begin(), around->second.end());
-        }
-    return Dofs(dofs.begin(), dofs.end());
+      {
+        dofs.insert(dofs.end(), point.dofs[a].begin(), point.dofs[a].end());
+        if (const auto around = neighbors.find(point.dofs[a][0]);
+            around != neighbors.end())
+          dofs.insert(dofs.end(), around->second.begin(), around->second.end());
+      }
+    make_set(dofs);
+    return dofs;
   }
 
 
@@ -74,9 +89,14 @@ namespace Contact
         provided.push_back(reachable(point));
         for (const auto dof : point.dofs[0])
           {
-            auto &of_dof = partners[dof];
-            of_dof.insert(point.dofs[0].begin(), point.dofs[0].end());
-            of_dof.insert(provided.back().begin(), provided.back().end());
+            Dofs &of_dof = partners[dof];
+            of_dof.insert(of_dof.end(),
+                          point.dofs[0].begin(),
+                          point.dofs[0].end());
+            of_dof.insert(of_dof.end(),
+                          provided.back().begin(),
+                          provided.back().end());
+            make_set(of_dof);
           }
       }
   }
@@ -109,8 +129,12 @@ namespace Contact
     bool misses = false;
     elimination.for_each_entry([&](const types::global_dof_index line,
                                    const types::global_dof_index dof) {
-      if (partners[line].insert(dof).second)
-        misses = true;
+      Dofs      &of_line = partners[line];
+      const auto place = std::lower_bound(of_line.begin(), of_line.end(), dof);
+      if (place != of_line.end() && *place == dof)
+        return;
+      of_line.insert(place, dof);
+      misses = true;
     });
     return misses;
   }
@@ -170,14 +194,19 @@ namespace Contact
 
 
   template<int dim>
-  std::set<types::global_dof_index> InterfaceCouplings<dim>::all() const
+  typename InterfaceCouplings<dim>::Dofs InterfaceCouplings<dim>::all() const
   {
-    std::set<types::global_dof_index> all;
+    std::vector<bool> is_one(discretization.dof_handler.n_dofs(), false);
     for (const auto &[dof, of_dof] : partners)
       {
-        all.insert(dof);
-        all.insert(of_dof.begin(), of_dof.end());
+        is_one[dof] = true;
+        for (const auto partner : of_dof)
+          is_one[partner] = true;
       }
+    Dofs all;
+    for (types::global_dof_index i = 0; i < is_one.size(); ++i)
+      if (is_one[i])
+        all.push_back(i);
     return all;
   }
 

@@ -6,8 +6,6 @@
 #ifndef contact_interface_couplings_h
 #define contact_interface_couplings_h
 
-#include <boost/container/flat_set.hpp>
-
 #include "solvers/contact_elimination.h"
 
 namespace Contact
@@ -57,8 +55,8 @@ namespace Contact
     /// rank: a point's stiffness has those of cells of other ranks.
     void add_facets(DynamicSparsityPattern &pattern) const;
 
-    /// All unknowns of the points with all their partners.
-    std::set<types::global_dof_index> all() const;
+    /// All unknowns of the points with all their partners, in ascending order.
+    Dofs all() const;
 
   private:
     void collect_neighbors(const Surface<dim> &surface);
@@ -70,11 +68,12 @@ namespace Contact
     /// Of each point, the unknowns that it may see.
     std::vector<Dofs> provided;
 
-    using Partners = boost::container::flat_set<types::global_dof_index>;
-    std::map<types::global_dof_index, Partners> partners;
+    /// In ascending order.
+    std::map<types::global_dof_index, Dofs> partners;
 
-    /// Of the unknowns where projections may be those of the edges around them.
-    std::map<types::global_dof_index, Partners> neighbors;
+    /// Of the nodes where projections may be, by their first unknown: those of
+    /// the edges around them, in ascending order.
+    std::map<types::global_dof_index, Dofs> neighbors;
   };
 } // namespace Contact
 

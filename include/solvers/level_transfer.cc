@@ -55,13 +55,15 @@ namespace Contact
             fe.get_prolongation_matrix(SurfaceCells<dim>::last_child(id));
           for (unsigned int i = 0; i < n; ++i)
             {
-              Row row;
+              const auto [place, is_new] = rows.try_emplace(of_fine[i]);
+              if (!is_new)
+                continue;
+              Row &row = place->second;
               for (unsigned int j = 0; j < n; ++j)
                 if (std::abs(matrix(i, j) - 1) < round_off)
                   row.emplace_back(of_coarse[j], 1.);
                 else if (std::abs(matrix(i, j)) > round_off)
                   row.emplace_back(of_coarse[j], matrix(i, j));
-              rows.emplace(of_fine[i], std::move(row));
             }
         }
   }

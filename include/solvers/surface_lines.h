@@ -8,6 +8,8 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <algorithm>
+
 #include "solvers/surface_values.h"
 
 namespace Contact
@@ -37,13 +39,13 @@ namespace Contact
                  const IndexSet                  &owned,
                  const MPI_Comm                   communicator)
     {
-      IndexSet used(owned.size());
+      Dofs read;
       for (const auto dof : eliminated)
         {
           const auto *entries = constraints.get_constraint_entries(dof);
           if (entries != nullptr)
             for (const auto &[other, factor] : *entries)
-              used.add_index(other);
+              read.push_back(other);
           if (!owned.is_element(dof))
             continue;
           own.push_back(dof);
@@ -55,6 +57,9 @@ namespace Contact
               }
           ends.push_back(others.size());
         }
+      std::sort(read.begin(), read.end()); // a set takes long otherwise
+      IndexSet used(owned.size());
+      used.add_indices(read.begin(), read.end());
       values.initialize(used, owned, communicator);
     }
 
