@@ -47,10 +47,12 @@ namespace Contact
   std::size_t
   GhostedVector::position_of_other(const types::global_dof_index i) const
   {
-    AssertThrow(is_distributed() && holds(i), ExcInternalError());
-    return i < distribution->size()
-             ? distribution->global_to_local(i)
-             : n_distributed_held() + (i - distribution->size());
+    AssertThrow(is_distributed(), ExcInternalError());
+    if (i >= distribution->size())
+      return n_distributed_held() + (i - distribution->size());
+    const auto k = distribution->ghost_indices().index_within_set(i);
+    AssertThrow(k != numbers::invalid_dof_index, ExcInternalError());
+    return n_direct + k;
   }
 
 
