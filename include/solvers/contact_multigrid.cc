@@ -240,6 +240,7 @@ namespace Contact
   {
     const MultigridLevel<dim> &level = *levels[0];
     const IndexSet            &owned = level.dof_handler.locally_owned_dofs();
+    level.contact_lines().condense(level.rhs);
     std::vector<double>        rhs(level.m());
     auto                       own = level.rhs.begin();
     for (const auto i : owned)
@@ -252,6 +253,7 @@ namespace Contact
     own = level.solution.begin();
     for (const auto i : owned)
       *own++ = x[i];
+    level.contact_lines().expand(level.solution);
   }
 
 
@@ -281,7 +283,9 @@ namespace Contact
   {
     const MultigridLevel<dim> &finest = *levels.back();
     finest.rhs.copy_locally_owned_data_from(src);
+    finest.contact_projection().project_transposed(finest.rhs);
     cycle(levels.size() - 1);
+    finest.contact_lines().set(finest.solution, 0);
     dst.copy_locally_owned_data_from(finest.solution);
   }
 

@@ -157,14 +157,12 @@ namespace Contact
 
 
 
-  // What is eliminated does not count on either level.
   template<int dim>
   void LevelTransfer<dim>::restrict_residual() const
   {
-    fine.contact_lines().set(fine.residual, 0);
     coarse.rhs = 0;
     transfer.restrict_and_add(coarse.rhs, fine.residual);
-    coarse.contact_lines().condense(coarse.rhs);
+    coarse.contact_projection().project_transposed(coarse.rhs);
   }
 
 
@@ -172,9 +170,8 @@ namespace Contact
   template<int dim>
   void LevelTransfer<dim>::correct() const
   {
-    coarse.contact_lines().expand(coarse.solution);
     transfer.prolongate_and_add(fine.solution, coarse.solution);
-    fine.contact_lines().set(fine.solution, 0);
+    fine.contact_projection().project(fine.solution);
   }
 
   template class LevelTransfer<2>;

@@ -44,9 +44,9 @@ namespace Contact
                                                          dof_handler,
                                                          constraints,
                                                          materials);
-    diagonal = bodies->diagonal();
     for (Vector *vector : {&rhs, &solution, &residual, &work})
       bodies->initialize(*vector);
+    make_smoother();
   }
 
 
@@ -56,14 +56,36 @@ namespace Contact
     const std::set<types::material_id> &small_strain)
   {
     bodies->linearize(solution, small_strain);
-    diagonal = bodies->diagonal();
+    make_smoother();
   }
 
 
 
   // Smooth what the next coarser mesh does not see: the upper part of the
   // spectrum of the matrix by its diagonal, from a sixteenth of the largest
-  // eigenvalue on, which a few conjugate gradients estimate.
+  // eigenvalue on, which a few conjugate gradients estimate. Contact makes no
+  // eigenvalue larger.
+  template<int dim>
+  void MultigridLevel<dim>::make_smoother()
+  {
+    inverse    = std::make_shared<DiagonalMatrix<Vector>>();
+    inverse->get_vector() = bodies->diagonal();
+    for (auto &value : inverse->get_vector())
+      value = value > 0 ? 1 / value : 1;
+
+    projection.initialize({}, AffineConstraints<double>(), inverse->get_vector());
+
+    typename decltype(smoother)::AdditionalData data;
+    data.degree              = 4;
+    data.smoothing_range     = 16;
+    data.eig_cg_n_iterations = 12;
+    data.preconditioner      = inverse;
+    smoother.initialize(*this, data);
+    smoother.estimate_eigenvalues(rhs);
+  }
+
+
+
   template<int dim>
   void
   MultigridLevel<dim>::set_lines(const Dofs                      &new_lines,
@@ -76,20 +98,7 @@ namespace Contact
                                  line_constraints,
                                  dof_handler.locally_owned_dofs(),
                                  communicator);
-
-    auto    matrix  = std::make_shared<DiagonalMatrix<Vector>>();
-    Vector &inverse = matrix->get_vector();
-    inverse         = diagonal;
-    lines.condense_diagonal(inverse);
-    for (auto &value : inverse)
-      value = value > 0 ? 1 / value : 1;
-
-    typename decltype(smoother)::AdditionalData data;
-    data.degree              = 4;
-    data.smoothing_range     = 16;
-    data.eig_cg_n_iterations = 12;
-    data.preconditioner      = matrix;
-    smoother.initialize(*this, data);
+    projection.initialize(eliminated, line_constraints, inverse->get_vector());
   }
 
 
@@ -98,9 +107,9 @@ namespace Contact
   void MultigridLevel<dim>::vmult(Vector &dst, const Vector &src) const
   {
     work = src;
-    lines.expand(work);
+    projection.project(work);
     bodies->vmult(dst, work);
-    lines.condense(dst);
+    projection.project_transposed(dst);
   }
 
 

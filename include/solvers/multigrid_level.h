@@ -11,6 +11,7 @@
 #include "solid/elasticity.h"
 #include "solvers/body_operator.h"
 #include "solvers/surface_lines.h"
+#include "solvers/surface_projection.h"
 
 namespace Contact
 {
@@ -48,7 +49,7 @@ namespace Contact
     void set_lines(const Dofs                      &eliminated,
                    const AffineConstraints<double> &constraints);
 
-    /// C^T K C; zero in what is eliminated or constrained.
+    /// P^T K P.
     void vmult(Vector &dst, const Vector &src) const;
 
     /// The unknowns, for PreconditionChebyshev.
@@ -79,6 +80,11 @@ namespace Contact
       return lines;
     }
 
+    const SurfaceProjection<Number> &contact_projection() const
+    {
+      return projection;
+    }
+
     /// The same as they were given, on all ranks.
     Dofs                      eliminated;
     AffineConstraints<double> line_constraints;
@@ -92,12 +98,15 @@ namespace Contact
     mutable Vector         rhs, solution, residual;
 
   private:
+    void make_smoother();
+
     const MPI_Comm                                communicator;
     const std::map<types::material_id, Material> &materials;
     AffineConstraints<Number>                     constraints;
     std::unique_ptr<BodyOperator<dim, Number>>    bodies;
-    Vector                                        diagonal; // of the bodies
+    std::shared_ptr<DiagonalMatrix<Vector>>       inverse; // of the diagonal
     SurfaceLines<Number>                          lines;
+    SurfaceProjection<Number>                     projection;
     mutable Vector                                work;
     PreconditionChebyshev<MultigridLevel, Vector, DiagonalMatrix<Vector>>
       smoother;
