@@ -285,7 +285,7 @@ namespace Contact
     finest.rhs.copy_locally_owned_data_from(src);
     finest.contact_projection().project_transposed(finest.rhs);
     cycle(levels.size() - 1);
-    finest.contact_lines().set(finest.solution, 0);
+    finest.contact_lines().clear(finest.solution);
     dst.copy_locally_owned_data_from(finest.solution);
   }
 

@@ -128,30 +128,49 @@ namespace Contact
 
 
 
+  // At the ends of surfaces a line may have unknowns that other lines
+  // eliminate. One of these is left to the finer level where it has further
+  // ones in turn, which might lead round in a circle.
   template<int dim>
   void LevelTransfer<dim>::hand_down() const
   {
-    Dofs                      eliminated;
-    AffineConstraints<double> lines;
+    std::map<Dof, std::map<Dof, double>> sums;
     for (const Dof dof : fine.eliminated)
       {
         const Row &row = rows.at(dof);
         if (row.size() != 1 || constrained.count(row[0].first) > 0)
           continue;
-        const Dof             here = row[0].first;
-        std::map<Dof, double> sum;
+        std::map<Dof, double> &sum = sums[row[0].first];
         if (const auto *entries =
               fine.line_constraints.get_constraint_entries(dof))
           for (const auto &[other, factor] : *entries)
             add_coarse(other, factor, sum);
-        lines.add_line(here);
-        for (const auto &[other, factor] : sum)
-          if (factor != 0 && other != here)
-            lines.add_entry(here, other, factor);
-        eliminated.push_back(here);
+        sum.erase(row[0].first);
       }
+
+    const auto has_any = [](const std::map<Dof, double> &sum,
+                            const auto                  &those) {
+      return std::any_of(sum.begin(), sum.end(), [&](const auto &entry) {
+        return those.count(entry.first) > 0;
+      });
+    };
+    std::set<Dof> by_lines;
+    for (const auto &[dof, sum] : sums)
+      if (has_any(sum, sums))
+        by_lines.insert(dof);
+
+    Dofs                      eliminated;
+    AffineConstraints<double> lines;
+    for (const auto &[dof, sum] : sums)
+      if (by_lines.count(dof) == 0 || !has_any(sum, by_lines))
+        {
+          lines.add_line(dof);
+          for (const auto &[other, factor] : sum)
+            if (factor != 0)
+              lines.add_entry(dof, other, factor);
+          eliminated.push_back(dof);
+        }
     lines.close();
-    std::sort(eliminated.begin(), eliminated.end());
     coarse.set_lines(eliminated, lines);
   }
 
@@ -167,6 +186,8 @@ namespace Contact
 
 
 
+  // What the coarse level does not know of the lines is repaired on the softer
+  // side.
   template<int dim>
   void LevelTransfer<dim>::correct() const
   {

@@ -40,11 +40,11 @@ namespace Contact
       if (relevant.is_element(dof) && !constraints.is_constrained(dof))
         constraints.add_line(dof);
     constraints.close();
-    bodies   = std::make_unique<BodyOperator<dim, Number>>(mapping,
+    bodies = std::make_unique<BodyOperator<dim, Number>>(mapping,
                                                          dof_handler,
                                                          constraints,
                                                          materials);
-    for (Vector *vector : {&rhs, &solution, &residual, &work})
+    for (Vector *vector : {&rhs, &solution, &residual})
       bodies->initialize(*vector);
     make_smoother();
   }
@@ -63,17 +63,19 @@ namespace Contact
 
   // Smooth what the next coarser mesh does not see: the upper part of the
   // spectrum of the matrix by its diagonal, from a sixteenth of the largest
-  // eigenvalue on, which a few conjugate gradients estimate. Contact makes no
-  // eigenvalue larger.
+  // eigenvalue on, which a few conjugate gradients estimate: that of the bodies
+  // alone, since contact makes none larger.
   template<int dim>
   void MultigridLevel<dim>::make_smoother()
   {
-    inverse    = std::make_shared<DiagonalMatrix<Vector>>();
+    inverse               = std::make_shared<DiagonalMatrix<Vector>>();
     inverse->get_vector() = bodies->diagonal();
     for (auto &value : inverse->get_vector())
       value = value > 0 ? 1 / value : 1;
 
-    projection.initialize({}, AffineConstraints<double>(), inverse->get_vector());
+    projection.initialize({},
+                          AffineConstraints<double>(),
+                          inverse->get_vector());
 
     typename decltype(smoother)::AdditionalData data;
     data.degree              = 4;
@@ -106,9 +108,7 @@ namespace Contact
   template<int dim>
   void MultigridLevel<dim>::vmult(Vector &dst, const Vector &src) const
   {
-    work = src;
-    projection.project(work);
-    bodies->vmult(dst, work);
+    bodies->vmult(dst, src);
     projection.project_transposed(dst);
   }
 

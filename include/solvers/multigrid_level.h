@@ -19,8 +19,9 @@ namespace Contact
 
   /**
    * A level of ContactMultigrid: a mesh with the tangent of the bodies, the
-   * lines of contact, and Chebyshev's iteration as smoother. In single
-   * precision.
+   * lines of contact, and Chebyshev's iteration as smoother, of which all
+   * iterates fulfil the lines. Right-hand sides and residuals are projected,
+   * see SurfaceProjection. In single precision.
    */
   template<int dim>
   class MultigridLevel : public Subscriptor
@@ -44,12 +45,11 @@ namespace Contact
     /// small_strain, in the present solution.
     void linearize(const std::set<types::material_id> &small_strain);
 
-    /// Take over the elimination of the active points and make the smoother
-    /// for it. Collective.
+    /// Take over the elimination of the active points. Collective.
     void set_lines(const Dofs                      &eliminated,
                    const AffineConstraints<double> &constraints);
 
-    /// P^T K P.
+    /// P^T K, of displacements that fulfil the lines P^T K P.
     void vmult(Vector &dst, const Vector &src) const;
 
     /// The unknowns, for PreconditionChebyshev.
@@ -107,7 +107,6 @@ namespace Contact
     std::shared_ptr<DiagonalMatrix<Vector>>       inverse; // of the diagonal
     SurfaceLines<Number>                          lines;
     SurfaceProjection<Number>                     projection;
-    mutable Vector                                work;
     PreconditionChebyshev<MultigridLevel, Vector, DiagonalMatrix<Vector>>
       smoother;
   };

@@ -81,39 +81,26 @@ namespace Contact
     /// leaves zero.
     void condense(Vector &v) const
     {
-      hand_over(v, [](const Number factor) { return factor; });
-      set(v, 0);
-    }
-
-    /// The part of the diagonal of C^T K C that it has of the diagonal of K.
-    void condense_diagonal(Vector &diagonal) const
-    {
-      hand_over(diagonal, [](const Number factor) { return factor * factor; });
-      set(diagonal, 1);
-    }
-
-    /// Set eliminated unknowns to @p value.
-    void set(Vector &v, const Number value) const
-    {
-      for (const auto dof : own)
-        v(dof) = value;
-    }
-
-  private:
-    template<class Weight>
-    void hand_over(Vector &v, const Weight &weight) const
-    {
       values.clear();
       unsigned int k = 0;
       for (unsigned int i = 0; i < own.size(); ++i)
         {
           const Number value = v(own[i]);
           for (; k < ends[i]; ++k)
-            values.add(v, others[k], weight(factors[k]) * value);
+            values.add(v, others[k], factors[k] * value);
         }
       values.add_to(v);
+      clear(v);
     }
 
+    /// Set eliminated unknowns to zero.
+    void clear(Vector &v) const
+    {
+      for (const auto dof : own)
+        v(dof) = 0;
+    }
+
+  private:
     Dofs                      own;  // of the eliminated
     std::vector<unsigned int> ends; // of each in the following
     Dofs                      others;

@@ -8,6 +8,7 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <algorithm>
+#include <map>
 
 namespace Contact
 {
@@ -17,96 +18,120 @@ namespace Contact
     const AffineConstraints<double> &constraints,
     const Vector                    &inverse)
   {
-    const IndexSet owned = inverse.locally_owned_elements();
-    std::map<Dof, unsigned int> numbers;
-    const auto                  number = [&](const Dof dof) {
-      const auto [at, is_new] = numbers.emplace(dof, used.size());
-      if (is_new)
-        used.push_back(dof);
-      return at->second;
-    };
-    for (auto *list : {&ends, &columns})
-      list->clear();
-    used.clear();
+    read_lines(eliminated, constraints);
+    share_values(inverse);
+    solver.reset();
+    matrix.clear();
+    if (!eliminated.empty())
+      factorize();
+  }
+
+
+
+  // The sum of others less what is eliminated is zero.
+  template<typename Number>
+  void SurfaceProjection<Number>::read_lines(
+    const Dofs                      &eliminated,
+    const AffineConstraints<double> &constraints)
+  {
+    dofs.clear();
+    ends.clear();
+    columns.clear();
     factors.clear();
-    own.clear();
+    std::map<Dof, unsigned int> numbers;
+    const auto                  add = [&](const Dof dof, const double factor) {
+      const auto [at, is_new] = numbers.emplace(dof, dofs.size());
+      if (is_new)
+        dofs.push_back(dof);
+      columns.push_back(at->second);
+      factors.push_back(factor);
+    };
     for (const Dof dof : eliminated)
       {
-        columns.push_back(number(dof));
-        factors.push_back(-1);
+        add(dof, -1);
         if (const auto *entries = constraints.get_constraint_entries(dof))
           for (const auto &[other, factor] : *entries)
-            {
-              columns.push_back(number(other));
-              factors.push_back(factor);
-            }
+            add(other, factor);
         ends.push_back(columns.size());
       }
-    IndexSet all(owned.size());
-    for (const auto &entry : numbers)
-      all.add_index(entry.first);
-    values.initialize(all, owned, inverse.get_mpi_communicator());
-    for (unsigned int j = 0; j < used.size(); ++j)
-      if (owned.is_element(used[j]))
-        own.emplace_back(j, used[j]);
-    at_surfaces.resize(used.size());
+  }
+
+
+
+  template<typename Number>
+  void SurfaceProjection<Number>::share_values(const Vector &inverse)
+  {
+    const IndexSet owned = inverse.locally_owned_elements();
+    Dofs           sorted(dofs);
+    std::sort(sorted.begin(), sorted.end());
+    IndexSet used(owned.size());
+    used.add_indices(sorted.begin(), sorted.end());
+    values.initialize(used, owned, inverse.get_mpi_communicator());
+    own.clear();
+    for (unsigned int j = 0; j < dofs.size(); ++j)
+      if (owned.is_element(dofs[j]))
+        own.push_back(j);
     values.read(inverse);
     flexibilities.clear();
-    for (const Dof dof : used)
+    for (const Dof dof : dofs)
       flexibilities.push_back(values(inverse, dof));
+    at_surfaces.resize(dofs.size());
+  }
 
-    solver.reset();
-    const unsigned int n = ends.size();
-    if (n == 0)
-      return;
-    std::vector<std::vector<std::pair<unsigned int, double>>> by_column(
-      used.size());
+
+
+  template<typename Number>
+  void SurfaceProjection<Number>::factorize()
+  {
+    std::vector<std::vector<std::pair<unsigned int, double>>> by_dof(
+      dofs.size());
     unsigned int k = 0;
-    for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int i = 0; i < ends.size(); ++i)
       for (; k < ends[i]; ++k)
-        by_column[columns[k]].emplace_back(i, factors[k]);
-    DynamicSparsityPattern pattern(n, n);
-    for (const auto &column : by_column)
-      for (const auto &a : column)
-        for (const auto &b : column)
-          pattern.add(a.first, b.first);
-    const IndexSet lines = complete_index_set(n);
-    matrix.clear();
-    matrix.reinit(lines, lines, pattern, MPI_COMM_SELF);
-    for (unsigned int j = 0; j < used.size(); ++j)
-      for (const auto &a : by_column[j])
-        for (const auto &b : by_column[j])
-          matrix.add(a.first, b.first, a.second * flexibilities[j] * b.second);
+        by_dof[columns[k]].emplace_back(i, factors[k]);
+
+    DynamicSparsityPattern pattern(ends.size(), ends.size());
+    for (const auto &of_dof : by_dof)
+      for (const auto &row : of_dof)
+        for (const auto &column : of_dof)
+          pattern.add(row.first, column.first);
+    const IndexSet all = complete_index_set(ends.size());
+    matrix.reinit(all, all, pattern, MPI_COMM_SELF);
+    for (unsigned int j = 0; j < dofs.size(); ++j)
+      for (const auto &[row, factor] : by_dof[j])
+        for (const auto &[column, other] : by_dof[j])
+          matrix.add(row, column, flexibilities[j] * factor * other);
     matrix.compress(VectorOperation::add);
+
     solver = DefiniteSolver::create(Parameters::SolverKind::cholmod,
                                     /*symmetric=*/true,
                                     /*may_be_indefinite=*/false,
                                     {},
                                     counters);
     solver->set_matrix(matrix, true, true, {});
-    violations.reinit(lines, MPI_COMM_SELF);
-    multipliers.reinit(lines, MPI_COMM_SELF);
+    gaps.reinit(all, MPI_COMM_SELF);
+    pressures.reinit(all, MPI_COMM_SELF);
   }
 
 
 
-  // B^T S^-1 B of the values at the surfaces.
   template<typename Number>
-  void SurfaceProjection<Number>::solve() const
+  void SurfaceProjection<Number>::make_reactions() const
   {
-    const unsigned int n = ends.size();
-    double *const      b = violations.begin();
-    unsigned int       k = 0;
-    for (unsigned int i = 0; i < n; ++i)
-      for (b[i] = 0; k < ends[i]; ++k)
-        b[i] += factors[k] * at_surfaces[columns[k]];
-    solver->solve(violations, 0, multipliers);
-    const double *const x = multipliers.begin();
+    double *const gap = gaps.begin();
+    unsigned int  k   = 0;
+    for (unsigned int i = 0; i < ends.size(); ++i)
+      for (gap[i] = 0; k < ends[i]; ++k)
+        gap[i] += factors[k] * at_surfaces[columns[k]];
+
+    solver->solve(gaps, /*tolerance=*/0, pressures);
+
     std::fill(at_surfaces.begin(), at_surfaces.end(), 0.);
-    k = 0;
-    for (unsigned int i = 0; i < n; ++i)
+    const double *const pressure = pressures.begin();
+    k                            = 0;
+    for (unsigned int i = 0; i < ends.size(); ++i)
       for (; k < ends[i]; ++k)
-        at_surfaces[columns[k]] += factors[k] * x[i];
+        at_surfaces[columns[k]] += factors[k] * pressure[i];
   }
 
 
@@ -117,11 +142,11 @@ namespace Contact
     if (!solver)
       return;
     values.read(v);
-    for (unsigned int j = 0; j < used.size(); ++j)
-      at_surfaces[j] = values(v, used[j]);
-    solve();
-    for (const auto &[j, dof] : own)
-      v(dof) -= flexibilities[j] * at_surfaces[j];
+    for (unsigned int j = 0; j < dofs.size(); ++j)
+      at_surfaces[j] = values(v, dofs[j]);
+    make_reactions();
+    for (const unsigned int j : own)
+      v(dofs[j]) -= flexibilities[j] * at_surfaces[j];
   }
 
 
@@ -132,11 +157,11 @@ namespace Contact
     if (!solver)
       return;
     values.read(v);
-    for (unsigned int j = 0; j < used.size(); ++j)
-      at_surfaces[j] = flexibilities[j] * values(v, used[j]);
-    solve();
-    for (const auto &[j, dof] : own)
-      v(dof) -= at_surfaces[j];
+    for (unsigned int j = 0; j < dofs.size(); ++j)
+      at_surfaces[j] = flexibilities[j] * values(v, dofs[j]);
+    make_reactions();
+    for (const unsigned int j : own)
+      v(dofs[j]) -= at_surfaces[j];
   }
 
   template class SurfaceProjection<float>;

@@ -16,11 +16,16 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * The projection on the displacements that fulfil the lines of contact, B u =
-   * 0, orthogonal in the diagonal D of the tangent of the bodies:
-   *   P = 1 - D^-1 B^T S^-1 B,   S = B D^-1 B^T.
-   * Whichever side is softer yields. As all ranks have all lines, each
-   * factorizes S, which couples surfaces alone. Functions are collective.
+   * The projection on the displacements that fulfil the lines of contact,
+   * B u = 0. Orthogonal in the diagonal D of the tangent of the bodies, it
+   * moves the softer surface: P = 1 - D^-1 B^T S^-1 B,   S = B D^-1 B^T. S
+   * couples unknowns of the surfaces alone. As all ranks have all lines, each
+   * factorizes it. Functions are collective.
+   *
+   * P^T K P has no larger eigenvalues by D than K, whatever the lines are and
+   * however much stiffer one body is than the other: what the smoother of a
+   * multigrid needs. (D. Braess, W. Dahmen, C. Wieners, SIAM J. Numer. Anal.
+   * 37, 1999.)
    */
   template<typename Number>
   class SurfaceProjection
@@ -30,7 +35,7 @@ namespace Contact
     using Dofs   = std::vector<Dof>;
     using Vector = LinearAlgebra::distributed::Vector<Number>;
 
-    /// Of the lines of @p eliminated in closed @p constraints, whatever their
+    /// On the lines of @p eliminated in closed @p constraints, whatever their
     /// inhomogeneities, with the reciprocals @p inverse of the diagonal.
     void initialize(const Dofs                      &eliminated,
                     const AffineConstraints<double> &constraints,
@@ -39,29 +44,32 @@ namespace Contact
     /// P v.
     void project(Vector &v) const;
 
-    /// P^T v: forces that do the same work in displacements that fulfil the
+    /// P^T v: the forces that do the same work in displacements that fulfil the
     /// lines.
     void project_transposed(Vector &v) const;
 
   private:
-    /// Unknowns of the surfaces that this rank owns, by their number here.
-    std::vector<std::pair<unsigned int, Dof>> own;
+    void read_lines(const Dofs                      &eliminated,
+                    const AffineConstraints<double> &constraints);
+    void share_values(const Vector &inverse);
+    void factorize();
 
-    Dofs                  used; // unknowns of the surfaces
-    std::vector<double>   flexibilities;
+    /// at_surfaces = B^T S^-1 B at_surfaces.
+    void make_reactions() const;
+
+    Dofs                  dofs; // those in the lines, numbered by their place
+    std::vector<double>   flexibilities; // of them, 1 / D
     SurfaceValues<Number> values;
+    std::vector<unsigned int> own; // of this rank, by number
 
     std::vector<unsigned int> ends; // of each line in the following
     std::vector<unsigned int> columns;
     std::vector<double>       factors;
 
-    /// Work and pseudo forces by line, their forces by unknown.
-    void solve() const;
-
-    Counters                        counters;
+    Counters                        counters; // of surfaces, no one asks
     TrilinosWrappers::SparseMatrix  matrix;
-    std::unique_ptr<DefiniteSolver> solver;
-    mutable DefiniteSolver::Vector  violations, multipliers;
+    std::unique_ptr<DefiniteSolver> solver; // none without lines
+    mutable DefiniteSolver::Vector  gaps, pressures;
     mutable std::vector<double>     at_surfaces;
   };
 } // namespace Contact
