@@ -22,6 +22,9 @@ namespace Contact
    * 4, 2001; C. Graeser, R. Kornhuber, J. Comput. Math. 27, 2009), applied to
    * the linear problem of an active set.
    *
+   * Vectors of levels have values in all unknowns, and fulfil the lines: see
+   * SurfaceProjection. Those outside have zero in the eliminated ones.
+   *
    * Levels are the LevelMeshes. On the coarsest one every rank solves by
    * itself, by CHOLMOD.
    */
