@@ -104,11 +104,17 @@ namespace Contact
 
 
   template<int dim>
-  void
-  ContactMultigrid<dim>::set_lines(const Dofs                      &eliminated,
-                                   const AffineConstraints<double> &constraints)
+  void ContactMultigrid<dim>::set_lines(
+    const Dofs                      &eliminated,
+    const AffineConstraints<double> &constraints,
+    const AffineConstraints<double> &test_constraints)
   {
-    levels.back()->set_lines(eliminated, constraints);
+    MultigridLevel<dim> &finest       = *levels.back();
+    const bool           is_symmetric = &test_constraints == &constraints;
+    test_projection.initialize(is_symmetric ? Dofs() : eliminated,
+                               test_constraints,
+                               finest.inverse_diagonal());
+    finest.set_lines(eliminated, constraints);
     for (unsigned int l = transfers.size(); l-- > 0;)
       transfers[l]->hand_down();
     make_coarse_matrix();
@@ -278,11 +284,15 @@ namespace Contact
 
 
 
+  // With friction in the tangent, forces are given up to pressures and the
+  // shears that go with them. Of these the diagonal chooses: what it knows of
+  // friction is all that the levels, which are symmetric, are told.
   template<int dim>
   void ContactMultigrid<dim>::vmult(Fine &dst, const Fine &src) const
   {
     const MultigridLevel<dim> &finest = *levels.back();
     finest.rhs.copy_locally_owned_data_from(src);
+    test_projection.project_transposed(finest.rhs);
     finest.contact_projection().project_transposed(finest.rhs);
     cycle(levels.size() - 1);
     finest.contact_lines().clear(finest.solution);

@@ -45,9 +45,11 @@ namespace Contact
     void linearize(const Fine &solution);
 
     /// Take over the elimination of the active points: of @p eliminated in the
-    /// closed @p constraints.
+    /// closed @p constraints of the displacements and in those of the virtual
+    /// ones, which may be the same.
     void set_lines(const Dofs                      &eliminated,
-                   const AffineConstraints<double> &constraints);
+                   const AffineConstraints<double> &constraints,
+                   const AffineConstraints<double> &test_constraints);
 
     /// One V-cycle.
     void vmult(Fine &dst, const Fine &src) const;
@@ -72,6 +74,9 @@ namespace Contact
     // Of the coarsest mesh, on all ranks.
     Dofs              coarse_supports;
     std::vector<Dofs> coarse_cells; // their unknowns
+
+    /// Of virtual displacements on the finest level, if they have other lines.
+    SurfaceProjection<typename MultigridLevel<dim>::Number> test_projection;
 
     std::vector<FullMatrix<double>> coarse_tangents; // of this rank's cells
     TrilinosWrappers::SparseMatrix  coarse_matrix;

@@ -160,7 +160,8 @@ namespace Contact
   void MatrixFreeSystem<dim>::prepare()
   {
     multigrid->set_lines(elimination.eliminated_dofs(),
-                         elimination.constraints());
+                         elimination.constraints(),
+                         elimination.test_constraints());
     indefinite.reset();
   }
 

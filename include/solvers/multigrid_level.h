@@ -80,6 +80,11 @@ namespace Contact
       return lines;
     }
 
+    const Vector &inverse_diagonal() const
+    {
+      return inverse->get_vector();
+    }
+
     const SurfaceProjection<Number> &contact_projection() const
     {
       return projection;
