@@ -247,8 +247,8 @@ namespace Contact
     const MultigridLevel<dim> &level = *levels[0];
     const IndexSet            &owned = level.dof_handler.locally_owned_dofs();
     level.contact_lines().condense(level.rhs);
-    std::vector<double>        rhs(level.m());
-    auto                       own = level.rhs.begin();
+    std::vector<double> rhs(level.m());
+    auto                own = level.rhs.begin();
     for (const auto i : owned)
       rhs[i] = *own++;
     Utilities::MPI::sum(rhs, discretization.communicator, rhs);
