@@ -128,13 +128,42 @@ namespace Contact
 
 
 
+  // Where a node of the fine level is eliminated and none of the coarse ones
+  // that it is interpolated from, the line is that of the fine node, solved for
+  // the coarse one that it depends on most: two or three points that hold a
+  // body may all be between coarse nodes.
+  template<int dim>
+  void LevelTransfer<dim>::add_line_between(const Dof dof, Lines &sums) const
+  {
+    std::map<Dof, double> place, sum;
+    add_coarse(dof, 1, place);
+    if (rows.at(dof).size() == 1 || place.empty() ||
+        std::any_of(place.begin(), place.end(), [&](const auto &entry) {
+          return sums.count(entry.first) > 0;
+        }))
+      return;
+    const auto pivot =
+      *std::max_element(place.begin(), place.end(), [](auto &a, auto &b) {
+        return std::abs(a.second) < std::abs(b.second);
+      });
+    if (const auto *entries = fine.line_constraints.get_constraint_entries(dof))
+      for (const auto &[other, factor] : *entries)
+        add_coarse(other, factor / pivot.second, sum);
+    for (const auto &[other, weight] : place)
+      sum[other] -= weight / pivot.second;
+    sum.erase(pivot.first);
+    sums.emplace(pivot.first, std::move(sum));
+  }
+
+
+
   // At the ends of surfaces a line may have unknowns that other lines
   // eliminate. One of these is left to the finer level where it has further
   // ones in turn, which might lead round in a circle.
   template<int dim>
   void LevelTransfer<dim>::hand_down() const
   {
-    std::map<Dof, std::map<Dof, double>> sums;
+    Lines sums;
     for (const Dof dof : fine.eliminated)
       {
         const Row &row = rows.at(dof);
@@ -147,6 +176,9 @@ namespace Contact
             add_coarse(other, factor, sum);
         sum.erase(row[0].first);
       }
+
+    for (const Dof dof : fine.eliminated)
+      add_line_between(dof, sums);
 
     const auto has_any = [](const std::map<Dof, double> &sum,
                             const auto                  &those) {

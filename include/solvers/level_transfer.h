@@ -65,12 +65,16 @@ namespace Contact
     void correct() const;
 
   private:
-    using Row = std::vector<std::pair<Dof, double>>;
+    using Row   = std::vector<std::pair<Dof, double>>;
+    using Lines = std::map<Dof, std::map<Dof, double>>;
 
     /// Add a fine unknown times @p factor to @p sum.
     void add_coarse(const Dof              fine_dof,
                     const double           factor,
                     std::map<Dof, double> &sum) const;
+
+    /// Add the line of a fine unknown between coarse ones that have none.
+    void add_line_between(const Dof dof, Lines &sums) const;
 
     Level                          &coarse, &fine;
     SurfaceCells<dim>               cells; // coarse ones
