@@ -114,15 +114,15 @@ def pressed(name, mesh, stiffness, solver, levels=2, **more):
         "Probes/Probes": "F: reaction y, Base; u: displacement x, B"} | more)
 
 
-for label, mesh, stiffness in (
-        [(f"master {r} times as stiff", blocks(4, 8), 1000 * r)
-         for r in (1, 30, 1000, 0.1, 0.001)] +
-        [(f"fine {side}, slave {r} times as stiff", mesh, 1000 / r)
+for label, mesh, stiffness, levels in (
+        [(f"master {r} times as stiff", blocks(4, 8), 1000 * r, 2)
+         for r in (1, 1000, 0.001)] +
+        [(f"fine {side}, slave {r} times as stiff", mesh, 1000 / r, 1)
          for side, mesh in (("master", blocks(2, 32)), ("slave", blocks(16, 4)))
          for r in (1, 1000)]):
     results = []
     for solver in "CHOLMOD", "GMG":
-        status, said, summary = pressed("blocks", mesh, stiffness, solver)
+        status, said, summary = pressed("blocks", mesh, stiffness, solver, levels)
         check(f"{label}, {solver}: converged", status == 0, said[-800:] if status else "")
         results.append(summary)
     if all(results):
@@ -153,7 +153,7 @@ def column(part, solver, ranks=1):
 
 
 for solver, ranks in (("CHOLMOD", 1), ("AMG", 1), ("GMG", 1), ("GMG", 2)):
-    for part in (0.5, 0.95, 1.05, 1.2, 3):
+    for part in (0.95, 1.05) if ranks > 1 else (0.5, 0.95, 1.05, 1.2, 3):
         status, said, _ = column(part, solver, ranks)
         check(f"column under {part} of Euler's load, {solver}, {ranks} process(es)",
               status == 0 if part < 1 else

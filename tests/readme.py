@@ -56,6 +56,8 @@ SHORT = {
         "./run yardstick CHOLMOD --repetitions 1 --refinements 2",
     "./run scaling": "./run scaling 2000",
     "./run scaling space": "./run scaling space --levels 0 --ranks ''",
+    "./run scaling processes":
+        "./run scaling processes --levels 1,1 --ranks 1,2 --repeat 1",
     "./run adaptive": "./run adaptive 500",
     "./run oscillation": "./run oscillation mortar block",
     "./run hard --materials": "./run hard --materials one_element",

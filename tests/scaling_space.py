@@ -114,7 +114,7 @@ def main():
     options = parse()
     scaling = Scaling(options)
     head("One process")
-    for level in range(1, options.levels + 1):
+    for level in range(min(1, options.levels), options.levels + 1):
         levels = [f"Refinement/Levels={level}"]
         tied = scaling.row("tied", "nested_space_tied",
                            [f"Mesh/Refinements={level}"])
