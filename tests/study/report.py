@@ -102,6 +102,41 @@ def order_figures(rows) -> list[plots.Figure]:
     return figures
 
 
+def table_rows(text: str) -> list[dict]:
+    """Of all tables of a page, by the names of their columns."""
+    rows, columns = [], None
+    for line in text.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if not line.startswith("|"):
+            columns = None
+        elif columns is None:
+            columns = cells
+        elif not line.startswith("|--"):
+            rows.append(dict(zip(columns, cells)))
+    return rows
+
+
+def scaling_figures(directory: Path) -> list[plots.Figure]:
+    """Wall time against unknowns on one process, of ./run scaling."""
+    panels = {}
+    for name, place in (("scaling", "plane"), ("scaling_space", "space")):
+        page = directory / f"{name}.md"
+        for row in table_rows(page.read_text()) if page.exists() else []:
+            if row["case"] not in ("tied", "no friction") or row.get(
+                    "ranks", "1") != "1":
+                continue
+            title = f"{place}, degree {row.get('degree', 2)}"
+            curves = panels.setdefault(title, {})
+            curves.setdefault(row["case"], set()).add(
+                (float(row["unknowns"]), float(row["wall [s]"])))
+    return [plots.Figure(
+        "scaling", "Contact on fine meshes, multigrid without a matrix",
+        "unknowns", "wall seconds of the complete run",
+        [plots.Panel(title, [plots.Curve(case, sorted(points), style)
+                             for style, (case, points) in enumerate(curves.items())])
+         for title, curves in panels.items()])] if panels else []
+
+
 # ----------------------------------------------------------------- what to do
 
 def write_all(directory: Path) -> None:
@@ -118,7 +153,8 @@ def write_all(directory: Path) -> None:
         if text := make(rows):
             parts.append(f"## {title}\n\n{text}\n")
     drawn = plots.draw(front_figures(rows) + digit_figures(rows) +
-                       order_figures(rows), directory)
+                       order_figures(rows) + scaling_figures(directory),
+                       directory)
     parts += [f"![{name}]({name}.svg)\n" for name in drawn]
     (directory / "study.md").write_text("\n".join(parts))
 
