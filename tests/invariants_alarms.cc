@@ -150,7 +150,8 @@ namespace
     {
       auto             state = model.invariants.state();
       const CellValues values =
-        values_on_cells(model.discretization, state.vectors());
+        values_on_cells(model.discretization,
+                        state.vectors(model.discretization.distribution));
       boost::archive::binary_oarchive out(file);
       out << std::as_const(state) << values;
     }
@@ -163,7 +164,9 @@ namespace
       CellValues                      values;
       boost::archive::binary_iarchive in(file);
       in >> state >> values;
-      take_from_cells(model.discretization, values, state.vectors());
+      take_from_cells(model.discretization,
+                      values,
+                      state.vectors(model.discretization.distribution));
       restarted.restore(state);
     }
     check("from an archive",

@@ -362,7 +362,12 @@ namespace Contact
                            r.end(),
                            Utilities::MPI::this_mpi_process(
                              matrix->get_mpi_communicator()));
-            indefinite = has_negative_curvature(*matrix, preconditioner, r);
+            Vector diagonal(r);
+            for (const auto i : r.locally_owned_elements())
+              diagonal(i) = std::abs(matrix->diag_element(i));
+            diagonal.compress(VectorOperation::insert);
+            indefinite =
+              has_negative_curvature(*matrix, preconditioner, diagonal, r);
           }
         return *indefinite;
       }

@@ -194,7 +194,10 @@ namespace Contact
         for (const auto i : owned)
           if (base.is_constrained(i) || lines.is_constrained(i))
             r(i) = 0;
-        indefinite = has_negative_curvature(*this, *multigrid, r);
+        Vector diagonal = bodies->diagonal();
+        for (auto &value : diagonal)
+          value = std::abs(value);
+        indefinite = has_negative_curvature(*this, *multigrid, diagonal, r);
       }
     return *indefinite;
   }

@@ -28,29 +28,36 @@ namespace Contact
   /**
    * Whether a direction p is found with p . A p < 0: then the symmetric @p A is
    * not positive definite. @p M is its preconditioner; both have a vmult(), and
-   * vectors are those of deal.II. Collective.
+   * vectors are those of deal.II. @p D, not negative, is of the size of the
+   * diagonal of A. Collective.
    *
    * The directions are those of conjugate gradients. The load does not serve to
    * start from: that of a straight column is orthogonal to the mode that it
    * buckles in. A vector by chance, @p r, has all modes. What M makes of it has
-   * most of those of the least stiffness, and the first direction, M M r, next
-   * to nothing else: an inverse iteration. Of a good preconditioner one
-   * direction is enough: p . A p is what M believes, within a half. Of others
-   * as many are taken as gain a digit, of (r . M r)^1/2. M need not be
-   * definite.
+   * most of those that are the least stiff by D, and the first direction, M D M
+   * r, next to nothing else: an inverse iteration for A x = lambda D x, to
+   * which a softer body is no softer. Of a good preconditioner one direction is
+   * enough: p . A p is what M believes, within a half. Of others as many are
+   * taken as gain a digit, of (r . M r)^1/2. M need not be definite.
    *
    * It is no proof of the opposite: what gives way may hide behind what is much
-   * less stiff and does not.
+   * more slender and does not.
    */
   template<typename Operator, typename Preconditioner, typename Vector>
-  bool
-  has_negative_curvature(const Operator &A, const Preconditioner &M, Vector r)
+  bool has_negative_curvature(const Operator       &A,
+                              const Preconditioner &M,
+                              const Vector         &D,
+                              Vector                r)
   {
     const unsigned int max_steps = 50;
     const double       reduction = 0.1 * 0.1;
     Vector             z(r), p(r), A_p(r);
+    auto               weight = D.begin();
+    for (auto &value : r)
+      value *= std::sqrt(*weight++);
     M.vmult(z, r);
     r = z;
+    r.scale(D);
     M.vmult(z, r);
     p                  = z;
     double       r_z   = r * z;
