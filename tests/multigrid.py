@@ -145,7 +145,7 @@ def column(part, solver, ranks=1):
     return run("column", {
         "Mesh/File": "column.msh", "Mesh/Refinements": 2, "Element/Degree": 2,
         "Element/Centre node": "free",
-        "Solids/Young's modulus": "Col: 210000, Pad: 10",
+        "Solids/Young's modulus": "Col: 210000, Pad: 100",
         "Solids/Poisson's ratio": "Col: 0.3, Pad: 0.3",
         "Boundary conditions/Displacement x": "Base: 0, Rest: 0",
         "Boundary conditions/Displacement y": "Base: 0, Rest: 0",
