@@ -210,12 +210,11 @@ namespace Contact
     end.external += reactions;
     add_up(reactions, found);
     judge_balance(residual.l2_norm(), slack, hold_forces != nullptr, found);
-    judge_resolution(residual.l2_norm(),
-                     given_force,
-                     reactions.l1_norm() + end.pressures.l1_norm() +
-                       end.shears.l1_norm(),
-                     slack,
-                     found);
+    double acting = reactions.l1_norm();
+    for (const auto *forces : {&end.pressures, &end.shears})
+      if (forces->size() > 0)
+        acting += forces->l1_norm();
+    judge_resolution(residual.l2_norm(), given_force, acting, slack, found);
   }
 
 
