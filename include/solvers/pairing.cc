@@ -5,9 +5,6 @@
 
 #include "solvers/pairing.h"
 
-#include <algorithm>
-#include <limits>
-
 #include "base/string_utilities.h"
 
 namespace Contact
@@ -122,7 +119,6 @@ namespace Contact
   {
     guard      = PairingGuard(parameters.solution.geometry_tolerance);
     relaxation = Relaxation();
-    solutions.clear();
     jump.reset();
     freeze(false);
   }
@@ -134,7 +130,6 @@ namespace Contact
   {
     this->part = part;
     edges_stay = false;
-    runs_away  = false;
   }
 
 
@@ -205,11 +200,6 @@ namespace Contact
       return true;
     if (!(edges_stay ? rests : guard.goes_in_circles()))
       return false;
-    if (!edges_stay && !comes_back(state.solution))
-      {
-        runs_away = true;
-        return false;
-      }
     const PairingMisfit found = misfit_of(state);
     if (!guard.accepts(found, way(state) / part))
       return false;
@@ -226,31 +216,6 @@ namespace Contact
                   state.solution,
                   state.start,
                   parameters.solution.has_moving_bound());
-  }
-
-
-
-  // Points that jump between two places lead from pairing to pairing to
-  // solutions that there were before, as Relaxation has it. Where each pairing
-  // moves the bodies on instead, these give way to the couples that moving feet
-  // make: then their misfit says nothing about how far it is to a solution.
-  template<int dim>
-  bool Pairing<dim>::comes_back(const GhostedVector &solution) const
-  {
-    const auto way_from = [&](const GhostedVector &a, const GhostedVector &b) {
-      return model.interface->largest_change(a, b);
-    };
-    double longest = 0;
-    double nearest = std::numeric_limits<double>::max();
-    for (unsigned int k = 0; k < solutions.size(); ++k)
-      {
-        longest = std::max(longest,
-                           way_from(k + 1 < solutions.size() ? solutions[k + 1]
-                                                             : solution,
-                                    solutions[k]));
-        nearest = std::min(nearest, way_from(solution, solutions[k]));
-      }
-    return nearest <= 0.5 * longest;
   }
 
 
@@ -276,7 +241,6 @@ namespace Contact
         begin_newton();
         edges_stay = true;
       }
-    solutions.push_back(solution);
     renew(solution, relaxation);
     guard.count_renewal();
     return edges_were_free;
@@ -289,13 +253,7 @@ namespace Contact
   {
     std::string what = "the surfaces are " + brief(misplacement(state)) +
                        " mm from where they were paired, of ";
-    if (runs_away)
-      what =
-        "contact does not hold a body against a motion, as where it stands "
-        "on the corner of a polygon: each time that the points are paired "
-        "where the bodies are, these move on, the last time by " +
-        brief(misplacement(state)) + " mm of ";
-    else if (edges_stay)
+    if (edges_stay)
       {
         const PairingMisfit found = misfit_of(state);
         what = "points face two places of the master in turn, under each of "

@@ -114,7 +114,6 @@ namespace Contact
     bool has_derivatives() const;
 
     PairingMisfit misfit_of(const IncrementState<dim> &state) const;
-    bool          comes_back(const GhostedVector &solution) const;
 
     const ContactModel<dim> &model;
     const Parameters::All   &parameters;
@@ -130,16 +129,12 @@ namespace Contact
     Relaxation   relaxation;
     bool         is_frozen = false;
 
-    // The solutions that led to another pairing, in their order.
-    std::vector<GhostedVector> solutions;
-
     // Where a pairing is accepted whose closest points jump.
     std::optional<PairingMisfit> jump;
 
     // Of the present increment.
     double part       = 1;
     bool   edges_stay = false;
-    bool   runs_away  = false; // from pairing to pairing
   };
 } // namespace Contact
 

@@ -20,15 +20,14 @@ namespace Contact
    * than the geometry tolerance, relative to their way since the start of the
    * increment, and after four steps in a row without progress. Then points are
    * paired anew where Newton's method has converged, until the surfaces are
-   * within this tolerance of that place. After three turns that lead back to
-   * earlier states the pairing jumps between two states for good. Either is
-   * accepted, with a note, if the gaps of the closest points differ from its
-   * own by no more than this tolerance of the way of a whole increment, and if
-   * these move the forces by no more than that part of the size of the slave:
-   * displacements then change by no more than that part of themselves, see
-   * PairingMisfit. Otherwise, and where each turn moves the bodies on, points
-   * keep the edge that they face, which goes on a little beyond its ends, and
-   * both are compared in the end.
+   * within this tolerance of that place. After three turns the pairing jumps
+   * between two states for good. Either is accepted, with a note, if the gaps
+   * of the closest points differ from its own by no more than this tolerance of
+   * the way of a whole increment, and if these move the forces by no more than
+   * that part of the size of the slave: displacements then change by no more
+   * than that part of themselves, see PairingMisfit. Otherwise points keep the
+   * edge that they face, which goes on a little beyond its ends, and both are
+   * compared in the end.
    */
   class PairingGuard
   {
