@@ -122,19 +122,22 @@ compare() {
 solver=AMG
 values=value
 beside=0.35
-processes='1 2 4'
+processes='1 2'
 compare "levels in space, friction" nested_space_friction.prm \
   --set Refinement/Levels=1
 values='value|y'
 beside=0.2
-processes='1 2 3'
+processes='1 3'
 compare "uniform levels, friction" nested_friction.prm \
   --set Refinement/Levels=2 --set Element/Degree=1 \
   --set "Element/Centre node=serendipity"
+processes='1 2'
 compare "uniform levels, friction, large displacement" nested_large.prm \
   --set Refinement/Levels=2
+processes='1 2 3'
 compare "adaptive levels, friction" nested_friction.prm \
   --set Refinement/Levels=5 --set Refinement/Strategy=adaptive
+processes='1 2'
 compare "adaptive levels, degree 1, large displacement" nested.prm \
   --set Refinement/Levels=4 --set Refinement/Strategy=adaptive \
   --set Element/Degree=1 --set "Element/Centre node=serendipity" \
@@ -143,9 +146,10 @@ compare "8 nodes, body forces, three zones" verification/stack.prm \
   --set Element/Degree=2 --set Mesh/Refinements=2 \
   --set "Boundary conditions/Body force y=One: -0.1; Two: -0.2; Three: -0.3"
 beside=1
-processes='1 2 3 4'
+processes='1 2 4'
 compare "triangles and quadrangles, nodal rule, friction" ssnp154_c.prm \
   --set Solution/System=condensed
 solver=MUMPS
+processes='1 3'
 compare "MUMPS" ssnp154_c.prm --set Solution/System=condensed
 [ $failures -eq 0 ]

@@ -136,6 +136,23 @@ namespace Contact
       ghosts,
       requests);
     update_ghosts();
+    if (ghosts.end() != end())
+      Utilities::MPI::sum(
+        ArrayView<const double>(ghosts.end(), end() - ghosts.end()),
+        distribution->get_mpi_communicator(),
+        ArrayView<double>(ghosts.end(), end() - ghosts.end()));
+  }
+
+
+
+  void GhostedVector::keep_owned()
+  {
+    if (!is_distributed())
+      return;
+    const bool is_first = Utilities::MPI::this_mpi_process(
+                            distribution->get_mpi_communicator()) == 0;
+    double *const ghosts = begin() + distribution->locally_owned_size();
+    std::fill(ghosts, is_first ? begin() + n_distributed_held() : end(), 0.);
   }
 
 

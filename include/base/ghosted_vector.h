@@ -176,9 +176,13 @@ namespace Contact
     double sum() const;
     bool   all_zero() const;
 
-    /// Of the distributed unknowns: what processes have put on owned ones and
-    /// ghosts adds up, and all get the sum. Collective.
+    /// What processes have put on unknowns that they hold, and on multipliers,
+    /// adds up, and all get the sum. Collective.
     void sum_up();
+
+    /// Zero where another process is the owner; of multipliers the first one
+    /// is. To add to what has been summed up, and sum up once more.
+    void keep_owned();
 
     /// All get what the owner has. Collective.
     void update_ghosts();

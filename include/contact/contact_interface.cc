@@ -5,6 +5,7 @@
 
 #include "contact/contact_interface.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
@@ -42,6 +43,9 @@ namespace Contact
         make_free_motions(*contact_pair, of_pair);
         pairs.push_back(std::move(contact_pair));
       }
+    own = Utilities::MPI::create_evenly_distributed_partitioning(
+      discretization.communicator,
+      all_points.size());
     find_corners();
   }
 

@@ -6,6 +6,7 @@
 #ifndef contact_contact_interface_h
 #define contact_contact_interface_h
 
+#include <deal.II/base/index_set.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_matrix.h>
@@ -89,6 +90,13 @@ namespace Contact
     const std::vector<ContactPoint<dim>> &points() const
     {
       return all_points;
+    }
+
+    /// The numbers of the points whose forces this process adds up: as many as
+    /// any other has, wherever their nodes are.
+    const IndexSet &own_points() const
+    {
+      return own;
     }
 
     const ContactPair<dim> &contact_pair(const ContactPoint<dim> &point) const
@@ -391,6 +399,7 @@ namespace Contact
 
 
     std::vector<ContactPoint<dim>>                    all_points;
+    IndexSet                                          own;
     std::map<unsigned int, std::vector<unsigned int>> in_corner;
     GhostedVector             support_motion; // of this increment
     bool                      obstacles_are_moving = false;

@@ -455,9 +455,9 @@ namespace Contact
     FullMatrix<double> local_matrix;
     Vector<double>     local_rhs, none;
     Vector<double>    &whole = matrix != nullptr ? rhs : none;
-    for (const ContactPoint<dim> &point : interface.points())
+    for (const auto q : interface.own_points())
       {
-        assemble_point(point,
+        assemble_point(interface.points()[q],
                        solution,
                        u_start,
                        linearization,
@@ -474,11 +474,13 @@ namespace Contact
                                                  *matrix,
                                                  whole);
       }
+    const bool is_first = Utilities::MPI::this_mpi_process(
+                            interface.discretization.communicator) == 0;
     for (unsigned int k = 0; k < interface.free_motions().size(); ++k)
       {
         const FreeMotion &motion = *interface.free_motions()[k];
         const auto        index  = interface.motion_index(k);
-        if (!motion.stays)
+        if (!motion.stays && is_first)
           rhs[index] += motion.force;
         if (matrix == nullptr)
           continue;

@@ -7,35 +7,87 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
-#include <boost/serialization/array.hpp>
-#include <boost/serialization/vector.hpp>
+#include <cstring>
 #include <numeric>
-#include <sstream>
 
 namespace Contact
 {
   namespace
   {
+    /// Values of points one after the other, as they are in memory: an archive
+    /// that is called for each would be most of the time of the exchange.
+    struct Writer
+    {
+      std::vector<char> bytes;
+
+      template<typename T>
+      void plain(T *const values, const std::size_t n)
+      {
+        const char *const first = reinterpret_cast<const char *>(values);
+        bytes.insert(bytes.end(), first, first + n * sizeof(T));
+      }
+    };
+
+    struct Reader
+    {
+      const char *next;
+
+      template<typename T>
+      void plain(T *const values, const std::size_t n)
+      {
+        std::memcpy(static_cast<void *>(values), next, n * sizeof(T));
+        next += n * sizeof(T);
+      }
+    };
+
+
+
+    template<class Archive, typename T>
+    void exchange(Archive &archive, T &value)
+    {
+      archive.plain(&value, 1);
+    }
+
+    template<class Archive, class List>
+    void exchange_list(Archive &archive, List &list)
+    {
+      std::size_t size = list.size();
+      archive.plain(&size, 1);
+      list.resize(size);
+      archive.plain(list.data(), size);
+    }
+
+    template<class Archive, typename T>
+    void exchange(Archive &archive, std::vector<T> &list)
+    {
+      exchange_list(archive, list);
+    }
+
     template<class Archive, typename T>
     void exchange(Archive &archive, PointPairing<3>::PerNode<T> &list)
     {
-      unsigned int size = list.size();
-      archive     &size;
-      list.resize(size);
-      for (T &entry : list)
-        archive &entry;
+      exchange_list(archive, list);
+    }
+
+    template<class Archive>
+    void exchange(Archive &archive, FullMatrix<double> &matrix)
+    {
+      std::array<std::size_t, 2> size{{matrix.m(), matrix.n()}};
+      archive.plain(size.data(), 2);
+      if (matrix.m() != size[0] || matrix.n() != size[1])
+        matrix.reinit(size[0], size[1]);
+      if (!matrix.empty())
+        archive.plain(&matrix(0, 0), matrix.n_elements());
     }
 
 
 
     /// All that MortarDiscretization<3>::pair() finds.
     template<class Archive>
-    void exchange(Archive &archive, ContactPoint<3> &point)
+    void exchange_point(Archive &archive, ContactPoint<3> &point)
     {
       const auto exchange_all = [&](auto &...of_point) {
-        (void(archive & of_point), ...);
+        (exchange(archive, of_point), ...);
       };
       exchange_all(point.weight,
                    point.facing,
@@ -50,10 +102,10 @@ namespace Contact
                    point.change.dofs,
                    point.change.C,
                    point.change.turn,
-                   point.change.slide);
-      exchange(archive, point.dofs);
-      exchange(archive, point.X);
-      exchange(archive, point.C);
+                   point.change.slide,
+                   point.dofs,
+                   point.X,
+                   point.C);
       point.C1.resize(point.n_nodes); // zero
       point.C2.resize(point.n_nodes);
     }
@@ -79,23 +131,20 @@ namespace Contact
   {
     if (n_ranks == 1)
       return;
-    std::ostringstream own(std::ios::binary);
-    {
-      boost::archive::binary_oarchive archive(own, boost::archive::no_header);
-      for (unsigned int q = first(); q < end(); ++q)
-        Contact::exchange(archive, points[q]);
-    }
-    const std::string send = own.str();
+    Writer own;
+    for (unsigned int q = first(); q < end(); ++q)
+      exchange_point(own, points[q]);
 
     const std::vector<int> sizes =
-      Utilities::MPI::all_gather(communicator, static_cast<int>(send.size()));
+      Utilities::MPI::all_gather(communicator,
+                                 static_cast<int>(own.bytes.size()));
     std::vector<int> offsets(n_ranks + 1, 0);
     std::partial_sum(sizes.begin(), sizes.end(), offsets.begin() + 1);
-    std::string all(offsets.back(), '\0');
-    const int   error = MPI_Allgatherv(send.data(),
-                                     send.size(),
+    std::vector<char> all(offsets.back());
+    const int         error = MPI_Allgatherv(own.bytes.data(),
+                                     own.bytes.size(),
                                      MPI_CHAR,
-                                     &all[0],
+                                     all.data(),
                                      sizes.data(),
                                      offsets.data(),
                                      MPI_CHAR,
@@ -103,14 +152,12 @@ namespace Contact
     AssertThrowMPI(error);
 
     for (unsigned int r = 0; r < n_ranks; ++r)
-      {
-        std::istringstream received(all.substr(offsets[r], sizes[r]),
-                                    std::ios::binary);
-        boost::archive::binary_iarchive archive(received,
-                                                boost::archive::no_header);
-        for (unsigned int q = starts[r]; q < starts[r + 1]; ++q)
-          Contact::exchange(archive, points[q]);
-      }
+      if (r != rank)
+        {
+          Reader of_rank{all.data() + offsets[r]};
+          for (unsigned int q = starts[r]; q < starts[r + 1]; ++q)
+            exchange_point(of_rank, points[q]);
+        }
     balance(Utilities::MPI::all_gather(communicator, seconds));
   }
 

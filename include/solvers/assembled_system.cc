@@ -23,13 +23,48 @@ namespace Contact
     ContactElimination<dim>     &elimination,
     const Parameters::SolverKind solver_kind,
     TimerOutput                 &timer)
-    : CondensedSystem<dim>(discretization,
-                           elasticity,
-                           interface,
-                           elimination,
-                           timer)
+    : CondensedSystem<dim>(discretization, elasticity, elimination, timer)
+    , couplings(discretization, interface)
     , solver_kind(solver_kind)
   {
+  }
+
+
+
+  template<int dim>
+  bool AssembledSystem<dim>::serves_points() const
+  {
+    return couplings.serve();
+  }
+
+
+
+  template<int dim>
+  void AssembledSystem<dim>::make_room()
+  {
+    couplings.make();
+  }
+
+
+
+  template<int dim>
+  bool AssembledSystem<dim>::make_room_for_lines()
+  {
+    return couplings.add_missing(elimination);
+  }
+
+
+
+  // Cells of other ranks have shares in the rows of this one.
+  template<int dim>
+  typename AssembledSystem<dim>::Dofs
+  AssembledSystem<dim>::all_of_interface(Dofs &&of_cells) const
+  {
+    Dofs all = couplings.all();
+    for (const Dofs &of_rank :
+         Utilities::MPI::all_gather(discretization.communicator, of_cells))
+      all.insert(all.end(), of_rank.begin(), of_rank.end());
+    return all;
   }
 
 

@@ -11,6 +11,7 @@
 
 #include "solvers/condensed_system.h"
 #include "solvers/definite_solver.h"
+#include "solvers/interface_couplings.h"
 
 namespace Contact
 {
@@ -58,7 +59,6 @@ namespace Contact
     using Base = CondensedSystem<dim>;
     using Dofs = typename Base::Dofs;
     using Base::bulk_cells;
-    using Base::couplings;
     using Base::discretization;
     using Base::elasticity;
     using Base::elimination;
@@ -71,6 +71,10 @@ namespace Contact
     using Base::tangents_are_known;
     using Base::timer;
 
+    bool         serves_points() const override;
+    void         make_room() override;
+    bool         make_room_for_lines() override;
+    Dofs         all_of_interface(Dofs &&of_cells) const override;
     void         reset() override;
     void         assemble_bulk(const GhostedVector  &solution,
                                const StressStiffness stress_stiffness) override;
@@ -95,6 +99,7 @@ namespace Contact
     void for_interface_rows(
       const std::function<void(const int n, double *values)> &visit);
 
+    InterfaceCouplings<dim>          couplings; // that the matrix has room for
     DefiniteSolver::Matrix           matrix;
     std::vector<std::vector<double>> kept_rows; // by owned interface unknown
 

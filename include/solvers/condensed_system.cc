@@ -39,17 +39,15 @@ namespace Contact
 
   template<int dim>
   CondensedSystem<dim>::CondensedSystem(
-    const Discretization<dim>   &discretization,
-    const Elasticity<dim>       &elasticity,
-    const ContactInterface<dim> *interface,
-    ContactElimination<dim>     &elimination,
-    TimerOutput                 &timer)
+    const Discretization<dim> &discretization,
+    const Elasticity<dim>     &elasticity,
+    ContactElimination<dim>   &elimination,
+    TimerOutput               &timer)
     : discretization(discretization)
     , elasticity(elasticity)
     , elimination(elimination)
     , timer(timer)
     , owned(discretization.dof_handler.locally_owned_dofs())
-    , couplings(discretization, interface)
     , eliminable(elimination.slave_dofs)
   {
     collect_interface();
@@ -91,10 +89,10 @@ namespace Contact
   template<int dim>
   void CondensedSystem<dim>::update_pattern()
   {
-    if (!on_any_rank(!is_coupled || !couplings.serve()))
+    if (!on_any_rank(!is_coupled || !serves_points()))
       return;
     TimerOutput::Scope scope(timer, "setup");
-    couplings.make();
+    make_room();
     couple();
   }
 
@@ -111,9 +109,8 @@ namespace Contact
       elimination.make(solution, u_start, interface_dofs, moved);
     }
     const bool misses_cells = on_any_rank(add_eliminable());
-    const bool misses_partners =
-      on_any_rank(couplings.add_missing(elimination));
-    if (!misses_cells && !misses_partners &&
+    const bool misses_room  = on_any_rank(make_room_for_lines());
+    if (!misses_cells && !misses_room &&
         pattern_version == discretization.pattern_version())
       return;
     TimerOutput::Scope scope(timer, "setup");
@@ -163,12 +160,7 @@ namespace Contact
             for (const auto &entry : *entries)
               of_cells.push_back(entry.first);
         }
-    interface_dofs = couplings.all();
-    for (const auto &of_rank :
-         Utilities::MPI::all_gather(discretization.communicator, of_cells))
-      interface_dofs.insert(interface_dofs.end(),
-                            of_rank.begin(),
-                            of_rank.end());
+    interface_dofs = all_of_interface(std::move(of_cells));
     std::sort(interface_dofs.begin(), interface_dofs.end());
     interface_dofs.erase(std::unique(interface_dofs.begin(),
                                      interface_dofs.end()),

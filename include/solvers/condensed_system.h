@@ -9,7 +9,6 @@
 #include <deal.II/base/timer.h>
 
 #include "solvers/contact_elimination.h"
-#include "solvers/interface_couplings.h"
 
 namespace Contact
 {
@@ -78,11 +77,21 @@ namespace Contact
   protected:
     using Dofs = std::vector<types::global_dof_index>;
 
-    CondensedSystem(const Discretization<dim>   &discretization,
-                    const Elasticity<dim>       &elasticity,
-                    const ContactInterface<dim> *interface,
-                    ContactElimination<dim>     &elimination,
-                    TimerOutput                 &timer);
+    CondensedSystem(const Discretization<dim> &discretization,
+                    const Elasticity<dim>     &elasticity,
+                    ContactElimination<dim>   &elimination,
+                    TimerOutput               &timer);
+
+    /// Whether there is room for what the points of now couple, and make it.
+    virtual bool serves_points() const = 0;
+    virtual void make_room()           = 0;
+
+    /// Make room for the lines of now. Returns whether it was missing.
+    virtual bool make_room_for_lines() = 0;
+
+    /// All unknowns at the interface that are needed here, those of its cells
+    /// on this rank among them. Collective.
+    virtual Dofs all_of_interface(Dofs &&of_cells) const = 0;
 
     /// The unknowns at the interface, and how they are coupled, are others.
     virtual void reset() = 0;
@@ -116,9 +125,8 @@ namespace Contact
     /// The cells that see the active set, and the others.
     std::vector<unsigned int> interface_cells, bulk_cells;
 
-    /// The couplings that are provided for, and all unknowns at the interface.
-    InterfaceCouplings<dim> couplings;
-    Dofs                    interface_dofs;
+    /// In ascending order.
+    Dofs interface_dofs;
 
     std::vector<FullMatrix<double>> interface_tangents; // by interface cell
 

@@ -24,11 +24,8 @@ namespace Contact
     const ContactInterface<dim> *interface,
     ContactElimination<dim>     &elimination,
     TimerOutput                 &timer)
-    : CondensedSystem<dim>(discretization,
-                           elasticity,
-                           interface,
-                           elimination,
-                           timer)
+    : CondensedSystem<dim>(discretization, elasticity, elimination, timer)
+    , interface(interface)
   {
   }
 
@@ -101,6 +98,59 @@ namespace Contact
     return n >= least && !is_too_deep(discretization.mesh) &&
            n * coarse_part < least &&
            refusal(discretization, elasticity).empty();
+  }
+
+
+
+  // Without a matrix there is room for whatever points see.
+  template<int dim>
+  bool MatrixFreeSystem<dim>::serves_points() const
+  {
+    return true;
+  }
+
+
+
+  template<int dim>
+  void MatrixFreeSystem<dim>::make_room()
+  {
+  }
+
+
+
+  template<int dim>
+  bool MatrixFreeSystem<dim>::make_room_for_lines()
+  {
+    return false;
+  }
+
+
+
+  // The surfaces, with what hanging nodes hang on.
+  template<int dim>
+  typename MatrixFreeSystem<dim>::Dofs
+  MatrixFreeSystem<dim>::all_of_interface(Dofs &&of_cells) const
+  {
+    if (interface == nullptr)
+      return of_cells;
+    const auto add = [&](const Surface<dim> &surface) {
+      for (const SurfaceNode<dim> &node : surface.nodes)
+        for (const auto dof : node.dofs)
+          {
+            of_cells.push_back(dof);
+            if (const auto *entries =
+                  discretization.constraints.get_constraint_entries(dof))
+              for (const auto &entry : *entries)
+                of_cells.push_back(entry.first);
+          }
+    };
+    for (const auto &contact_pair : interface->pairs)
+      {
+        add(contact_pair->slave);
+        if (contact_pair->master)
+          add(*contact_pair->master);
+      }
+    return of_cells;
   }
 
 

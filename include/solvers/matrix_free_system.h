@@ -76,6 +76,10 @@ namespace Contact
     using Base::owned;
     using Base::timer;
 
+    bool         serves_points() const override;
+    void         make_room() override;
+    bool         make_room_for_lines() override;
+    Dofs         all_of_interface(Dofs &&of_cells) const override;
     void         reset() override;
     void         assemble_bulk(const GhostedVector  &solution,
                                const StressStiffness stress_stiffness) override;
@@ -89,6 +93,7 @@ namespace Contact
 
     static constexpr unsigned int max_iterations = 200;
 
+    const ContactInterface<dim>               *interface;
     std::unique_ptr<BodyOperator<dim, double>> bodies;
     std::unique_ptr<ContactMultigrid<dim>>     multigrid;
     SurfaceLines<double>                       lines, test_lines;

@@ -176,16 +176,20 @@ namespace Contact
 
 
 
+  // To what all ranks have.
   template<int dim>
   void NewtonState<dim>::add_contact()
   {
-    if (model.interface)
-      ContactKernel<dim>(*model.interface)
-        .assemble(state.solution,
-                  state.start,
-                  pairing.linearization(),
-                  rhs,
-                  nullptr);
+    if (!model.interface)
+      return;
+    rhs.keep_owned();
+    ContactKernel<dim>(*model.interface)
+      .assemble(state.solution,
+                state.start,
+                pairing.linearization(),
+                rhs,
+                nullptr);
+    rhs.sum_up();
   }
 
 
