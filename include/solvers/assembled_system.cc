@@ -55,6 +55,14 @@ namespace Contact
 
 
 
+  template<int dim>
+  bool AssembledSystem<dim>::needs_all_tangents() const
+  {
+    return true;
+  }
+
+
+
   // Cells of other ranks have shares in the rows of this one.
   template<int dim>
   typename AssembledSystem<dim>::Dofs

@@ -74,6 +74,7 @@ namespace Contact
     bool         serves_points() const override;
     void         make_room() override;
     bool         make_room_for_lines() override;
+    bool         needs_all_tangents() const override;
     Dofs         all_of_interface(Dofs &&of_cells) const override;
     void         reset() override;
     void         assemble_bulk(const GhostedVector  &solution,

@@ -229,8 +229,9 @@ namespace Contact
   template<int dim>
   GhostedVector
   CondensedSystem<dim>::linear_forces(const GhostedVector &solution,
-                                      const double         load_factor) const
+                                      const double         load_factor)
   {
+    add_missing_tangents(solution);
     const auto   &base = discretization.constraints;
     const auto    load = elasticity.loads(solution, load_factor);
     GhostedVector forces(discretization.distribution);
@@ -241,6 +242,8 @@ namespace Contact
     Vector<double> of_cell, u;
     for (unsigned int k = 0; k < interface_cells.size(); ++k)
       {
+        if (interface_tangents[k].empty())
+          continue;
         const Dofs &dofs = elasticity.dofs_of_cell(interface_cells[k]);
         of_cell.reinit(dofs.size());
         solution.extract(dofs, u);
@@ -270,17 +273,8 @@ namespace Contact
     if (!tangents_serve)
       assemble_tangents(solution);
     else if (thermal_version != elasticity.thermal_version())
-      {
-        interface_forces.clear();
-        elasticity.visit_cells(solution,
-                               /*with_tangent=*/false,
-                               interface_cells,
-                               [&](const Dofs &dofs,
-                                   const FullMatrix<double> &,
-                                   const Vector<double> &forces) {
-                                 add_interface_forces(dofs, forces, solution);
-                               });
-      }
+      renew_interface_forces(solution);
+    add_missing_tangents(solution);
     if (is_new)
       add_interface(/*bulk_is_new=*/!tangents_serve);
 
@@ -290,7 +284,12 @@ namespace Contact
     for (unsigned int k = 0; k < interface_cells.size(); ++k)
       {
         const Dofs &dofs = elasticity.dofs_of_cell(interface_cells[k]);
-        add_moved_forces(interface_tangents[k], dofs, dofs, none, moved_forces);
+        if (!interface_tangents[k].empty())
+          add_moved_forces(interface_tangents[k],
+                           dofs,
+                           dofs,
+                           none,
+                           moved_forces);
       }
     for (const auto &term : elimination.turning_terms())
       if (owned.is_element(term.dofs[0]))
@@ -312,45 +311,123 @@ namespace Contact
 
 
 
-  // All cells. While springs hold a body in space its stresses do not turn with
-  // it: they would be stronger than the springs, and the matrix not definite.
+  // While springs hold a body in space its stresses do not turn with it: they
+  // would be stronger than the springs, and the matrix not definite.
   template<int dim>
-  void CondensedSystem<dim>::assemble_tangents(const GhostedVector &solution)
+  StressStiffness CondensedSystem<dim>::stress_stiffness() const
   {
-    ++discretization.counters.tangents;
-    const auto stress_stiffness = dim == 3 && !elasticity.springs.held().empty()
-                                    ? StressStiffness::without
-                                    : StressStiffness::with;
-    assemble_bulk(solution, stress_stiffness);
-    interface_tangents.clear();
-    interface_forces.clear();
-    elasticity.visit_cells(solution,
-                           stress_stiffness,
-                           interface_cells,
-                           [&](const Dofs               &dofs,
-                               const FullMatrix<double> &tangent,
-                               const Vector<double>     &forces) {
-                             interface_tangents.push_back(tangent);
-                             add_interface_forces(dofs, forces, solution);
-                           });
-    tangents_are_known = true;
-    tangent_version    = elasticity.tangent_version();
+    return dim == 3 && !elasticity.springs.held().empty()
+             ? StressStiffness::without
+             : StressStiffness::with;
   }
 
 
 
-  // The rest of the forces of the next cell without its tangent.
+  // Those of the interface follow as they are asked for.
   template<int dim>
-  void CondensedSystem<dim>::add_interface_forces(const Dofs           &dofs,
+  void CondensedSystem<dim>::assemble_tangents(const GhostedVector &solution)
+  {
+    ++discretization.counters.tangents;
+    assemble_bulk(solution, stress_stiffness());
+    interface_tangents.assign(interface_cells.size(), FullMatrix<double>());
+    interface_forces.assign(interface_cells.size(), Vector<double>());
+    tangents_are_known = true;
+    tangent_version    = elasticity.tangent_version();
+    thermal_version    = elasticity.thermal_version();
+  }
+
+
+
+  // Those of linear bodies are the same in any solution.
+  template<int dim>
+  void CondensedSystem<dim>::add_missing_tangents(const GhostedVector &solution)
+  {
+    const std::vector<bool> in_use =
+      needs_all_tangents() ? std::vector<bool>(interface_cells.size(), true)
+                           : cells_in_use();
+    std::vector<unsigned int> missing, cells;
+    for (unsigned int k = 0; k < interface_cells.size(); ++k)
+      if (in_use[k] && interface_tangents[k].empty())
+        {
+          missing.push_back(k);
+          cells.push_back(interface_cells[k]);
+        }
+    auto next = missing.begin();
+    elasticity.visit_cells(solution,
+                           stress_stiffness(),
+                           cells,
+                           [&](const Dofs &,
+                               const FullMatrix<double> &tangent,
+                               const Vector<double>     &forces) {
+                             interface_tangents[*next] = tangent;
+                             set_interface_forces(*next++, forces, solution);
+                           });
+  }
+
+
+
+  template<int dim>
+  std::vector<bool> CondensedSystem<dim>::cells_in_use() const
+  {
+    const auto &base     = discretization.constraints;
+    const Dofs  in_use   = elimination.dofs_in_contact();
+    const auto  contains = [&](const types::global_dof_index dof) {
+      return std::binary_search(in_use.begin(), in_use.end(), dof);
+    };
+    const auto is_in_use = [&](const types::global_dof_index dof) {
+      if (contains(dof) ||
+          elimination.constraints().get_inhomogeneity(dof) != 0)
+        return true;
+      const auto *entries = base.get_constraint_entries(dof);
+      return entries != nullptr && std::any_of(entries->begin(),
+                                               entries->end(),
+                                               [&](const auto &entry) {
+                                                 return contains(entry.first);
+                                               });
+    };
+    std::vector<bool> cells;
+    for (const unsigned int c : interface_cells)
+      {
+        const Dofs &dofs = elasticity.dofs_of_cell(c);
+        cells.push_back(std::any_of(dofs.begin(), dofs.end(), is_in_use));
+      }
+    return cells;
+  }
+
+
+
+  template<int dim>
+  void
+  CondensedSystem<dim>::renew_interface_forces(const GhostedVector &solution)
+  {
+    unsigned int k = 0;
+    elasticity.visit_cells(solution,
+                           /*with_tangent=*/false,
+                           interface_cells,
+                           [&](const Dofs &,
+                               const FullMatrix<double> &,
+                               const Vector<double> &forces) {
+                             if (!interface_tangents[k].empty())
+                               set_interface_forces(k, forces, solution);
+                             ++k;
+                           });
+    thermal_version = elasticity.thermal_version();
+  }
+
+
+
+  // The rest of the forces of a cell without its tangent.
+  template<int dim>
+  void CondensedSystem<dim>::set_interface_forces(const unsigned int    k,
                                                   const Vector<double> &forces,
                                                   const GhostedVector &solution)
   {
+    const Dofs    &dofs = elasticity.dofs_of_cell(interface_cells[k]);
     Vector<double> u, constant(dofs.size());
     solution.extract(dofs, u);
-    interface_tangents[interface_forces.size()].vmult(constant, u);
+    interface_tangents[k].vmult(constant, u);
     constant.sadd(-1, 1, forces);
-    interface_forces.push_back(constant);
-    thermal_version = elasticity.thermal_version();
+    interface_forces[k] = constant;
   }
 
 

@@ -67,7 +67,7 @@ namespace Contact
      * where u is where K was assembled. Collective.
      */
     GhostedVector linear_forces(const GhostedVector &solution,
-                                const double         load_factor) const;
+                                const double         load_factor);
 
     /// Whether the matrix of the last solve is known to be indefinite, and
     /// whether that would be known, see DefiniteSolver. Collective.
@@ -114,6 +114,10 @@ namespace Contact
                                        const double         tolerance,
                                        GhostedVector       &x) = 0;
 
+    /// Whether the tangents of all cells at the interface are asked for, or
+    /// those of cells alone where unknowns are eliminated or move.
+    virtual bool needs_all_tangents() const = 0;
+
     bool on_any_rank(const bool condition) const;
 
     const Discretization<dim> &discretization;
@@ -128,7 +132,8 @@ namespace Contact
     /// In ascending order.
     Dofs interface_dofs;
 
-    std::vector<FullMatrix<double>> interface_tangents; // by interface cell
+    /// By interface cell; empty where nobody has asked for it.
+    std::vector<FullMatrix<double>> interface_tangents;
 
     bool         tangents_are_known = false;
     unsigned int tangent_version    = 0;
@@ -142,18 +147,25 @@ namespace Contact
                    const GhostedVector &moved);
 
     /// Returns whether the matrix is another one than before.
-    bool assemble(const GhostedVector &solution,
-                  const bool           keep_tangents,
-                  GhostedVector       &rhs);
-    void assemble_tangents(const GhostedVector &solution);
-    void add_interface_forces(const Dofs           &dofs,
-                              const Vector<double> &forces,
-                              const GhostedVector  &solution);
-    void add_moved_forces(const FullMatrix<double> &tangent,
-                          const Dofs               &rows,
-                          const Dofs               &columns,
-                          const Vector<double>     &load,
-                          GhostedVector            &forces) const;
+    bool            assemble(const GhostedVector &solution,
+                             const bool           keep_tangents,
+                             GhostedVector       &rhs);
+    StressStiffness stress_stiffness() const;
+    void            assemble_tangents(const GhostedVector &solution);
+    void            add_missing_tangents(const GhostedVector &solution);
+    void            renew_interface_forces(const GhostedVector &solution);
+    void            set_interface_forces(const unsigned int    k,
+                                         const Vector<double> &forces,
+                                         const GhostedVector  &solution);
+
+    /// The interface cells with unknowns that are eliminated, that points in
+    /// contact act on, or that move by themselves.
+    std::vector<bool> cells_in_use() const;
+    void              add_moved_forces(const FullMatrix<double> &tangent,
+                                       const Dofs               &rows,
+                                       const Dofs               &columns,
+                                       const Vector<double>     &load,
+                                       GhostedVector            &forces) const;
 
     /// The unknowns that have been eliminated or may be.
     std::set<types::global_dof_index> eliminable;

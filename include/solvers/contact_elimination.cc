@@ -5,6 +5,7 @@
 
 #include "solvers/contact_elimination.h"
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 
@@ -425,6 +426,22 @@ namespace Contact
           for (const auto &entry : *test_lines.get_constraint_entries(line))
             visit(line, entry.first);
       }
+  }
+
+
+
+  template<int dim>
+  typename ContactElimination<dim>::Dofs
+  ContactElimination<dim>::dofs_in_contact() const
+  {
+    Dofs dofs = eliminated;
+    if (interface != nullptr)
+      for (const ContactPoint<dim> &point : interface->points())
+        if (point.status.kind != Status::open)
+          dofs.insert(dofs.end(), point.dofs[0].begin(), point.dofs[0].end());
+    std::sort(dofs.begin(), dofs.end());
+    dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
+    return dofs;
   }
 
 

@@ -102,6 +102,10 @@ namespace Contact
       return of_pairing;
     }
 
+    /// The unknowns of the slave nodes of points that are not open, and what is
+    /// eliminated, in ascending order.
+    Dofs dofs_in_contact() const;
+
     /// The unknowns that the points eliminate, in ascending order.
     const Dofs &eliminated_dofs() const
     {

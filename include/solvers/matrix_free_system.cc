@@ -126,6 +126,16 @@ namespace Contact
 
 
 
+  // The operator has its own; these are for the forces of contact. In large
+  // displacement they are those of the first solution of a step.
+  template<int dim>
+  bool MatrixFreeSystem<dim>::needs_all_tangents() const
+  {
+    return !elasticity.is_linear();
+  }
+
+
+
   // The surfaces, with what hanging nodes hang on.
   template<int dim>
   typename MatrixFreeSystem<dim>::Dofs
