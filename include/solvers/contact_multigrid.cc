@@ -13,12 +13,11 @@
 
 namespace Contact
 {
-  // Lines of contact and supports go from mesh to mesh by the cells at
-  // boundaries and at supports.
   template<int dim>
   ContactMultigrid<dim>::ContactMultigrid(
-    const Discretization<dim> &discretization,
-    const Elasticity<dim>     &elasticity)
+    const Discretization<dim>   &discretization,
+    const Elasticity<dim>       &elasticity,
+    const ContactInterface<dim> *interface)
     : discretization(discretization)
     , meshes(discretization.mesh.levels.of(discretization.mesh.triangulation))
   {
@@ -32,25 +31,56 @@ namespace Contact
       levels.push_back(std::make_unique<MultigridLevel<dim>>(*mesh,
                                                              discretization,
                                                              materials));
+    make_levels(cells_of(interface));
+    collect_coarse_cells();
+  }
+
+
+
+  // Lines of contact and supports go from mesh to mesh by the cells at surfaces
+  // of contact and at supports.
+  template<int dim>
+  SurfaceCells<dim>
+  ContactMultigrid<dim>::cells_of(const ContactInterface<dim> *interface) const
+  {
+    Dofs at_surfaces;
+    if (interface != nullptr)
+      for (const auto &pair : interface->pairs)
+        for (const auto *surface :
+             {&pair->slave, pair->master ? &*pair->master : nullptr})
+          if (surface != nullptr)
+            for (const auto &node : surface->nodes)
+              at_surfaces.insert(at_surfaces.end(),
+                                 node.dofs.begin(),
+                                 node.dofs.end());
+    sort_unique(at_surfaces);
 
     Dofs       of_cell(discretization.fe[0].n_dofs_per_cell());
-    const auto is_supported = [&](const auto &cell) {
-      cell->get_dof_indices(of_cell);
-      return std::any_of(of_cell.begin(), of_cell.end(), [&](const Dof dof) {
-        return discretization.is_fixed(dof);
-      });
+    const auto has_any = [&](const auto &is_one) {
+      return std::any_of(of_cell.begin(), of_cell.end(), is_one);
     };
-    const SurfaceCells<dim> of_finest(levels.back()->dof_handler,
-                                      [&](const auto &cell) {
-                                        return cell->at_boundary() ||
-                                               is_supported(cell);
-                                      });
-    std::set<Dof>           fixed;
-    for (const auto &cell : of_finest.all())
-      for (const Dof dof : cell.second)
-        if (discretization.is_fixed(dof))
-          fixed.insert(dof);
+    return {levels.back()->dof_handler, [&](const auto &cell) {
+              cell->get_dof_indices(of_cell);
+              return (cell->at_boundary() && has_any([&](const Dof dof) {
+                        return std::binary_search(at_surfaces.begin(),
+                                                  at_surfaces.end(),
+                                                  dof);
+                      })) ||
+                     has_any([&](const Dof dof) {
+                       return discretization.is_fixed(dof);
+                     });
+            }};
+  }
 
+
+
+  template<int dim>
+  void ContactMultigrid<dim>::make_levels(const SurfaceCells<dim> &of_finest)
+  {
+    Dofs fixed;
+    for (const Dof dof : levels.back()->dof_handler.locally_owned_dofs())
+      if (discretization.is_fixed(dof))
+        fixed.push_back(dof);
     levels.back()->make_operator(fixed);
     transfers.resize(levels.size() - 1);
     for (unsigned int l = levels.size() - 1; l-- > 0;)
@@ -64,19 +94,24 @@ namespace Contact
         levels[l]->make_operator(fixed);
         transfers[l]->initialize();
       }
+    coarse_supports = gathered(fixed, discretization.communicator);
+  }
 
-    coarse_supports.assign(fixed.begin(), fixed.end());
+
+
+  template<int dim>
+  void ContactMultigrid<dim>::collect_coarse_cells()
+  {
+    Dofs of_cell(discretization.fe[0].n_dofs_per_cell());
     for (const auto &cell : levels[0]->dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
           cell->get_dof_indices(of_cell);
-          coarse_cells.push_back(of_cell);
+          coarse_cells.insert(coarse_cells.end(),
+                              of_cell.begin(),
+                              of_cell.end());
         }
-    std::vector<Dofs> of_all;
-    for (const auto &of_rank :
-         Utilities::MPI::all_gather(discretization.communicator, coarse_cells))
-      of_all.insert(of_all.end(), of_rank.begin(), of_rank.end());
-    coarse_cells = std::move(of_all);
+    coarse_cells = gathered(coarse_cells, discretization.communicator);
   }
 
 
@@ -99,6 +134,7 @@ namespace Contact
     coarse_displacement.copy_locally_owned_data_from(levels[0]->solution);
     coarse_displacement.update_ghost_values();
     coarse_tangents.clear();
+    is_complete = false;
   }
 
 
@@ -109,15 +145,24 @@ namespace Contact
     const AffineConstraints<double> &constraints,
     const AffineConstraints<double> &test_constraints)
   {
-    MultigridLevel<dim> &finest       = *levels.back();
-    const bool           is_symmetric = &test_constraints == &constraints;
-    test_projection.initialize(is_symmetric ? Dofs() : eliminated,
-                               test_constraints,
+    MultigridLevel<dim> &finest = *levels.back();
+    const IndexSet      &owned  = finest.dof_handler.locally_owned_dofs();
+    const auto lines_of = [&](const AffineConstraints<double> &of_these) {
+      return SurfaceRows(eliminated, of_these, owned)
+        .of_all_ranks(discretization.communicator);
+    };
+    const bool is_symmetric = &test_constraints == &constraints;
+    test_projection.initialize(is_symmetric ? SurfaceRows()
+                                            : lines_of(test_constraints),
                                finest.inverse_diagonal());
-    finest.set_lines(eliminated, constraints);
-    for (unsigned int l = transfers.size(); l-- > 0;)
-      transfers[l]->hand_down();
-    make_coarse_matrix();
+    const bool is_new  = !is_complete;
+    is_complete        = false; // if a factorization fails
+    bool has_new_lines = finest.set_lines(lines_of(constraints)) || is_new;
+    for (unsigned int l = transfers.size(); has_new_lines && l-- > 0;)
+      has_new_lines = transfers[l]->hand_down() || is_new;
+    if (has_new_lines)
+      make_coarse_matrix();
+    is_complete = true;
   }
 
 
@@ -143,6 +188,28 @@ namespace Contact
 
 
 
+  template<int dim>
+  AffineConstraints<double> ContactMultigrid<dim>::coarse_constraints() const
+  {
+    AffineConstraints<double> all;
+    for (unsigned int line = 0; line < coarse_lines.size(); ++line)
+      {
+        all.add_line(coarse_lines.dofs[line]);
+        for (unsigned int k = coarse_lines.begin(line);
+             k < coarse_lines.end(line);
+             ++k)
+          all.add_entry(coarse_lines.dofs[line],
+                        coarse_lines.others[k],
+                        coarse_lines.factors[k]);
+      }
+    for (const Dof dof : coarse_supports) // the mesh has no hanging nodes
+      all.add_line(dof);
+    all.close();
+    return all;
+  }
+
+
+
   // The mesh is small: every rank has the whole matrix, to which each adds its
   // cells, and factorizes it by itself. A solution then takes one sum over the
   // ranks, where a factorization in parts sends more messages than it computes.
@@ -150,26 +217,35 @@ namespace Contact
   void ContactMultigrid<dim>::make_coarse_matrix()
   {
     const MultigridLevel<dim> &level = *levels[0];
-    AffineConstraints<double>  all;
-    all.copy_from(level.line_constraints);
-    for (const Dof dof : coarse_supports) // the mesh has no hanging nodes
-      all.add_line(dof);
-    all.close();
-    DynamicSparsityPattern pattern(level.m(), level.m());
-    for (const Dofs &dofs : coarse_cells)
-      all.add_entries_local_to_global(dofs,
-                                      pattern,
-                                      /*keep_constrained_entries=*/true);
-    for (Dof i = 0; i < level.m(); ++i)
-      pattern.add(i, i);
-    const IndexSet rows = complete_index_set(level.m());
-    coarse_solver.reset();
-    coarse_matrix.clear();
-    coarse_matrix.reinit(rows, rows, pattern, MPI_COMM_SELF);
+    const unsigned int         n = level.dof_handler.get_fe().n_dofs_per_cell();
+    const bool                 new_pattern =
+      !coarse_solver || !coarse_lines.has_pattern_of(level.all_lines());
+    coarse_lines                        = level.all_lines();
+    const AffineConstraints<double> all = coarse_constraints();
+    Dofs                            dofs(n);
+    if (new_pattern)
+      {
+        DynamicSparsityPattern pattern(level.m(), level.m());
+        for (auto cell = coarse_cells.begin(); cell != coarse_cells.end();
+             cell += n)
+          {
+            dofs.assign(cell, cell + n);
+            all.add_entries_local_to_global(dofs,
+                                            pattern,
+                                            /*keep_constrained_entries=*/true);
+          }
+        for (Dof i = 0; i < level.m(); ++i)
+          pattern.add(i, i);
+        const IndexSet rows = complete_index_set(level.m());
+        coarse_solver.reset();
+        coarse_matrix.clear();
+        coarse_matrix.reinit(rows, rows, pattern, MPI_COMM_SELF);
+      }
+    else
+      coarse_matrix = 0;
 
     if (coarse_tangents.empty())
       make_coarse_tangents();
-    Dofs dofs(level.dof_handler.get_fe().n_dofs_per_cell());
     auto tangent = coarse_tangents.begin();
     for (const auto &cell : level.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
@@ -187,12 +263,13 @@ namespace Contact
     Utilities::MPI::sum(ArrayView<const double>(entries),
                         discretization.communicator,
                         entries);
-    coarse_solver = DefiniteSolver::create(Parameters::SolverKind::cholmod,
-                                           /*symmetric=*/true,
-                                           /*may_be_indefinite=*/true,
-                                           {},
-                                           discretization.counters);
-    coarse_solver->set_matrix(coarse_matrix, true, true, {});
+    if (new_pattern)
+      coarse_solver = DefiniteSolver::create(Parameters::SolverKind::cholmod,
+                                             /*symmetric=*/true,
+                                             /*may_be_indefinite=*/true,
+                                             {},
+                                             discretization.counters);
+    coarse_solver->set_matrix(coarse_matrix, true, new_pattern, {});
   }
 
 

@@ -6,6 +6,7 @@
 #ifndef contact_contact_multigrid_h
 #define contact_contact_multigrid_h
 
+#include "contact/contact_interface.h"
 #include "solvers/definite_solver.h"
 #include "solvers/level_transfer.h"
 
@@ -36,9 +37,10 @@ namespace Contact
     using Dofs = std::vector<Dof>;
     using Fine = LinearAlgebra::distributed::Vector<double>;
 
-    /// Collective, as all functions.
-    ContactMultigrid(const Discretization<dim> &discretization,
-                     const Elasticity<dim>     &elasticity);
+    /// @p interface may be null. Collective, as all functions.
+    ContactMultigrid(const Discretization<dim>   &discretization,
+                     const Elasticity<dim>       &elasticity,
+                     const ContactInterface<dim> *interface);
 
     /// Linearise bodies of large displacement in @p solution. The lines have to
     /// be set anew.
@@ -46,7 +48,8 @@ namespace Contact
 
     /// Take over the elimination of the active points: of @p eliminated in the
     /// closed @p constraints of the displacements and in those of the virtual
-    /// ones, which may be the same.
+    /// ones, which may be the same. Of all these the lines are read whose
+    /// eliminated unknown is this rank's; it need not give others.
     void set_lines(const Dofs                      &eliminated,
                    const AffineConstraints<double> &constraints,
                    const AffineConstraints<double> &test_constraints);
@@ -55,12 +58,16 @@ namespace Contact
     void vmult(Fine &dst, const Fine &src) const;
 
   private:
-    void make_coarse_tangents();
-    void make_coarse_matrix();
-    void add_tangent(
-      FullMatrix<double>                                   &matrix,
-      FEValues<dim>                                        &values,
-      const typename DoFHandler<dim>::active_cell_iterator &cell) const;
+    SurfaceCells<dim> cells_of(const ContactInterface<dim> *interface) const;
+    void              make_levels(const SurfaceCells<dim> &of_finest);
+    void              collect_coarse_cells();
+    void              make_coarse_tangents();
+    void              make_coarse_matrix();
+    AffineConstraints<double> coarse_constraints() const;
+    void                      add_tangent(
+                           FullMatrix<double>                                   &matrix,
+                           FEValues<dim>                                        &values,
+                           const typename DoFHandler<dim>::active_cell_iterator &cell) const;
     void cycle(const unsigned int l) const;
     void solve_coarse() const;
 
@@ -71,14 +78,18 @@ namespace Contact
     std::vector<std::unique_ptr<MultigridLevel<dim>>> levels;
     std::vector<std::unique_ptr<LevelTransfer<dim>>>  transfers; // l: to l + 1
 
+    /// Whether all levels have lines for their present operators.
+    bool is_complete = false;
+
     // Of the coarsest mesh, on all ranks.
-    Dofs              coarse_supports;
-    std::vector<Dofs> coarse_cells; // their unknowns
+    Dofs coarse_supports;
+    Dofs coarse_cells; // the unknowns of one behind those of the other
 
     /// Of virtual displacements on the finest level, if they have other lines.
     SurfaceProjection<typename MultigridLevel<dim>::Number> test_projection;
 
     std::vector<FullMatrix<double>> coarse_tangents; // of this rank's cells
+    SurfaceRows                     coarse_lines;    // in the matrix
     TrilinosWrappers::SparseMatrix  coarse_matrix;
     std::unique_ptr<DefiniteSolver> coarse_solver;
     Fine                            coarse_displacement; // if large

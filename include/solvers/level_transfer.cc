@@ -6,85 +6,113 @@
 #include "solvers/level_transfer.h"
 
 #include <algorithm>
+#include <set>
+#include <tuple>
 
 namespace Contact
 {
-  namespace
-  {
-    /// The names of cells and of those that they are children of.
-    template<int dim>
-    std::set<CellId> with_parents(const SurfaceCells<dim> &cells)
-    {
-      std::set<CellId> ids;
-      for (const auto &cell : cells.all())
-        {
-          ids.insert(cell.first);
-          if (cell.first.get_child_indices().size() > 0)
-            ids.insert(SurfaceCells<dim>::parent(cell.first));
-        }
-      return ids;
-    }
-  } // namespace
-
-
-
-  // An unknown of a fine cell is that of the coarse cell if this is not
-  // refined, or the interpolated one in the child.
   template<int dim>
   LevelTransfer<dim>::LevelTransfer(Level                   &coarse,
                                     Level                   &fine,
                                     const SurfaceCells<dim> &fine_cells)
     : coarse(coarse)
     , fine(fine)
-    , cells(coarse.dof_handler,
-            [ids = with_parents(fine_cells)](const auto &cell) {
-              return ids.count(cell->id()) > 0;
-            })
+    , communicator(coarse.dof_handler.get_communicator())
+    , fine_owners(fine.dof_handler.locally_owned_dofs(), communicator)
+    , coarse_owners(coarse.dof_handler.locally_owned_dofs(), communicator)
   {
-    const FiniteElement<dim> &fe        = coarse.dof_handler.get_fe();
-    const unsigned int        n         = fe.n_dofs_per_cell();
-    const double              round_off = 1e-12;
-    for (const auto &[id, of_fine] : fine_cells.all())
-      if (const auto same = cells.all().find(id); same != cells.all().end())
-        for (unsigned int i = 0; i < n; ++i)
-          rows[of_fine[i]] = {{same->second[i], 1.}};
-      else
-        {
-          const Dofs &of_coarse = cells.all().at(SurfaceCells<dim>::parent(id));
-          const auto &matrix =
-            fe.get_prolongation_matrix(SurfaceCells<dim>::last_child(id));
-          for (unsigned int i = 0; i < n; ++i)
-            {
-              const auto [place, is_new] = rows.try_emplace(of_fine[i]);
-              if (!is_new)
-                continue;
-              Row &row = place->second;
-              for (unsigned int j = 0; j < n; ++j)
-                if (std::abs(matrix(i, j) - 1) < round_off)
-                  row.emplace_back(of_coarse[j], 1.);
-                else if (std::abs(matrix(i, j)) > round_off)
-                  row.emplace_back(of_coarse[j], matrix(i, j));
-            }
-        }
+    std::vector<typename SurfaceCells<dim>::Coarse> of_cells;
+    cells = fine_cells.coarser(coarse.dof_handler, of_cells);
+    make_rows(fine_cells, of_cells);
+  }
+
+
+
+  // An unknown of a fine cell is that of the coarse cell if this is not
+  // refined, or the interpolated one in the child. Some are in cells of other
+  // ranks alone.
+  template<int dim>
+  void LevelTransfer<dim>::make_rows(
+    const SurfaceCells<dim>                               &of_fine,
+    const std::vector<typename SurfaceCells<dim>::Coarse> &of_coarse)
+  {
+    struct Source
+    {
+      Dof          dof;
+      bool         is_refined;
+      unsigned int cell, number;
+
+      bool operator<(const Source &other) const
+      {
+        return std::tie(dof, is_refined, cell, number) <
+               std::tie(other.dof, other.is_refined, other.cell, other.number);
+      }
+    };
+    const FiniteElement<dim> &fe = coarse.dof_handler.get_fe();
+    const unsigned int        n  = fe.n_dofs_per_cell();
+    std::vector<Source>       sources;
+    for (unsigned int c = 0; c < of_coarse.size(); ++c)
+      for (unsigned int i = 0; i < n; ++i)
+        sources.push_back({of_fine.dofs[c][i], of_coarse[c].is_refined, c, i});
+    std::sort(sources.begin(), sources.end());
+
+    const double                        round_off = 1e-12;
+    Dof                                 last      = numbers::invalid_dof_index;
+    std::map<unsigned int, SurfaceRows> by_owner;
+    for (const auto &[dof, is_refined, c, i] : sources)
+      {
+        if (dof == last)
+          continue;
+        last                  = dof;
+        SurfaceRows &of_owner = by_owner[fine_owners.owner(dof)];
+        const Dofs  &dofs     = of_coarse[c].dofs;
+        if (!is_refined)
+          of_owner.add_entry(dofs[i], 1);
+        else
+          {
+            const auto &matrix = fe.get_prolongation_matrix(
+              SurfaceCells<dim>::last_child(of_fine.names[c]));
+            for (unsigned int j = 0; j < n; ++j)
+              if (std::abs(matrix(i, j) - 1) < round_off)
+                of_owner.add_entry(dofs[j], 1);
+              else if (std::abs(matrix(i, j)) > round_off)
+                of_owner.add_entry(dofs[j], matrix(i, j));
+          }
+        of_owner.end_row(dof);
+      }
+    for (const auto &[rank, of_rank] :
+         Utilities::MPI::some_to_some(communicator, by_owner))
+      rows.append(of_rank);
+    rows.sort();
   }
 
 
 
   template<int dim>
-  std::set<types::global_dof_index>
-  LevelTransfer<dim>::at_same_nodes(const std::set<Dof> &fixed) const
+  typename LevelTransfer<dim>::Dofs
+  LevelTransfer<dim>::at_same_nodes(const Dofs &fixed) const
   {
-    std::set<Dof> result;
+    Dofs result;
     for (const Dof dof : fixed)
-      if (const Row &row = rows.at(dof); row.size() == 1)
-        result.insert(row[0].first);
+      {
+        const unsigned int row = rows.find(dof);
+        AssertThrow(row != numbers::invalid_unsigned_int, ExcInternalError());
+        if (rows.end(row) == rows.begin(row) + 1)
+          result.push_back(rows.others[rows.begin(row)]);
+      }
+    sort_unique(result);
+    const auto by_owner =
+      Utilities::MPI::some_to_some(communicator,
+                                   coarse_owners.by_owner(result));
+    result.clear();
+    for (const auto &of_rank : by_owner)
+      result.insert(result.end(), of_rank.second.begin(), of_rank.second.end());
+    sort_unique(result);
     return result;
   }
 
 
 
-  // All ranks get the constraints at the surfaces: each knows those of its own
-  // unknowns.
   template<int dim>
   void LevelTransfer<dim>::initialize()
   {
@@ -92,38 +120,131 @@ namespace Contact
                                        coarse.dof_handler,
                                        fine.supports(),
                                        coarse.supports());
-    const IndexSet    &owned = coarse.dof_handler.locally_owned_dofs();
-    std::map<Dof, Row> own;
-    for (const auto &cell : cells.all())
-      for (const Dof dof : cell.second)
-        if (owned.is_element(dof) && coarse.supports().is_constrained(dof))
-          {
-            const auto &entries =
-              *coarse.supports().get_constraint_entries(dof);
-            own[dof].assign(entries.begin(), entries.end());
-          }
-    for (auto &of_rank :
-         Utilities::MPI::all_gather(coarse.dof_handler.get_communicator(), own))
-      constrained.merge(of_rank);
+    resolve_constraints();
   }
 
 
 
-  // By unknowns of the coarse level that are not constrained.
+  // Each rank knows the constraints of its own unknowns.
   template<int dim>
-  void LevelTransfer<dim>::add_coarse(const Dof              fine_dof,
-                                      const double           factor,
-                                      std::map<Dof, double> &sum) const
+  void LevelTransfer<dim>::resolve_constraints()
   {
-    for (const auto &[dof, weight] : rows.at(fine_dof))
+    Dofs read = rows.others;
+    sort_unique(read);
+    SurfaceRows constrained;
+    const auto  answers = ask<SurfaceRows>(
+      coarse_owners.by_owner(read),
+      [&](const Dofs &dofs) {
+        SurfaceRows answer;
+        for (const Dof dof : dofs)
+          if (coarse.supports().is_constrained(dof))
+            {
+              for (const auto &[leader, share] :
+                   *coarse.supports().get_constraint_entries(dof))
+                answer.add_entry(leader, share);
+              answer.end_row(dof);
+            }
+        return answer;
+      },
+      communicator);
+    for (const auto &answer : answers)
+      constrained.append(answer.second);
+
+    SurfaceRows resolved;
+    places.clear();
+    for (unsigned int row = 0; row < rows.size(); ++row)
       {
-        const auto by = constrained.find(dof);
-        if (by == constrained.end())
-          sum[dof] += factor * weight;
-        else
-          for (const auto &[leader, share] : by->second)
-            sum[leader] += factor * weight * share;
+        Place place = rows.end(row) == rows.begin(row) + 1 ? Place::at_node
+                                                           : Place::between;
+        for (unsigned int k = rows.begin(row); k < rows.end(row); ++k)
+          {
+            const unsigned int by = constrained.find(rows.others[k]);
+            if (by == numbers::invalid_unsigned_int)
+              {
+                resolved.add_entry(rows.others[k], rows.factors[k]);
+                continue;
+              }
+            if (place == Place::at_node)
+              place = Place::at_constrained_node;
+            for (unsigned int j = constrained.begin(by);
+                 j < constrained.end(by);
+                 ++j)
+              resolved.add_entry(constrained.others[j],
+                                 rows.factors[k] * constrained.factors[j]);
+          }
+        resolved.end_row(rows.dofs[row]);
+        places.push_back(place);
       }
+    rows = std::move(resolved);
+  }
+
+
+
+  // What lines of before have needed is there still.
+  template<int dim>
+  void LevelTransfer<dim>::get_rows(const SurfaceRows &lines)
+  {
+    Dofs missing;
+    for (const Dof dof : lines.others)
+      if (!rows.has(dof) && !others.has(dof))
+        missing.push_back(dof);
+    sort_unique(missing);
+    const auto answers = ask<SurfaceRows>(
+      fine_owners.by_owner(missing),
+      [&](const Dofs &dofs) {
+        SurfaceRows answer;
+        for (const Dof dof : dofs)
+          {
+            const unsigned int row = rows.find(dof);
+            AssertThrow(row != numbers::invalid_unsigned_int,
+                        ExcInternalError());
+            answer.add_row(rows, row);
+          }
+        return answer;
+      },
+      communicator);
+    for (const auto &answer : answers)
+      others.append(answer.second);
+    others.sort();
+  }
+
+
+
+  template<int dim>
+  void LevelTransfer<dim>::add_coarse(const Dof    fine_dof,
+                                      const double factor,
+                                      Sum         &sum) const
+  {
+    unsigned int       row    = rows.find(fine_dof);
+    const bool         is_own = row != numbers::invalid_unsigned_int;
+    const SurfaceRows &from   = is_own ? rows : others;
+    if (!is_own)
+      row = from.find(fine_dof);
+    for (unsigned int k = from.begin(row); k < from.end(row); ++k)
+      sum[from.others[k]] += factor * from.factors[k];
+  }
+
+
+
+  template<int dim>
+  SurfaceRows LevelTransfer<dim>::lines_at_nodes(const SurfaceRows &lines) const
+  {
+    SurfaceRows made;
+    Sum         sum;
+    for (unsigned int line = 0; line < lines.size(); ++line)
+      {
+        const unsigned int row = rows.find(lines.dofs[line]);
+        AssertThrow(row != numbers::invalid_unsigned_int, ExcInternalError());
+        if (places[row] != Place::at_node)
+          continue;
+        const Dof dof = rows.others[rows.begin(row)];
+        sum.clear();
+        for (unsigned int k = lines.begin(line); k < lines.end(line); ++k)
+          add_coarse(lines.others[k], lines.factors[k], sum);
+        sum.erase(dof);
+        made.add_row(dof, sum);
+      }
+    return made;
   }
 
 
@@ -131,79 +252,116 @@ namespace Contact
   // Where a node of the fine level is eliminated and none of the coarse ones
   // that it is interpolated from, the line is that of the fine node, solved for
   // the coarse one that it depends on most: two or three points that hold a
-  // body may all be between coarse nodes.
+  // body may all be between coarse nodes. All ranks choose from all of these,
+  // which are few, one after the other.
   template<int dim>
-  void LevelTransfer<dim>::add_line_between(const Dof dof, Lines &sums) const
+  void LevelTransfer<dim>::add_lines_between(const SurfaceRows &lines,
+                                             SurfaceRows       &made) const
   {
-    std::map<Dof, double> place, sum;
-    add_coarse(dof, 1, place);
-    if (rows.at(dof).size() == 1 || place.empty() ||
-        std::any_of(place.begin(), place.end(), [&](const auto &entry) {
-          return sums.count(entry.first) > 0;
-        }))
-      return;
-    const auto pivot =
-      *std::max_element(place.begin(), place.end(), [](auto &a, auto &b) {
-        return std::abs(a.second) < std::abs(b.second);
-      });
-    if (const auto *entries = fine.line_constraints.get_constraint_entries(dof))
-      for (const auto &[other, factor] : *entries)
-        add_coarse(other, factor / pivot.second, sum);
-    for (const auto &[other, weight] : place)
-      sum[other] -= weight / pivot.second;
-    sum.erase(pivot.first);
-    sums.emplace(pivot.first, std::move(sum));
+    SurfaceRows between, their_places;
+    Sum         place, sum;
+    for (unsigned int line = 0; line < lines.size(); ++line)
+      {
+        const Dof dof = lines.dofs[line];
+        if (places[rows.find(dof)] != Place::between)
+          continue;
+        place.clear();
+        add_coarse(dof, 1, place);
+        if (place.empty() ||
+            std::any_of(place.begin(), place.end(), [&](const auto &entry) {
+              return made.has(entry.first);
+            }))
+          continue;
+        const auto pivot =
+          *std::max_element(place.begin(), place.end(), [](auto &a, auto &b) {
+            return std::abs(a.second) < std::abs(b.second);
+          });
+        sum.clear();
+        for (unsigned int k = lines.begin(line); k < lines.end(line); ++k)
+          add_coarse(lines.others[k], lines.factors[k] / pivot.second, sum);
+        for (const auto &[other, weight] : place)
+          sum[other] -= weight / pivot.second;
+        sum.erase(pivot.first);
+        between.add_row(pivot.first, sum);
+        their_places.add_row(pivot.first, place);
+      }
+
+    between      = between.of_all_ranks(communicator);
+    their_places = their_places.of_all_ranks(communicator);
+    std::set<Dof> chosen;
+    for (unsigned int row = 0; row < between.size(); ++row)
+      if (std::none_of(their_places.others.data() + their_places.begin(row),
+                       their_places.others.data() + their_places.end(row),
+                       [&](const Dof dof) { return chosen.count(dof) > 0; }))
+        {
+          chosen.insert(between.dofs[row]);
+          made.add_row(between, row);
+        }
+    made.sort();
   }
 
 
 
-  // At the ends of surfaces a line may have unknowns that other lines
-  // eliminate. One of these is left to the finer level where it has further
-  // ones in turn, which might lead round in a circle.
-  template<int dim>
-  void LevelTransfer<dim>::hand_down() const
+  namespace
   {
-    Lines sums;
-    for (const Dof dof : fine.eliminated)
-      {
-        const Row &row = rows.at(dof);
-        if (row.size() != 1 || constrained.count(row[0].first) > 0)
-          continue;
-        std::map<Dof, double> &sum = sums[row[0].first];
-        if (const auto *entries =
-              fine.line_constraints.get_constraint_entries(dof))
-          for (const auto &[other, factor] : *entries)
-            add_coarse(other, factor, sum);
-        sum.erase(row[0].first);
-      }
-
-    for (const Dof dof : fine.eliminated)
-      add_line_between(dof, sums);
-
-    const auto has_any = [](const std::map<Dof, double> &sum,
-                            const auto                  &those) {
-      return std::any_of(sum.begin(), sum.end(), [&](const auto &entry) {
-        return those.count(entry.first) > 0;
-      });
-    };
-    std::set<Dof> by_lines;
-    for (const auto &[dof, sum] : sums)
-      if (has_any(sum, sums))
-        by_lines.insert(dof);
-
-    Dofs                      eliminated;
-    AffineConstraints<double> lines;
-    for (const auto &[dof, sum] : sums)
-      if (by_lines.count(dof) == 0 || !has_any(sum, by_lines))
+    /// At the ends of surfaces a line may have unknowns that other lines
+    /// eliminate. One of these is left to the finer level where it has further
+    /// ones in turn, which might lead round in a circle.
+    SurfaceRows without_circles(const SurfaceRows &lines)
+    {
+      const auto has_any = [&](const unsigned int line, const auto &is_one) {
+        return std::any_of(lines.others.data() + lines.begin(line),
+                           lines.others.data() + lines.end(line),
+                           is_one);
+      };
+      std::vector<bool> is_by_lines(lines.size());
+      for (unsigned int line = 0; line < lines.size(); ++line)
+        is_by_lines[line] =
+          has_any(line, [&](const auto dof) { return lines.has(dof); });
+      SurfaceRows      result;
+      SurfaceRows::Sum sum;
+      for (unsigned int line = 0; line < lines.size(); ++line)
         {
-          lines.add_line(dof);
-          for (const auto &[other, factor] : sum)
-            if (factor != 0)
-              lines.add_entry(dof, other, factor);
-          eliminated.push_back(dof);
+          if (is_by_lines[line] && has_any(line, [&](const auto dof) {
+                const unsigned int other = lines.find(dof);
+                return other != numbers::invalid_unsigned_int &&
+                       is_by_lines[other];
+              }))
+            continue;
+          sum.clear();
+          for (unsigned int k = lines.begin(line); k < lines.end(line); ++k)
+            {
+              const unsigned int by = is_by_lines[line]
+                                        ? lines.find(lines.others[k])
+                                        : numbers::invalid_unsigned_int;
+              if (lines.factors[k] == 0)
+                continue;
+              if (by == numbers::invalid_unsigned_int)
+                sum[lines.others[k]] += lines.factors[k];
+              else
+                for (unsigned int j = lines.begin(by); j < lines.end(by); ++j)
+                  if (lines.factors[j] != 0)
+                    sum[lines.others[j]] += lines.factors[k] * lines.factors[j];
+            }
+          result.add_row(lines.dofs[line], sum);
         }
-    lines.close();
-    coarse.set_lines(eliminated, lines);
+      return result;
+    }
+  } // namespace
+
+
+
+  // What leads lines to each other is decided by all ranks in the same way: the
+  // coarse level has all lines on all ranks.
+  template<int dim>
+  bool LevelTransfer<dim>::hand_down()
+  {
+    const SurfaceRows lines = fine.own_lines();
+    get_rows(lines);
+    SurfaceRows made = lines_at_nodes(lines).of_all_ranks(communicator);
+    made.sort();
+    add_lines_between(lines, made);
+    return coarse.set_lines(without_circles(made));
   }
 
 

@@ -8,6 +8,7 @@
 
 #include <deal.II/multigrid/mg_transfer_global_coarsening.h>
 
+#include "base/exchange.h"
 #include "solvers/multigrid_level.h"
 #include "solvers/surface_cells.h"
 
@@ -20,7 +21,8 @@ namespace Contact
    * interpolation of a correction, its transpose, and the lines of contact and
    * the supports that the coarse level gets from the fine one. The line of an
    * unknown is that of the fine one at the same node, with the others
-   * interpolated.
+   * interpolated. It is made by the rank that owns the fine unknown, which asks
+   * the owners of the others for what these are interpolated from.
    */
   template<int dim>
   class LevelTransfer
@@ -42,14 +44,16 @@ namespace Contact
       return cells;
     }
 
-    /// The unknowns of the coarse level where the fine ones are @p fixed.
-    std::set<Dof> at_same_nodes(const std::set<Dof> &fixed) const;
+    /// This rank's unknowns of the coarse level where fine ones are @p fixed,
+    /// of which each rank gives its own. In ascending order. Collective.
+    Dofs at_same_nodes(const Dofs &fixed) const;
 
     /// After both levels have their supports. Collective.
     void initialize();
 
-    /// Give the coarse level the lines of the fine one. Collective.
-    void hand_down() const;
+    /// Give the coarse level the lines of the fine one. Returns whether they
+    /// are others than before. Collective.
+    bool hand_down();
 
     /// The displacement of the fine level on the coarse one.
     void interpolate() const
@@ -65,26 +69,39 @@ namespace Contact
     void correct() const;
 
   private:
-    using Row   = std::vector<std::pair<Dof, double>>;
-    using Lines = std::map<Dof, std::map<Dof, double>>;
+    using Sum = SurfaceRows::Sum;
 
-    /// Add a fine unknown times @p factor to @p sum.
-    void add_coarse(const Dof              fine_dof,
-                    const double           factor,
-                    std::map<Dof, double> &sum) const;
+    /// Where a fine unknown is, as the coarse level sees it.
+    enum class Place : unsigned char
+    {
+      at_node,
+      at_constrained_node,
+      between
+    };
 
-    /// Add the line of a fine unknown between coarse ones that have none.
-    void add_line_between(const Dof dof, Lines &sums) const;
+    void
+         make_rows(const SurfaceCells<dim>                               &of_fine,
+                   const std::vector<typename SurfaceCells<dim>::Coarse> &coarse);
+    void resolve_constraints();
+    void get_rows(const SurfaceRows &lines);
+
+    /// Add a fine unknown times @p factor to @p sum, by unknowns of the coarse
+    /// level that are not constrained.
+    void add_coarse(const Dof fine_dof, const double factor, Sum &sum) const;
+
+    SurfaceRows lines_at_nodes(const SurfaceRows &lines) const;
+    void add_lines_between(const SurfaceRows &lines, SurfaceRows &made) const;
 
     Level                          &coarse, &fine;
+    const MPI_Comm                  communicator;
+    const UnknownOwners             fine_owners, coarse_owners;
     SurfaceCells<dim>               cells; // coarse ones
     MGTwoLevelTransfer<dim, Vector> transfer;
 
-    /// Fine unknowns at the surfaces by coarse ones, on all ranks.
-    std::map<Dof, Row> rows;
-
-    /// What coarse ones are constrained to.
-    std::map<Dof, Row> constrained;
+    /// This rank's fine unknowns at the surfaces by coarse ones, and those of
+    /// other ranks that its lines have needed.
+    SurfaceRows        rows, others;
+    std::vector<Place> places; // of the own ones
   };
 } // namespace Contact
 

@@ -89,12 +89,14 @@ namespace Contact
   bool MatrixFreeSystem<dim>::is_best(const Discretization<dim> &discretization,
                                       const Elasticity<dim>     &elasticity)
   {
-    const auto       &mesh   = discretization.mesh.triangulation;
-    const std::size_t n      = discretization.dof_handler.n_dofs();
-    const std::size_t least  = elasticity.is_linear()
-                                 ? (dim == 2 ? 20000 : 5000)
-                                 : (dim == 2 ? 100000 : 10000);
-    const double coarse_part = double(mesh.n_cells(0)) / mesh.n_active_cells();
+    const auto       &mesh  = discretization.mesh.triangulation;
+    const std::size_t n     = discretization.dof_handler.n_dofs();
+    const std::size_t least = elasticity.is_linear()
+                                ? (dim == 2 ? 20000 : 5000)
+                                : (dim == 2 ? 100000 : 10000);
+    // Of all ranks: each has to choose the same.
+    const double coarse_part =
+      double(mesh.n_cells(0)) / mesh.n_global_active_cells();
     return n >= least && !is_too_deep(discretization.mesh) &&
            n * coarse_part < least &&
            refusal(discretization, elasticity).empty();
@@ -179,8 +181,9 @@ namespace Contact
                                                   discretization.constraints,
                                                   materials);
     bodies->initialize(work);
-    multigrid =
-      std::make_unique<ContactMultigrid<dim>>(discretization, elasticity);
+    multigrid = std::make_unique<ContactMultigrid<dim>>(discretization,
+                                                        elasticity,
+                                                        interface);
   }
 
 
@@ -216,14 +219,17 @@ namespace Contact
         surface.initialize(used, owned, discretization.communicator);
         surface_forces.initialize(used, owned, discretization.communicator);
       }
-    lines      = SurfaceLines<double>(elimination.eliminated_dofs(),
-                                 elimination.constraints(),
-                                 owned,
-                                 discretization.communicator);
-    test_lines = SurfaceLines<double>(elimination.eliminated_dofs(),
-                                      elimination.test_constraints(),
-                                      owned,
-                                      discretization.communicator);
+    const auto lines_of = [&](const AffineConstraints<double> &constraints) {
+      return SurfaceLines<double>(SurfaceRows(elimination.eliminated_dofs(),
+                                              constraints,
+                                              owned),
+                                  owned,
+                                  discretization.communicator);
+    };
+    lines      = lines_of(elimination.constraints());
+    test_lines = elimination.is_symmetric()
+                   ? lines
+                   : lines_of(elimination.test_constraints());
   }
 
 

@@ -29,15 +29,35 @@ namespace Contact
 
 
 
+  // Those of cells that are this rank's or next to it.
   template<int dim>
-  void MultigridLevel<dim>::make_operator(const std::set<Dof> &fixed)
+  typename MultigridLevel<dim>::Dofs
+  MultigridLevel<dim>::on_ghosts(const Dofs &own) const
+  {
+    const IndexSet relevant =
+      DoFTools::extract_locally_relevant_dofs(dof_handler);
+    Vector marks(dof_handler.locally_owned_dofs(), relevant, communicator);
+    for (const Dof dof : own)
+      marks(dof) = 1;
+    marks.update_ghost_values();
+    Dofs all;
+    for (const Dof dof : relevant)
+      if (marks(dof) != 0)
+        all.push_back(dof);
+    return all;
+  }
+
+
+
+  template<int dim>
+  void MultigridLevel<dim>::make_operator(const Dofs &fixed)
   {
     const IndexSet relevant =
       DoFTools::extract_locally_relevant_dofs(dof_handler);
     constraints.reinit(relevant);
     DoFTools::make_hanging_node_constraints(dof_handler, constraints);
-    for (const Dof dof : fixed)
-      if (relevant.is_element(dof) && !constraints.is_constrained(dof))
+    for (const Dof dof : on_ghosts(fixed))
+      if (!constraints.is_constrained(dof))
         constraints.add_line(dof);
     constraints.close();
     bodies = std::make_unique<BodyOperator<dim, Number>>(mapping,
@@ -73,9 +93,8 @@ namespace Contact
     for (auto &value : inverse->get_vector())
       value = value > 0 ? 1 / value : 1;
 
-    projection.initialize({},
-                          AffineConstraints<double>(),
-                          inverse->get_vector());
+    projection.initialize({}, inverse->get_vector());
+    has_lines = false;
 
     typename decltype(smoother)::AdditionalData data;
     data.degree              = 4;
@@ -89,18 +108,18 @@ namespace Contact
 
 
   template<int dim>
-  void
-  MultigridLevel<dim>::set_lines(const Dofs                      &new_lines,
-                                 const AffineConstraints<double> &by_others)
+  bool MultigridLevel<dim>::set_lines(SurfaceRows new_lines)
   {
-    eliminated = new_lines;
-    if (&by_others != &line_constraints)
-      line_constraints.copy_from(by_others);
-    lines = SurfaceLines<Number>(eliminated,
-                                 line_constraints,
+    if (has_lines && new_lines == lines_of_all)
+      return false;
+    has_lines    = false; // if a factorization fails
+    lines_of_all = std::move(new_lines);
+    lines        = SurfaceLines<Number>(own_lines(),
                                  dof_handler.locally_owned_dofs(),
                                  communicator);
-    projection.initialize(eliminated, line_constraints, inverse->get_vector());
+    projection.initialize(lines_of_all, inverse->get_vector());
+    has_lines = true;
+    return true;
   }
 
 

@@ -38,16 +38,18 @@ namespace Contact
                    const Discretization<dim>                    &finest,
                    const std::map<types::material_id, Material> &materials);
 
-    /// Support the unknowns @p fixed, the same on all ranks. Collective.
-    void make_operator(const std::set<Dof> &fixed);
+    /// Support the unknowns @p fixed, of which each rank gives its own.
+    /// Collective.
+    void make_operator(const Dofs &fixed);
 
     /// Linearise bodies of large displacement, which are not of @p
     /// small_strain, in the present solution.
     void linearize(const std::set<types::material_id> &small_strain);
 
-    /// Take over the elimination of the active points. Collective.
-    void set_lines(const Dofs                      &eliminated,
-                   const AffineConstraints<double> &constraints);
+    /// Take over the elimination of the active points, @p new_lines in
+    /// ascending order on all ranks. Returns whether they are others than
+    /// before, or the operator is. Collective.
+    bool set_lines(SurfaceRows new_lines);
 
     /// P^T K, of displacements that fulfil the lines P^T K P.
     void vmult(Vector &dst, const Vector &src) const;
@@ -75,6 +77,17 @@ namespace Contact
       return constraints;
     }
 
+    /// The lines as they were given, and those whose eliminated unknown is of
+    /// this rank.
+    const SurfaceRows &all_lines() const
+    {
+      return lines_of_all;
+    }
+    SurfaceRows own_lines() const
+    {
+      return lines_of_all.owned_by(dof_handler.locally_owned_dofs());
+    }
+
     const SurfaceLines<Number> &contact_lines() const
     {
       return lines;
@@ -90,10 +103,6 @@ namespace Contact
       return projection;
     }
 
-    /// The same as they were given, on all ranks.
-    Dofs                      eliminated;
-    AffineConstraints<double> line_constraints;
-
   private:
     DoFHandler<dim> own_dof_handler; // of coarser meshes
 
@@ -104,12 +113,15 @@ namespace Contact
 
   private:
     void make_smoother();
+    Dofs on_ghosts(const Dofs &own) const;
 
     const MPI_Comm                                communicator;
     const std::map<types::material_id, Material> &materials;
     AffineConstraints<Number>                     constraints;
     std::unique_ptr<BodyOperator<dim, Number>>    bodies;
     std::shared_ptr<DiagonalMatrix<Vector>>       inverse; // of the diagonal
+    SurfaceRows                                   lines_of_all;
+    bool                                          has_lines = false;
     SurfaceLines<Number>                          lines;
     SurfaceProjection<Number>                     projection;
     PreconditionChebyshev<MultigridLevel, Vector, DiagonalMatrix<Vector>>

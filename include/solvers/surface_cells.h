@@ -6,20 +6,18 @@
 #ifndef contact_surface_cells_h
 #define contact_surface_cells_h
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/grid/cell_id.h>
 
 #include <functional>
-#include <map>
 #include <vector>
 
 namespace Contact
 {
   using namespace dealii;
 
-  /// The unknowns of some active cells of a mesh, those at surfaces and
-  /// supports, by the name of the cell and on all ranks.
+  /// Some active cells of a mesh that this rank owns, those at surfaces of
+  /// contact and at supports, and their unknowns.
   template<int dim>
   class SurfaceCells
   {
@@ -28,31 +26,33 @@ namespace Contact
     using Choice = std::function<bool(
       const typename DoFHandler<dim>::active_cell_iterator &cell)>;
 
-    /// Collective.
+    SurfaceCells() = default;
+
     SurfaceCells(const DoFHandler<dim> &dof_handler, const Choice &choice);
 
-    const std::map<CellId, Dofs> &all() const
+    /// The cell of a coarser mesh that a cell is, or is a child of.
+    struct Coarse
     {
-      return dofs;
-    }
+      Dofs dofs;
+      bool is_refined;
+    };
 
-    bool has(const CellId &cell) const
-    {
-      return dofs.count(cell) > 0;
-    }
+    /// Set those of each of these cells, whose owners may be other ranks, in
+    /// the mesh of @p coarse, and return those of this rank that cells of any
+    /// rank have. Collective.
+    SurfaceCells coarser(const DoFHandler<dim> &coarse,
+                         std::vector<Coarse>   &of_cells) const;
 
-    /// The cell that a refined one is a child of.
-    static CellId parent(const CellId &child);
+    /// The cells in ascending order, and the unknowns of each.
+    std::vector<CellId> names;
+    std::vector<Dofs>   dofs;
 
-    /// Its number among these.
+    /// The number of a refined cell among the children.
     static unsigned int last_child(const CellId &child)
     {
       const auto children = child.get_child_indices();
       return children[children.size() - 1];
     }
-
-  private:
-    std::map<CellId, Dofs> dofs;
   };
 } // namespace Contact
 

@@ -6,10 +6,8 @@
 #ifndef contact_surface_lines_h
 #define contact_surface_lines_h
 
-#include <deal.II/lac/affine_constraints.h>
-
-#include <algorithm>
-
+#include "base/exchange.h"
+#include "solvers/surface_rows.h"
 #include "solvers/surface_values.h"
 
 namespace Contact
@@ -19,8 +17,8 @@ namespace Contact
   /**
    * The eliminated unknowns of the surfaces of contact, C in C^T K C: each is a
    * sum over unknowns that are not eliminated. Vectors hold the latter; in the
-   * place of the former they have zero. All ranks have all lines, each works on
-   * those whose eliminated unknown is its own. Functions are collective.
+   * place of the former they have zero. Each rank has the lines whose
+   * eliminated unknown is its own. Functions are collective.
    */
   template<typename Number>
   class SurfaceLines
@@ -32,32 +30,18 @@ namespace Contact
 
     SurfaceLines() = default;
 
-    /// Those of @p eliminated in closed @p constraints, whatever their
-    /// inhomogeneities, for vectors whose unknowns @p owned are this rank's.
-    SurfaceLines(const Dofs                      &eliminated,
-                 const AffineConstraints<double> &constraints,
-                 const IndexSet                  &owned,
-                 const MPI_Comm                   communicator)
+    /// Of @p rows, those whose eliminated unknown is of this rank, for vectors
+    /// whose unknowns @p owned are.
+    SurfaceLines(const SurfaceRows &rows,
+                 const IndexSet    &owned,
+                 const MPI_Comm     communicator)
+      : own(rows.dofs)
+      , ends(rows.ends)
+      , others(rows.others)
+      , factors(rows.factors.begin(), rows.factors.end())
     {
-      Dofs read;
-      for (const auto dof : eliminated)
-        {
-          const auto *entries = constraints.get_constraint_entries(dof);
-          if (entries != nullptr)
-            for (const auto &[other, factor] : *entries)
-              read.push_back(other);
-          if (!owned.is_element(dof))
-            continue;
-          own.push_back(dof);
-          if (entries != nullptr)
-            for (const auto &[other, factor] : *entries)
-              {
-                others.push_back(other);
-                factors.push_back(factor);
-              }
-          ends.push_back(others.size());
-        }
-      std::sort(read.begin(), read.end()); // a set takes long otherwise
+      Dofs read = others;
+      sort_unique(read); // a set takes long otherwise
       IndexSet used(owned.size());
       used.add_indices(read.begin(), read.end());
       values.initialize(used, owned, communicator);

@@ -8,21 +8,20 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <algorithm>
-#include <map>
+
+#include "base/exchange.h"
 
 namespace Contact
 {
   template<typename Number>
-  void SurfaceProjection<Number>::initialize(
-    const Dofs                      &eliminated,
-    const AffineConstraints<double> &constraints,
-    const Vector                    &inverse)
+  void SurfaceProjection<Number>::initialize(const SurfaceRows &lines,
+                                             const Vector      &inverse)
   {
-    read_lines(eliminated, constraints);
+    read_lines(lines);
     share_values(inverse);
     solver.reset();
     matrix.clear();
-    if (!eliminated.empty())
+    if (!ends.empty())
       factorize();
   }
 
@@ -30,28 +29,24 @@ namespace Contact
 
   // The sum of others less what is eliminated is zero.
   template<typename Number>
-  void SurfaceProjection<Number>::read_lines(
-    const Dofs                      &eliminated,
-    const AffineConstraints<double> &constraints)
+  void SurfaceProjection<Number>::read_lines(const SurfaceRows &lines)
   {
-    dofs.clear();
+    dofs = lines.dofs;
+    dofs.insert(dofs.end(), lines.others.begin(), lines.others.end());
+    sort_unique(dofs);
     ends.clear();
     columns.clear();
     factors.clear();
-    std::map<Dof, unsigned int> numbers;
-    const auto                  add = [&](const Dof dof, const double factor) {
-      const auto [at, is_new] = numbers.emplace(dof, dofs.size());
-      if (is_new)
-        dofs.push_back(dof);
-      columns.push_back(at->second);
+    const auto add = [&](const Dof dof, const double factor) {
+      columns.push_back(std::lower_bound(dofs.begin(), dofs.end(), dof) -
+                        dofs.begin());
       factors.push_back(factor);
     };
-    for (const Dof dof : eliminated)
+    for (unsigned int line = 0; line < lines.size(); ++line)
       {
-        add(dof, -1);
-        if (const auto *entries = constraints.get_constraint_entries(dof))
-          for (const auto &[other, factor] : *entries)
-            add(other, factor);
+        add(lines.dofs[line], -1);
+        for (unsigned int k = lines.begin(line); k < lines.end(line); ++k)
+          add(lines.others[k], lines.factors[k]);
         ends.push_back(columns.size());
       }
   }
@@ -62,10 +57,8 @@ namespace Contact
   void SurfaceProjection<Number>::share_values(const Vector &inverse)
   {
     const IndexSet owned = inverse.locally_owned_elements();
-    Dofs           sorted(dofs);
-    std::sort(sorted.begin(), sorted.end());
-    IndexSet used(owned.size());
-    used.add_indices(sorted.begin(), sorted.end());
+    IndexSet       used(owned.size());
+    used.add_indices(dofs.begin(), dofs.end());
     values.initialize(used, owned, inverse.get_mpi_communicator());
     own.clear();
     for (unsigned int j = 0; j < dofs.size(); ++j)

@@ -6,9 +6,8 @@
 #ifndef contact_surface_projection_h
 #define contact_surface_projection_h
 
-#include <deal.II/lac/affine_constraints.h>
-
 #include "solvers/definite_solver.h"
+#include "solvers/surface_rows.h"
 #include "solvers/surface_values.h"
 
 namespace Contact
@@ -35,11 +34,9 @@ namespace Contact
     using Dofs   = std::vector<Dof>;
     using Vector = LinearAlgebra::distributed::Vector<Number>;
 
-    /// On the lines of @p eliminated in closed @p constraints, whatever their
-    /// inhomogeneities, with the reciprocals @p inverse of the diagonal.
-    void initialize(const Dofs                      &eliminated,
-                    const AffineConstraints<double> &constraints,
-                    const Vector                    &inverse);
+    /// On the @p lines of all ranks, with the reciprocals @p inverse of the
+    /// diagonal.
+    void initialize(const SurfaceRows &lines, const Vector &inverse);
 
     /// P v.
     void project(Vector &v) const;
@@ -49,17 +46,16 @@ namespace Contact
     void project_transposed(Vector &v) const;
 
   private:
-    void read_lines(const Dofs                      &eliminated,
-                    const AffineConstraints<double> &constraints);
+    void read_lines(const SurfaceRows &lines);
     void share_values(const Vector &inverse);
     void factorize();
 
     /// at_surfaces = B^T S^-1 B at_surfaces.
     void make_reactions() const;
 
-    Dofs                  dofs; // those in the lines, numbered by their place
-    std::vector<double>   flexibilities; // of them, 1 / D
-    SurfaceValues<Number> values;
+    Dofs                      dofs; // those in the lines, in ascending order
+    std::vector<double>       flexibilities; // of them, 1 / D
+    SurfaceValues<Number>     values;
     std::vector<unsigned int> own; // of this rank, by number
 
     std::vector<unsigned int> ends; // of each line in the following

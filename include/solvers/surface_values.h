@@ -12,14 +12,16 @@
 #include <memory>
 #include <vector>
 
+#include "base/exchange.h"
+
 namespace Contact
 {
   using namespace dealii;
 
   /**
-   * Some unknowns of a vector, those of the surfaces, on all ranks that ask for
-   * them: read what others own, or add to it. On one rank these are the values
-   * of the vector itself.
+   * Some unknowns of a vector, those of the surfaces, on the ranks that use
+   * them, each its own ones: read what others own, or add to it. On one rank
+   * these are the values of the vector itself.
    */
   template<typename Number>
   class SurfaceValues
@@ -28,7 +30,8 @@ namespace Contact
     using Dof    = types::global_dof_index;
     using Vector = LinearAlgebra::distributed::Vector<Number>;
 
-    /// The unknowns @p used, of which @p owned are this rank's. Collective.
+    /// The unknowns @p used here, of vectors of which @p owned are this rank's.
+    /// Collective.
     void initialize(const IndexSet &used,
                     const IndexSet &owned,
                     const MPI_Comm  communicator)
@@ -38,11 +41,15 @@ namespace Contact
         return;
       IndexSet shared = used;
       shared.compress();
-      own_shared.clear();
       IndexSet own = shared & owned;
       own.fill_index_vector(own_shared);
       shared.subtract_set(owned);
       copies = std::make_shared<Vector>(owned, shared, communicator);
+      const auto &partitioner = *copies->get_partitioner();
+      for (const auto &[begin, end] : partitioner.import_indices())
+        for (unsigned int i = begin; i < end; ++i)
+          own_shared.push_back(partitioner.local_to_global(i));
+      sort_unique(own_shared);
     }
 
     /// Get the values of @p v. Collective.
@@ -87,7 +94,7 @@ namespace Contact
 
   private:
     bool             distributed = false;
-    std::vector<Dof> own_shared; // those used that this rank owns
+    std::vector<Dof> own_shared; // of this rank, that some rank uses
 
     /// Assignment to a vector would keep the ghosts that it has.
     std::shared_ptr<Vector> copies;
