@@ -93,7 +93,7 @@ namespace Contact
     for (auto &value : inverse->get_vector())
       value = value > 0 ? 1 / value : 1;
 
-    projection.initialize({}, inverse->get_vector());
+    projection.disable();
     has_lines = false;
 
     typename decltype(smoother)::AdditionalData data;

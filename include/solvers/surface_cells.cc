@@ -43,19 +43,23 @@ namespace Contact
                 first = place;
               has_cells = true;
             }
-        struct Part
-        {
-          unsigned int rank;
-          Binary       first;
-        };
-        const Part              part{Utilities::MPI::this_mpi_process(
-                          mesh.get_communicator()),
-                        first.template to_binary<dim>()};
-        const std::vector<Part> own(has_cells ? 1 : 0, part);
-        for (const Part &of_rank : gathered(own, mesh.get_communicator()))
+        // The rank and the name of its first cell.
+        std::vector<unsigned int> own;
+        if (has_cells)
           {
-            ranks.push_back(of_rank.rank);
-            firsts.emplace_back(of_rank.first);
+            const Binary name = first.template to_binary<dim>();
+            own.push_back(
+              Utilities::MPI::this_mpi_process(mesh.get_communicator()));
+            own.insert(own.end(), name.begin(), name.end());
+          }
+        const auto all = gathered(own, mesh.get_communicator());
+        for (auto at = all.begin(); at != all.end();)
+          {
+            Binary name;
+            ranks.push_back(*at++);
+            std::copy_n(at, name.size(), name.begin());
+            firsts.emplace_back(name);
+            at += name.size();
           }
       }
 

@@ -3,13 +3,13 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "solvers/surface_projection.h"
-
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/exchange.h"
+#include "solvers/surface_projection.h"
 
 namespace Contact
 {
@@ -17,12 +17,21 @@ namespace Contact
   void SurfaceProjection<Number>::initialize(const SurfaceRows &lines,
                                              const Vector      &inverse)
   {
+    const Dofs                      old_dofs    = dofs;
+    const std::vector<unsigned int> old_ends    = ends;
+    const std::vector<unsigned int> old_columns = columns;
     read_lines(lines);
-    share_values(inverse);
-    solver.reset();
-    matrix.clear();
-    if (!ends.empty())
-      factorize();
+    is_active = !ends.empty();
+    if (dofs != old_dofs)
+      share_dofs(inverse);
+    read_flexibilities(inverse);
+    if (is_active)
+      factorize(!solver || ends != old_ends || columns != old_columns);
+    else
+      {
+        solver.reset();
+        matrix.clear();
+      }
   }
 
 
@@ -54,56 +63,126 @@ namespace Contact
 
 
   template<typename Number>
-  void SurfaceProjection<Number>::share_values(const Vector &inverse)
+  void SurfaceProjection<Number>::share_dofs(const Vector &like)
   {
-    const IndexSet owned = inverse.locally_owned_elements();
+    const IndexSet owned = like.locally_owned_elements();
     IndexSet       used(owned.size());
     used.add_indices(dofs.begin(), dofs.end());
-    values.initialize(used, owned, inverse.get_mpi_communicator());
+    values.initialize(used, owned, like.get_mpi_communicator());
     own.clear();
     for (unsigned int j = 0; j < dofs.size(); ++j)
       if (owned.is_element(dofs[j]))
         own.push_back(j);
-    values.read(inverse);
-    flexibilities.clear();
-    for (const Dof dof : dofs)
-      flexibilities.push_back(values(inverse, dof));
     at_surfaces.resize(dofs.size());
   }
 
 
 
   template<typename Number>
-  void SurfaceProjection<Number>::factorize()
+  void SurfaceProjection<Number>::read_flexibilities(const Vector &inverse)
   {
-    std::vector<std::vector<std::pair<unsigned int, double>>> by_dof(
-      dofs.size());
+    values.read(inverse);
+    flexibilities.clear();
+    for (const Dof dof : dofs)
+      flexibilities.push_back(values(inverse, dof));
+  }
+
+
+
+  // By numbers: of each unknown the lines that it is in.
+  template<typename Number>
+  SurfaceRows SurfaceProjection<Number>::lines_of_dofs() const
+  {
+    SurfaceRows rows;
+    rows.ends.assign(dofs.size() + 1, 0);
+    for (const unsigned int column : columns)
+      ++rows.ends[column + 1];
+    std::partial_sum(rows.ends.begin(), rows.ends.end(), rows.ends.begin());
+    std::vector<unsigned int> next(rows.ends.begin(), rows.ends.end() - 1);
+    rows.ends.erase(rows.ends.begin());
+    rows.others.resize(columns.size());
+    rows.factors.resize(columns.size());
     unsigned int k = 0;
     for (unsigned int i = 0; i < ends.size(); ++i)
       for (; k < ends[i]; ++k)
-        by_dof[columns[k]].emplace_back(i, factors[k]);
+        {
+          const unsigned int at = next[columns[k]]++;
+          rows.others[at]       = i;
+          rows.factors[at]      = factors[k];
+        }
+    return rows;
+  }
 
-    DynamicSparsityPattern pattern(ends.size(), ends.size());
-    for (const auto &of_dof : by_dof)
-      for (const auto &row : of_dof)
-        for (const auto &column : of_dof)
-          pattern.add(row.first, column.first);
-    const IndexSet all = complete_index_set(ends.size());
-    matrix.reinit(all, all, pattern, MPI_COMM_SELF);
-    for (unsigned int j = 0; j < dofs.size(); ++j)
-      for (const auto &[row, factor] : by_dof[j])
-        for (const auto &[column, other] : by_dof[j])
-          matrix.add(row, column, flexibilities[j] * factor * other);
-    matrix.compress(VectorOperation::add);
 
-    solver = DefiniteSolver::create(Parameters::SolverKind::cholmod,
-                                    /*symmetric=*/true,
-                                    /*may_be_indefinite=*/false,
-                                    {},
-                                    counters);
-    solver->set_matrix(matrix, true, true, {});
-    gaps.reinit(all, MPI_COMM_SELF);
-    pressures.reinit(all, MPI_COMM_SELF);
+
+  template<typename Number>
+  SurfaceRows SurfaceProjection<Number>::compliance() const
+  {
+    const SurfaceRows   of_dofs = lines_of_dofs();
+    SurfaceRows         result;
+    std::vector<double> sums(ends.size(), 0.);
+    std::vector<bool>   is_in_row(ends.size(), false);
+    Dofs                of_row;
+    unsigned int        k = 0;
+    for (unsigned int i = 0; i < ends.size(); ++i)
+      {
+        of_row.clear();
+        for (; k < ends[i]; ++k)
+          {
+            const unsigned int j      = columns[k];
+            const double       factor = flexibilities[j] * factors[k];
+            for (unsigned int l = of_dofs.begin(j); l < of_dofs.end(j); ++l)
+              {
+                const Dof line = of_dofs.others[l];
+                if (!is_in_row[line])
+                  of_row.push_back(line);
+                is_in_row[line] = true;
+                sums[line] += factor * of_dofs.factors[l];
+              }
+          }
+        std::sort(of_row.begin(), of_row.end());
+        for (const Dof line : of_row)
+          {
+            result.add_entry(line, sums[line]);
+            sums[line]      = 0;
+            is_in_row[line] = false;
+          }
+        result.end_row(i);
+      }
+    return result;
+  }
+
+
+
+  template<typename Number>
+  void SurfaceProjection<Number>::factorize(const bool new_pattern)
+  {
+    const SurfaceRows rows = compliance();
+    if (new_pattern)
+      {
+        const IndexSet         all = complete_index_set(rows.size());
+        DynamicSparsityPattern pattern(rows.size(), rows.size());
+        for (unsigned int i = 0; i < rows.size(); ++i)
+          pattern.add_entries(i,
+                              rows.others.begin() + rows.begin(i),
+                              rows.others.begin() + rows.end(i),
+                              /*indices_are_sorted=*/true);
+        solver = DefiniteSolver::create(Parameters::SolverKind::cholmod,
+                                        /*symmetric=*/true,
+                                        /*may_be_indefinite=*/false,
+                                        {},
+                                        counters);
+        matrix.reinit(all, all, pattern, MPI_COMM_SELF);
+        gaps.reinit(all, MPI_COMM_SELF);
+        pressures.reinit(all, MPI_COMM_SELF);
+      }
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      matrix.set(i,
+                 rows.end(i) - rows.begin(i),
+                 rows.others.data() + rows.begin(i),
+                 rows.factors.data() + rows.begin(i));
+    matrix.compress(VectorOperation::insert);
+    solver->set_matrix(matrix, true, new_pattern, {});
   }
 
 
@@ -132,7 +211,7 @@ namespace Contact
   template<typename Number>
   void SurfaceProjection<Number>::project(Vector &v) const
   {
-    if (!solver)
+    if (!is_active)
       return;
     values.read(v);
     for (unsigned int j = 0; j < dofs.size(); ++j)
@@ -147,7 +226,7 @@ namespace Contact
   template<typename Number>
   void SurfaceProjection<Number>::project_transposed(Vector &v) const
   {
-    if (!solver)
+    if (!is_active)
       return;
     values.read(v);
     for (unsigned int j = 0; j < dofs.size(); ++j)

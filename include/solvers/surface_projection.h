@@ -35,8 +35,15 @@ namespace Contact
     using Vector = LinearAlgebra::distributed::Vector<Number>;
 
     /// On the @p lines of all ranks, with the reciprocals @p inverse of the
-    /// diagonal.
+    /// diagonal. What depends on the pattern alone is kept while that is the
+    /// same.
     void initialize(const SurfaceRows &lines, const Vector &inverse);
+
+    /// No projection, until there are lines.
+    void disable()
+    {
+      is_active = false;
+    }
 
     /// P v.
     void project(Vector &v) const;
@@ -47,8 +54,13 @@ namespace Contact
 
   private:
     void read_lines(const SurfaceRows &lines);
-    void share_values(const Vector &inverse);
-    void factorize();
+    void share_dofs(const Vector &like);
+    void read_flexibilities(const Vector &inverse);
+    void factorize(const bool new_pattern);
+
+    /// By numbers: of each unknown the lines that it is in, and S.
+    SurfaceRows lines_of_dofs() const;
+    SurfaceRows compliance() const;
 
     /// at_surfaces = B^T S^-1 B at_surfaces.
     void make_reactions() const;
@@ -56,7 +68,8 @@ namespace Contact
     Dofs                      dofs; // those in the lines, in ascending order
     std::vector<double>       flexibilities; // of them, 1 / D
     SurfaceValues<Number>     values;
-    std::vector<unsigned int> own; // of this rank, by number
+    std::vector<unsigned int> own;               // of this rank, by number
+    bool                      is_active = false; // there are lines
 
     std::vector<unsigned int> ends; // of each line in the following
     std::vector<unsigned int> columns;
@@ -64,7 +77,7 @@ namespace Contact
 
     Counters                        counters; // of surfaces, no one asks
     TrilinosWrappers::SparseMatrix  matrix;
-    std::unique_ptr<DefiniteSolver> solver; // none without lines
+    std::unique_ptr<DefiniteSolver> solver;
     mutable DefiniteSolver::Vector  gaps, pressures;
     mutable std::vector<double>     at_surfaces;
   };
