@@ -58,9 +58,13 @@ namespace Contact
       }
     if (stiffest > largest_ratio * softest)
       return "bodies more than 10000 times as stiff as others";
-    for (const auto &cell : elasticity.cells())
-      if (cell.is_special)
-        return "incompatible modes";
+    const bool has_special_cell =
+      std::any_of(elasticity.cells().begin(),
+                  elasticity.cells().end(),
+                  [](const auto &cell) { return cell.is_special; });
+    if (Utilities::MPI::max(static_cast<unsigned int>(has_special_cell),
+                            discretization.communicator) > 0)
+      return "incompatible modes";
     if (!elasticity.is_linear() && elasticity.has_thermal_strain())
       return "thermal strains in large displacement";
     if (!discretization.rigid_boundaries().empty())

@@ -40,6 +40,7 @@ namespace Contact
                      TimerOutput                 &timer);
 
     /// The part of a scene that it is not for, behind "of"; empty if it serves.
+    /// Collective, as what follows.
     static std::string refusal(const Discretization<dim> &discretization,
                                const Elasticity<dim>     &elasticity);
 
