@@ -6,13 +6,13 @@
 #ifndef contact_surface_values_h
 #define contact_surface_values_h
 
-#include <deal.II/base/index_set.h>
+#include <deal.II/base/array_view.h>
+#include <deal.II/base/partitioner.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
-
-#include "base/exchange.h"
 
 namespace Contact
 {
@@ -36,68 +36,86 @@ namespace Contact
                     const IndexSet &owned,
                     const MPI_Comm  communicator)
     {
-      distributed = Utilities::MPI::n_mpi_processes(communicator) > 1;
-      if (!distributed)
+      partitioner.reset();
+      if (Utilities::MPI::n_mpi_processes(communicator) == 1)
         return;
       IndexSet shared = used;
-      shared.compress();
-      IndexSet own = shared & owned;
-      own.fill_index_vector(own_shared);
       shared.subtract_set(owned);
-      copies = std::make_shared<Vector>(owned, shared, communicator);
-      const auto &partitioner = *copies->get_partitioner();
-      for (const auto &[begin, end] : partitioner.import_indices())
-        for (unsigned int i = begin; i < end; ++i)
-          own_shared.push_back(partitioner.local_to_global(i));
-      sort_unique(own_shared);
+      partitioner = std::make_shared<Utilities::MPI::Partitioner>(owned,
+                                                                  shared,
+                                                                  communicator);
+      ghosts.resize(partitioner->n_ghost_indices());
+      messages.resize(partitioner->n_import_indices());
     }
 
     /// Get the values of @p v. Collective.
     void read(const Vector &v) const
     {
-      if (!distributed)
+      if (!partitioner)
         return;
-      for (const Dof dof : own_shared)
-        (*copies)(dof) = v(dof);
-      copies->update_ghost_values();
+      partitioner->template export_to_ghosted_array_start<Number>(
+        channel,
+        ArrayView<const Number>(v.begin(), v.locally_owned_size()),
+        make_array_view(messages),
+        make_array_view(ghosts),
+        requests);
+      partitioner->template export_to_ghosted_array_finish<Number>(
+        make_array_view(ghosts),
+        requests);
     }
 
     Number operator()(const Vector &v, const Dof dof) const
     {
-      return distributed ? (*copies)(dof) : v(dof);
+      return is_own(dof) ? v(dof) : ghost(dof);
     }
 
     /// Begin to add.
     void clear() const
     {
-      if (!distributed)
-        return;
-      copies->zero_out_ghost_values();
-      for (const Dof dof : own_shared)
-        (*copies)(dof) = 0;
+      std::fill(ghosts.begin(), ghosts.end(), Number(0));
     }
 
     void add(Vector &v, const Dof dof, const Number value) const
     {
-      (distributed ? (*copies)(dof) : v(dof)) += value;
+      (is_own(dof) ? v(dof) : ghost(dof)) += value;
     }
 
     /// Add what all ranks have added to @p v. Collective.
     void add_to(Vector &v) const
     {
-      if (!distributed)
+      if (!partitioner)
         return;
-      copies->compress(VectorOperation::add);
-      for (const Dof dof : own_shared)
-        v(dof) += (*copies)(dof);
+      partitioner->template import_from_ghosted_array_start<Number>(
+        VectorOperation::add,
+        channel,
+        make_array_view(ghosts),
+        make_array_view(messages),
+        requests);
+      partitioner->template import_from_ghosted_array_finish<Number>(
+        VectorOperation::add,
+        ArrayView<const Number>(messages.data(), messages.size()),
+        ArrayView<Number>(v.begin(), v.locally_owned_size()),
+        make_array_view(ghosts),
+        requests);
     }
 
   private:
-    bool             distributed = false;
-    std::vector<Dof> own_shared; // of this rank, that some rank uses
+    bool is_own(const Dof dof) const
+    {
+      return !partitioner || partitioner->in_local_range(dof);
+    }
 
-    /// Assignment to a vector would keep the ghosts that it has.
-    std::shared_ptr<Vector> copies;
+    Number &ghost(const Dof dof) const
+    {
+      return ghosts[partitioner->ghost_indices().index_within_set(dof)];
+    }
+
+    static constexpr unsigned int channel = 0; // one exchange at a time
+
+    std::shared_ptr<const Utilities::MPI::Partitioner> partitioner;
+    mutable std::vector<Number>      ghosts; // what others own
+    mutable std::vector<Number>      messages;
+    mutable std::vector<MPI_Request> requests;
   };
 } // namespace Contact
 
