@@ -201,17 +201,25 @@ namespace Contact
           if (k == numbers::invalid_unsigned_int)
             continue;
           state.place.push_back(contact_pair.slave.nodes[i].X);
+          const ContactPoint<3> &point = interface.points()[k];
           state.pressure.push_back(solution[interface.normal_index(k)]);
-          state.bound.push_back(interface.points()[k].friction_bound);
-          state.statuses.push_back(interface.points()[k].status);
+          state.bound.push_back(point.friction_bound);
+          Tensor<1, 2> shear;
+          for (unsigned int t = 0; t < 2 && !contact_pair.law.is_frictionless();
+               ++t)
+            shear[t] = solution[interface.tangential_index(k, t)];
+          state.shear.push_back(point.along_tangents(shear));
+          state.statuses.push_back(point.status);
+          state.slip_directions.push_back(
+            point.along_tangents(point.status.direction()));
         }
       return state;
     }
 
 
 
-    // What the nearest node of the coarser mesh has; the shears follow from the
-    // forces of the bodies.
+    // What the nearest node of the coarser mesh has. Shears and directions of
+    // slip are those along other tangents.
     void restore_pair(const SurfaceState<3>        &state,
                       const ContactPair<3>         &contact_pair,
                       const ContactInterface<3>    &interface,
@@ -230,9 +238,19 @@ namespace Contact
           points[k].friction_bound            = state.bound[n];
           points[k].status =
             points[k].facing ? state.statuses[n] : PointStatus<3>();
-          // Its direction is that of another frame.
+          const Tensor<1, 2> shear = points[k].tangential_part(state.shear[n]);
+          for (unsigned int t = 0; t < 2 && !contact_pair.law.is_frictionless();
+               ++t)
+            solution[interface.tangential_index(k, t)] = shear[t];
           if (points[k].status.has_direction())
-            points[k].status = {Status::stick, {}};
+            {
+              const Tensor<1, 2> along =
+                points[k].tangential_part(state.slip_directions[n]);
+              if (along.norm() > 0)
+                points[k].status.slip_direction = along / along.norm();
+              else
+                points[k].status = {Status::stick, {}};
+            }
         }
     }
 

@@ -42,7 +42,9 @@ namespace Contact
   {
     std::vector<Point<3>>       place;
     std::vector<double>         pressure, bound; // [MPa]
+    std::vector<Tensor<1, 3>>   shear;           // [MPa]
     std::vector<PointStatus<3>> statuses;
+    std::vector<Tensor<1, 3>>   slip_directions;
   };
 
 

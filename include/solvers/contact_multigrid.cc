@@ -13,6 +13,58 @@
 
 namespace Contact
 {
+  namespace
+  {
+    /// The way of a spring by unknowns that are not eliminated.
+    SurfaceRows::Sum reduced(const SurfaceSpring::Way        &way,
+                             const AffineConstraints<double> &lines)
+    {
+      SurfaceRows::Sum sum;
+      for (const auto &[dof, factor] : way)
+        if (!lines.is_constrained(dof))
+          sum[dof] += factor;
+        else if (const auto *entries = lines.get_constraint_entries(dof))
+          for (const auto &[other, share] : *entries)
+            sum[other] += factor * share;
+      return sum;
+    }
+
+
+
+    void add_couplings(const SurfaceRows      &springs,
+                       DynamicSparsityPattern &pattern)
+    {
+      for (unsigned int row = 0; row < springs.size(); ++row)
+        for (unsigned int k = springs.begin(row); k < springs.end(row); ++k)
+          pattern.add_entries(springs.others[k],
+                              springs.others.data() + springs.begin(row),
+                              springs.others.data() + springs.end(row));
+    }
+
+
+
+    void add_spring(const double                    stiffness,
+                    const SurfaceRows              &springs,
+                    const unsigned int              row,
+                    TrilinosWrappers::SparseMatrix &matrix)
+    {
+      const unsigned int  begin = springs.begin(row);
+      std::vector<double> values(springs.end(row) - begin);
+      for (unsigned int k = begin; k < springs.end(row); ++k)
+        {
+          for (unsigned int j = 0; j < values.size(); ++j)
+            values[j] =
+              stiffness * springs.factors[k] * springs.factors[begin + j];
+          matrix.add(springs.others[k],
+                     values.size(),
+                     springs.others.data() + begin,
+                     values.data());
+        }
+    }
+  } // namespace
+
+
+
   template<int dim>
   ContactMultigrid<dim>::ContactMultigrid(
     const Discretization<dim>   &discretization,
@@ -141,9 +193,10 @@ namespace Contact
 
   template<int dim>
   void ContactMultigrid<dim>::set_lines(
-    const Dofs                      &eliminated,
-    const AffineConstraints<double> &constraints,
-    const AffineConstraints<double> &test_constraints)
+    const Dofs                       &eliminated,
+    const AffineConstraints<double>  &constraints,
+    const AffineConstraints<double>  &test_constraints,
+    const std::vector<SurfaceSpring> &springs)
   {
     MultigridLevel<dim> &finest = *levels.back();
     const IndexSet      &owned  = finest.dof_handler.locally_owned_dofs();
@@ -152,6 +205,7 @@ namespace Contact
         .of_all_ranks(discretization.communicator);
     };
     const bool is_symmetric = &test_constraints == &constraints;
+    finest.set_springs(springs);
     test_projection.initialize(is_symmetric ? SurfaceRows()
                                             : lines_of(test_constraints),
                                finest.inverse_diagonal());
@@ -218,11 +272,18 @@ namespace Contact
   {
     const MultigridLevel<dim> &level = *levels[0];
     const unsigned int         n = level.dof_handler.get_fe().n_dofs_per_cell();
-    const bool                 new_pattern =
-      !coarse_solver || !coarse_lines.has_pattern_of(level.all_lines());
-    coarse_lines                        = level.all_lines();
+    const bool new_lines = !coarse_lines.has_pattern_of(level.all_lines());
+    coarse_lines         = level.all_lines();
     const AffineConstraints<double> all = coarse_constraints();
-    Dofs                            dofs(n);
+    SurfaceRows                     springs;
+    for (const auto &spring : level.own_springs())
+      springs.add_row(numbers::invalid_dof_index, reduced(spring.way, all));
+    const SurfaceRows of_all =
+      springs.of_all_ranks(discretization.communicator);
+    const bool new_pattern =
+      !coarse_solver || new_lines || !coarse_springs.has_pattern_of(of_all);
+    coarse_springs = of_all;
+    Dofs dofs(n);
     if (new_pattern)
       {
         DynamicSparsityPattern pattern(level.m(), level.m());
@@ -236,6 +297,7 @@ namespace Contact
           }
         for (Dof i = 0; i < level.m(); ++i)
           pattern.add(i, i);
+        add_couplings(of_all, pattern);
         const IndexSet rows = complete_index_set(level.m());
         coarse_solver.reset();
         coarse_matrix.clear();
@@ -253,6 +315,8 @@ namespace Contact
           cell->get_dof_indices(dofs);
           all.distribute_local_to_global(*tangent++, dofs, coarse_matrix);
         }
+    for (unsigned int k = 0; k < springs.size(); ++k)
+      add_spring(level.own_springs()[k].stiffness, springs, k, coarse_matrix);
     coarse_matrix.compress(VectorOperation::add);
     int    *starts, *columns;
     double *values;

@@ -49,10 +49,12 @@ namespace Contact
     /// Take over the elimination of the active points: of @p eliminated in the
     /// closed @p constraints of the displacements and in those of the virtual
     /// ones, which may be the same. Of all these the lines are read whose
-    /// eliminated unknown is this rank's; it need not give others.
-    void set_lines(const Dofs                      &eliminated,
-                   const AffineConstraints<double> &constraints,
-                   const AffineConstraints<double> &test_constraints);
+    /// eliminated unknown is this rank's; it need not give others. And of the
+    /// @p springs between the surfaces, of which each rank gives its own.
+    void set_lines(const Dofs                       &eliminated,
+                   const AffineConstraints<double>  &constraints,
+                   const AffineConstraints<double>  &test_constraints,
+                   const std::vector<SurfaceSpring> &springs);
 
     /// One V-cycle.
     void vmult(Fine &dst, const Fine &src) const;
@@ -90,6 +92,7 @@ namespace Contact
 
     std::vector<FullMatrix<double>> coarse_tangents; // of this rank's cells
     SurfaceRows                     coarse_lines;    // in the matrix
+    SurfaceRows                     coarse_springs;  // their ways, in it
     TrilinosWrappers::SparseMatrix  coarse_matrix;
     std::unique_ptr<DefiniteSolver> coarse_solver;
     Fine                            coarse_displacement; // if large

@@ -180,12 +180,12 @@ namespace Contact
 
 
 
-  // What lines of before have needed is there still.
+  // What has been needed before is there still.
   template<int dim>
-  void LevelTransfer<dim>::get_rows(const SurfaceRows &lines)
+  void LevelTransfer<dim>::get_rows(const Dofs &fine_dofs)
   {
     Dofs missing;
-    for (const Dof dof : lines.others)
+    for (const Dof dof : fine_dofs)
       if (!rows.has(dof) && !others.has(dof))
         missing.push_back(dof);
     sort_unique(missing);
@@ -351,13 +351,37 @@ namespace Contact
 
 
 
+  // With ways interpolated, springs have the energy in displacements of the
+  // coarse level that they have on the fine one.
+  template<int dim>
+  std::vector<SurfaceSpring> LevelTransfer<dim>::coarse_springs() const
+  {
+    std::vector<SurfaceSpring> springs;
+    Sum                        sum;
+    for (const auto &[stiffness, way] : fine.own_springs())
+      {
+        sum.clear();
+        for (const auto &[dof, factor] : way)
+          add_coarse(dof, factor, sum);
+        springs.push_back({stiffness, {sum.begin(), sum.end()}});
+      }
+    return springs;
+  }
+
+
+
   // What leads lines to each other is decided by all ranks in the same way: the
   // coarse level has all lines on all ranks.
   template<int dim>
   bool LevelTransfer<dim>::hand_down()
   {
-    const SurfaceRows lines = fine.own_lines();
-    get_rows(lines);
+    const SurfaceRows lines  = fine.own_lines();
+    Dofs              needed = lines.others;
+    for (const auto &spring : fine.own_springs())
+      for (const auto &entry : spring.way)
+        needed.push_back(entry.first);
+    get_rows(needed);
+    coarse.set_springs(coarse_springs());
     SurfaceRows made = lines_at_nodes(lines).of_all_ranks(communicator);
     made.sort();
     add_lines_between(lines, made);

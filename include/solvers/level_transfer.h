@@ -51,8 +51,8 @@ namespace Contact
     /// After both levels have their supports. Collective.
     void initialize();
 
-    /// Give the coarse level the lines of the fine one. Returns whether they
-    /// are others than before. Collective.
+    /// Give the coarse level the lines and the springs of the fine one. Returns
+    /// whether they are others than before. Collective.
     bool hand_down();
 
     /// The displacement of the fine level on the coarse one.
@@ -83,7 +83,7 @@ namespace Contact
          make_rows(const SurfaceCells<dim>                               &of_fine,
                    const std::vector<typename SurfaceCells<dim>::Coarse> &coarse);
     void resolve_constraints();
-    void get_rows(const SurfaceRows &lines);
+    void get_rows(const Dofs &fine_dofs);
 
     /// Add a fine unknown times @p factor to @p sum, by unknowns of the coarse
     /// level that are not constrained.
@@ -91,6 +91,7 @@ namespace Contact
 
     SurfaceRows lines_at_nodes(const SurfaceRows &lines) const;
     void add_lines_between(const SurfaceRows &lines, SurfaceRows &made) const;
+    std::vector<SurfaceSpring> coarse_springs() const;
 
     Level                          &coarse, &fine;
     const MPI_Comm                  communicator;

@@ -243,8 +243,36 @@ namespace Contact
   {
     multigrid->set_lines(elimination.eliminated_dofs(),
                          elimination.constraints(),
-                         elimination.test_constraints());
+                         elimination.test_constraints(),
+                         springs());
     indefinite.reset();
+  }
+
+
+
+  // The turning of shears. Unknowns that hang on others or are supported have
+  // no values of their own.
+  template<int dim>
+  std::vector<SurfaceSpring> MatrixFreeSystem<dim>::springs() const
+  {
+    std::vector<SurfaceSpring> all;
+    std::map<Dof, double>      sum;
+    for (const auto &term : elimination.turning_terms())
+      if (owned.is_element(term.dofs[0]))
+        for (const auto &[stiffness, way] : term.springs)
+          {
+            sum.clear();
+            for (unsigned int k = 0; k < way.size(); ++k)
+              if (const auto *entries =
+                    discretization.constraints.get_constraint_entries(
+                      term.dofs[k]))
+                for (const auto &[dof, factor] : *entries)
+                  sum[dof] += factor * way[k];
+              else if (way[k] != 0)
+                sum[term.dofs[k]] += way[k];
+            all.push_back({stiffness, {sum.begin(), sum.end()}});
+          }
+    return all;
   }
 
 

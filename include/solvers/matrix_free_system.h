@@ -69,6 +69,7 @@ namespace Contact
 
   private:
     using Base = CondensedSystem<dim>;
+    using Dof  = types::global_dof_index;
     using Dofs = typename Base::Dofs;
     using Base::discretization;
     using Base::elasticity;
@@ -92,6 +93,8 @@ namespace Contact
                                GhostedVector       &x) override;
 
     void add_terms(Vector &dst) const;
+
+    std::vector<SurfaceSpring> springs() const;
 
     static constexpr unsigned int max_iterations = 200;
 

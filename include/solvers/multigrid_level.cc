@@ -88,11 +88,10 @@ namespace Contact
   template<int dim>
   void MultigridLevel<dim>::make_smoother()
   {
-    inverse               = std::make_shared<DiagonalMatrix<Vector>>();
-    inverse->get_vector() = bodies->diagonal();
-    for (auto &value : inverse->get_vector())
-      value = value > 0 ? 1 / value : 1;
-
+    diagonal = bodies->diagonal();
+    inverse  = std::make_shared<DiagonalMatrix<Vector>>();
+    springs.initialize({}, dof_handler.locally_owned_dofs(), communicator);
+    invert_diagonal();
     projection.disable();
     has_lines = false;
 
@@ -102,7 +101,41 @@ namespace Contact
     data.eig_cg_n_iterations = 12;
     data.preconditioner      = inverse;
     smoother.initialize(*this, data);
-    smoother.estimate_eigenvalues(rhs);
+    largest_eigenvalue =
+      smoother.estimate_eigenvalues(rhs).max_eigenvalue_estimate;
+  }
+
+
+
+  // With E the diagonal matrix of the row sums, which is not smaller than the
+  // springs W, and lambda the largest eigenvalue of K by D,
+  //   K + W <= lambda D + E = lambda (D + E / lambda):
+  // by this diagonal no eigenvalue is larger than those of the bodies alone,
+  // which the smoother is made for.
+  template<int dim>
+  void MultigridLevel<dim>::invert_diagonal()
+  {
+    Vector &inverted = inverse->get_vector();
+    inverted         = diagonal;
+    springs.add_row_sums(1 / largest_eigenvalue, inverted);
+    for (auto &value : inverted)
+      value = value > 0 ? 1 / value : 1;
+  }
+
+
+
+  template<int dim>
+  void MultigridLevel<dim>::set_springs(
+    const std::vector<SurfaceSpring> &new_springs)
+  {
+    const bool had_any = springs.are_any();
+    springs.initialize(new_springs,
+                       dof_handler.locally_owned_dofs(),
+                       communicator);
+    if (!had_any && !springs.are_any())
+      return;
+    invert_diagonal();
+    has_lines = false; // the projection is of another diagonal
   }
 
 
@@ -128,6 +161,7 @@ namespace Contact
   void MultigridLevel<dim>::vmult(Vector &dst, const Vector &src) const
   {
     bodies->vmult(dst, src);
+    springs.add_forces(dst, src);
     projection.project_transposed(dst);
   }
 

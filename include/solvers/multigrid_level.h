@@ -12,6 +12,7 @@
 #include "solvers/body_operator.h"
 #include "solvers/surface_lines.h"
 #include "solvers/surface_projection.h"
+#include "solvers/surface_springs.h"
 
 namespace Contact
 {
@@ -51,7 +52,18 @@ namespace Contact
     /// before, or the operator is. Collective.
     bool set_lines(SurfaceRows new_lines);
 
-    /// P^T K, of displacements that fulfil the lines P^T K P.
+    /// Take over springs between the surfaces, of which each rank gives its
+    /// own, before the lines. Collective.
+    void set_springs(const std::vector<SurfaceSpring> &new_springs);
+
+    /// Those of this rank.
+    const std::vector<SurfaceSpring> &own_springs() const
+    {
+      return springs.list();
+    }
+
+    /// P^T (K + W), W the springs; of displacements that fulfil the lines
+    /// P^T (K + W) P.
     void vmult(Vector &dst, const Vector &src) const;
 
     /// The unknowns, for PreconditionChebyshev.
@@ -113,17 +125,21 @@ namespace Contact
 
   private:
     void make_smoother();
+    void invert_diagonal();
     Dofs on_ghosts(const Dofs &own) const;
 
     const MPI_Comm                                communicator;
     const std::map<types::material_id, Material> &materials;
     AffineConstraints<Number>                     constraints;
     std::unique_ptr<BodyOperator<dim, Number>>    bodies;
-    std::shared_ptr<DiagonalMatrix<Vector>>       inverse; // of the diagonal
-    SurfaceRows                                   lines_of_all;
-    bool                                          has_lines = false;
-    SurfaceLines<Number>                          lines;
-    SurfaceProjection<Number>                     projection;
+    Vector                                        diagonal;
+    double largest_eigenvalue = 1; // of the bodies by their diagonal
+    std::shared_ptr<DiagonalMatrix<Vector>> inverse; // with the springs
+    SurfaceSprings<Number>                  springs;
+    SurfaceRows                             lines_of_all;
+    bool                                    has_lines = false;
+    SurfaceLines<Number>                    lines;
+    SurfaceProjection<Number>               projection;
     PreconditionChebyshev<MultigridLevel, Vector, DiagonalMatrix<Vector>>
       smoother;
   };

@@ -48,6 +48,16 @@ namespace Contact
                 term.stiffness(3 * a + i, 3 * b + j) =
                   point.C[a] * point.C[b] * k[i][j];
           }
+      for (const auto &[value, direction] :
+           eigenvectors(symmetrize(term.of_slip)))
+        if (value > 0)
+          {
+            const Tensor<1, 3> along = point.along_tangents(direction);
+            Vector<double>     way(n);
+            for (unsigned int k = 0; k < n; ++k)
+              way[k] = point.C[k / 3] * along[k % 3];
+            term.springs.emplace_back(point.weight * value, way);
+          }
       return term;
     }
   } // namespace

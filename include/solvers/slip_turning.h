@@ -48,6 +48,9 @@ namespace Contact
       std::vector<types::global_dof_index> dofs = {};
       FullMatrix<double> stiffness = FullMatrix<double>(); // [N/mm]
       Vector<double>     load      = {};                   // [N]
+
+      /// The stiffness as springs: a factor [N/mm], and the way by unknown.
+      std::vector<std::pair<double, Vector<double>>> springs = {};
     };
 
     /// Of the slipping points in a state. With @p moving_bound the bound is
