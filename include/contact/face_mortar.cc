@@ -223,25 +223,29 @@ namespace Contact
         old_dofs.push_back(point.dofs);
         point.change = PairingChange<3>();
       }
-    Last now{motion(u), {}, {}};
-    if (!with_derivatives && now.motion == last.motion &&
-        last.pairings.size() == points.size())
-      for (unsigned int q = 0; q < points.size(); ++q)
+    Last              now{motion(u), {}, {}};
+    std::vector<bool> paired(points.size(), false);
+    const bool        is_same =
+      now.motion == last.motion && last.pairings.size() == points.size();
+    for (unsigned int q = 0; q < points.size() && is_same; ++q)
+      if (!with_derivatives || points[q].status.kind == Status::open)
         {
           const auto motions                        = points[q].motions;
           points[q].weight                          = last.weights[q];
           static_cast<PointPairing<3> &>(points[q]) = last.pairings[q];
           points[q].motions                         = motions;
+          paired[q]                                 = true;
         }
-    else
+    if (std::find(paired.begin(), paired.end(), false) != paired.end())
+      pair_anew(points, u, with_derivatives, paired);
+    if (!is_same)
       {
-        pair_anew(points, u, with_derivatives);
-        if (!with_derivatives)
-          for (const ContactPoint<3> &point : points)
-            {
-              now.weights.push_back(point.weight);
-              now.pairings.push_back(point);
-            }
+        for (const ContactPoint<3> &point : points)
+          {
+            now.weights.push_back(point.weight);
+            now.pairings.push_back(point);
+            now.pairings.back().change = PairingChange<3>();
+          }
         last = std::move(now);
       }
     return !std::equal(points.begin(),
@@ -257,34 +261,43 @@ namespace Contact
   void
   MortarDiscretization<3>::pair_anew(const ArrayView<ContactPoint<3>> &points,
                                      const GhostedVector              &u,
-                                     const bool with_derivatives) const
+                                     const bool               with_derivatives,
+                                     const std::vector<bool> &paired) const
   {
     if (!point_shares)
       point_shares.emplace(points.size(), discretization.communicator);
-    Timer             timer;
-    std::vector<bool> is_own(slave.nodes.size(), false);
+    Timer                     timer;
+    std::vector<bool>         is_own(slave.nodes.size(), false);
+    std::vector<unsigned int> own;
     for (unsigned int q = point_shares->first(); q < point_shares->end(); ++q)
-      is_own[slave_node(points[q])] = true;
+      if (!paired[q])
+        {
+          own.push_back(q);
+          is_own[slave_node(points[q])] = true;
+        }
 
     const FaceConfiguration                now(slave, master, planes, u);
     FaceSegments                           segments(slave, master, now);
     std::vector<NodeIntegrals>             of_nodes(slave.nodes.size());
     std::vector<std::vector<Tensor<1, 3>>> distances(slave.facets.size());
-    for (unsigned int q = point_shares->first(); q < point_shares->end(); ++q)
+    for (const unsigned int q : own)
       if (with_derivatives && points[q].status.kind != Status::open)
         of_nodes[slave_node(points[q])].change.emplace();
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       if (carries_any(e, is_own))
         integrate(e, segments.samples(e), now, distances[e], of_nodes);
 
-    for (unsigned int q = point_shares->first(); q < point_shares->end(); ++q)
+    for (const unsigned int q : own)
       {
         const unsigned int node = slave_node(points[q]);
         fill_in(of_nodes[node], node, now, u, points[q]);
         if (of_nodes[node].change && points[q].facing)
           differentiate(of_nodes[node], node, now, points[q]);
       }
-    point_shares->exchange(points, timer.wall_time());
+    const double seconds = timer.wall_time();
+    point_shares->exchange(points);
+    if (std::find(paired.begin(), paired.end(), true) == paired.end())
+      point_shares->balance(seconds);
   }
 
 

@@ -100,9 +100,11 @@ namespace Contact
       std::vector<std::unique_ptr<FaceMortarChange::OfFacets>> changes;
     };
 
+    /// All points but those that are @p paired already.
     void pair_anew(const ArrayView<ContactPoint<3>> &points,
                    const GhostedVector              &u,
-                   const bool                        with_derivatives) const;
+                   const bool                        with_derivatives,
+                   const std::vector<bool>          &paired) const;
 
     void integrate(const unsigned int             slave_facet,
                    const std::vector<FaceSample> &points,
@@ -189,9 +191,9 @@ namespace Contact
     /// Who pairs which points does not change what is found.
     mutable std::optional<PointShares> point_shares;
 
-    /// The last pairing without derivatives. Surfaces that are where they were
-    /// then have the same one, as at the start of Newton's method, and glued
-    /// ones always.
+    /// The last pairing, without its derivatives. Surfaces that are where they
+    /// were then have the same one, as at the start of Newton's method, and
+    /// glued ones always.
     struct Last
     {
       std::vector<double>          motion;

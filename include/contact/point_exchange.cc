@@ -126,8 +126,7 @@ namespace Contact
 
 
   // Utilities::MPI::all_gather() would compress what is sent.
-  void PointShares::exchange(const ArrayView<ContactPoint<3>> &points,
-                             const double                      seconds)
+  void PointShares::exchange(const ArrayView<ContactPoint<3>> &points) const
   {
     if (n_ranks == 1)
       return;
@@ -158,14 +157,15 @@ namespace Contact
           for (unsigned int q = starts[r]; q < starts[r + 1]; ++q)
             exchange_point(of_rank, points[q]);
         }
-    balance(Utilities::MPI::all_gather(communicator, seconds));
   }
 
 
 
   // Within a share all points are taken to cost the same.
-  void PointShares::balance(const std::vector<double> &seconds)
+  void PointShares::balance(const double of_rank)
   {
+    const std::vector<double> seconds =
+      Utilities::MPI::all_gather(communicator, of_rank);
     const double each =
       std::accumulate(seconds.begin(), seconds.end(), 0.) / n_ranks;
     const std::vector<unsigned int> old    = starts;

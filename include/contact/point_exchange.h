@@ -35,15 +35,15 @@ namespace Contact
       return starts[rank + 1];
     }
 
-    /// Give the pairings and weights of the points of each share to all ranks,
-    /// of which this one has taken @p seconds for its own: the next shares are
-    /// such that all would have taken the same time.
-    void exchange(const ArrayView<ContactPoint<3>> &points,
-                  const double                      seconds);
+    /// Give the pairings and weights of the points of each share to all ranks.
+    /// Collective.
+    void exchange(const ArrayView<ContactPoint<3>> &points) const;
+
+    /// This rank has taken @p seconds for its own: the next shares are such
+    /// that all ranks would have taken the same time. Collective.
+    void balance(const double seconds);
 
   private:
-    void balance(const std::vector<double> &seconds);
-
     const MPI_Comm            communicator;
     const unsigned int        rank, n_ranks;
     std::vector<unsigned int> starts; // and the end of the last
