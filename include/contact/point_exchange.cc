@@ -10,6 +10,8 @@
 #include <cstring>
 #include <numeric>
 
+#include "base/exchange.h"
+
 namespace Contact
 {
   namespace
@@ -125,7 +127,6 @@ namespace Contact
 
 
 
-  // Utilities::MPI::all_gather() would compress what is sent.
   void PointShares::exchange(const ArrayView<ContactPoint<3>> &points) const
   {
     if (n_ranks == 1)
@@ -134,29 +135,10 @@ namespace Contact
     for (unsigned int q = first(); q < end(); ++q)
       exchange_point(own, points[q]);
 
-    const std::vector<int> sizes =
-      Utilities::MPI::all_gather(communicator,
-                                 static_cast<int>(own.bytes.size()));
-    std::vector<int> offsets(n_ranks + 1, 0);
-    std::partial_sum(sizes.begin(), sizes.end(), offsets.begin() + 1);
-    std::vector<char> all(offsets.back());
-    const int         error = MPI_Allgatherv(own.bytes.data(),
-                                     own.bytes.size(),
-                                     MPI_CHAR,
-                                     all.data(),
-                                     sizes.data(),
-                                     offsets.data(),
-                                     MPI_CHAR,
-                                     communicator);
-    AssertThrowMPI(error);
-
-    for (unsigned int r = 0; r < n_ranks; ++r)
-      if (r != rank)
-        {
-          Reader of_rank{all.data() + offsets[r]};
-          for (unsigned int q = starts[r]; q < starts[r + 1]; ++q)
-            exchange_point(of_rank, points[q]);
-        }
+    const std::vector<char> all = gathered(own.bytes, communicator);
+    Reader                  reader{all.data()};
+    for (unsigned int q = 0; q < starts.back(); ++q)
+      exchange_point(reader, points[q]);
   }
 
 
