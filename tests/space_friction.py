@@ -13,6 +13,9 @@ Proves that
   all axes, to 1e-9: nodal and mortar discretization, degree 1 and 2;
 - the plate of SSNV128 (lift-off, slip and stick on a rigid plane) has in space the
   displacements of the plane scene to 1e-10;
+- a block that slides far over the facets of a finer one has the same reactions by
+  CHOLMOD, AMG and GMG, to 1e-8: the couplings of the matrix have room for what the
+  pairing changes with;
 - forces and moments of contact between round surfaces that slide far balance to
   1e-10, by the invariants of each increment and by nodes.csv, where the forces
   on the upper body are also what its support exerts.
@@ -344,8 +347,47 @@ def plate():
     check("  in space as in the plane", worst < 1e-10, worst)
 
 
+def slide():
+    """Over several facets of a master that is finer, by solvers of each kind."""
+    mesh = Volumes()
+    mesh.block("Low", (5, 5, 2), lambda r, s, t: (
+        12 * r - 6, 12 * s - 6, 4 * t - 4 + 0.16 * t * (r * (1 - r) +
+                                                        s * (1 - s))))
+    mesh.block("Up", (3, 3, 2), lambda r, s, t: (
+        4 * r - 2.2, 4 * s - 1.8, 4 * t + 0.08 - 0.04 * (1 - t) *
+        (r * (1 - r) + s * (1 - s))))
+    mesh.write("slide")
+    entries = {
+        "Mesh/File": "slide.msh", "Mesh/Refinements": 1, "Element/Degree": 1,
+        "Solids/Young's modulus": "Low: 70000, Up: 20000",
+        "Solids/Poisson's ratio": "Low: 0.3, Up: 0.4",
+        "Solids/Kinematics": "large displacement",
+        "Boundary conditions/Displacement x": "Low_z0: 0, Up_z1: 0.8",
+        "Boundary conditions/Displacement y": "Low_z0: 0, Up_z1: 0.6",
+        "Boundary conditions/Displacement z": "Low_z0: 0, Up_z1: -0.2",
+        "Boundary conditions/Histories":
+            "Displacement z: table(0 0, 0.25 1, 1 1); "
+            "Displacement x: table(0 0, 0.25 0, 1 1); "
+            "Displacement y: table(0 0, 0.25 0, 1 1)",
+        "Contact/Slave": "Up_z0", "Contact/Master": "Low_z1",
+        "Contact/Friction coefficient": 0.4,
+        "Solution/Increments": 4, "Solution/Newton tolerance": 1e-11,
+        "Probes/Probes": "; ".join(f"R{c}: reaction {c}, Up_z1" for c in AXES)}
+    found = {}
+    for solver in ("CHOLMOD", "AMG", "GMG"):
+        status, said, summary = run("slide", {**entries,
+                                              "Solution/Linear solver": solver})
+        if converged(f"slide over facets, {solver}", status, summary, said):
+            found[solver] = probes(summary)
+    first = next(iter(found.values()), {})
+    worst = max((abs(values[name] / first[name] - 1)
+                 for values in found.values() for name in values), default=1)
+    check("  the same reactions by all solvers", worst < 1e-8, worst)
+
+
 turning_path()
 plate()
+slide()
 turned_punch()
 held_side()
 DEEP, SHALLOW = (0.7, 0.4, -0.5), (0.5, 0.3, -0.15)

@@ -63,13 +63,20 @@ namespace Contact
   typename InterfaceCouplings<dim>::Dofs
   InterfaceCouplings<dim>::reachable(const ContactPoint<dim> &point) const
   {
-    Dofs dofs;
+    Dofs       dofs;
+    const auto add_around = [&](const types::global_dof_index dof) {
+      if (const auto around = neighbors.find(dof); around != neighbors.end())
+        dofs.insert(dofs.end(), around->second.begin(), around->second.end());
+    };
     for (unsigned int a = 1; a < point.n_nodes; ++a)
       {
         dofs.insert(dofs.end(), point.dofs[a].begin(), point.dofs[a].end());
-        if (const auto around = neighbors.find(point.dofs[a][0]);
-            around != neighbors.end())
-          dofs.insert(dofs.end(), around->second.begin(), around->second.end());
+        add_around(point.dofs[a][0]);
+      }
+    for (const auto dof : point.change.dofs)
+      {
+        dofs.push_back(dof);
+        add_around(dof);
       }
     make_set(dofs);
     return dofs;
@@ -111,11 +118,18 @@ namespace Contact
     for (unsigned int q = 0; q < interface->points().size(); ++q)
       {
         const ContactPoint<dim> &point = interface->points()[q];
+        const auto is_provided = [&](const types::global_dof_index dof) {
+          return std::binary_search(provided[q].begin(),
+                                    provided[q].end(),
+                                    dof);
+        };
         for (unsigned int a = 1; a < point.n_nodes; ++a)
-          if (!std::binary_search(provided[q].begin(),
-                                  provided[q].end(),
-                                  point.dofs[a][0]))
+          if (!is_provided(point.dofs[a][0]))
             return false;
+        if (!std::all_of(point.change.dofs.begin(),
+                         point.change.dofs.end(),
+                         is_provided))
+          return false;
       }
     return true;
   }

@@ -16,8 +16,9 @@ namespace Contact
    * The unknowns that an eliminated unknown may be expressed by: its partners,
    * for which the pattern of the condensed matrix has to provide.
    *
-   * They begin with the nodes that the points of an unknown see, and on the
-   * master those of one more edge to either side: the bodies may slide a little
+   * They begin with the nodes that the points of an unknown see, or that change
+   * the pairing of these, and on the master those of one more edge to either
+   * side: the bodies may slide a little
    * before a new pattern is due. Points that see slave nodes of each other are
    * eliminated into chains, whose length depends on the active set: what such
    * lines need beyond is added as it shows. Provided for in advance, a slave
