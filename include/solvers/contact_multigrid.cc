@@ -95,17 +95,23 @@ namespace Contact
   SurfaceCells<dim>
   ContactMultigrid<dim>::cells_of(const ContactInterface<dim> *interface) const
   {
-    Dofs at_surfaces;
+    // In a concave corner a node that hangs may follow one of a cell inside.
+    Dofs at_surfaces, followed_inside;
     if (interface != nullptr)
       for (const auto &pair : interface->pairs)
         for (const auto *surface :
              {&pair->slave, pair->master ? &*pair->master : nullptr})
           if (surface != nullptr)
-            for (const auto &node : surface->nodes)
-              at_surfaces.insert(at_surfaces.end(),
-                                 node.dofs.begin(),
-                                 node.dofs.end());
+            for (unsigned int n = 0; n < surface->nodes.size(); ++n)
+              {
+                const auto &node = surface->nodes[n].dofs;
+                Dofs       &dofs = surface->facets_of_node[n].empty()
+                                     ? followed_inside
+                                     : at_surfaces;
+                dofs.insert(dofs.end(), node.begin(), node.end());
+              }
     sort_unique(at_surfaces);
+    sort_unique(followed_inside);
 
     Dofs       of_cell(discretization.fe[0].n_dofs_per_cell());
     const auto has_any = [&](const auto &is_one) {
@@ -113,11 +119,14 @@ namespace Contact
     };
     return {levels.back()->dof_handler, [&](const auto &cell) {
               cell->get_dof_indices(of_cell);
-              return (cell->at_boundary() && has_any([&](const Dof dof) {
-                        return std::binary_search(at_surfaces.begin(),
-                                                  at_surfaces.end(),
-                                                  dof);
-                      })) ||
+              const auto has_any_of = [&](const Dofs &dofs) {
+                return has_any([&](const Dof dof) {
+                  return std::binary_search(dofs.begin(), dofs.end(), dof);
+                });
+              };
+              return (cell->at_boundary() && has_any_of(at_surfaces)) ||
+                     (!followed_inside.empty() &&
+                      has_any_of(followed_inside)) ||
                      has_any([&](const Dof dof) {
                        return discretization.is_fixed(dof);
                      });

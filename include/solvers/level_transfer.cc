@@ -196,9 +196,8 @@ namespace Contact
         for (const Dof dof : dofs)
           {
             const unsigned int row = rows.find(dof);
-            AssertThrow(row != numbers::invalid_unsigned_int,
-                        ExcInternalError());
-            answer.add_row(rows, row);
+            if (row != numbers::invalid_unsigned_int)
+              answer.add_row(rows, row);
           }
         return answer;
       },
@@ -206,6 +205,18 @@ namespace Contact
     for (const auto &answer : answers)
       others.append(answer.second);
     others.sort();
+  }
+
+
+
+  template<int dim>
+  bool LevelTransfer<dim>::lacks_rows(const Dofs &own, const Dofs &needed) const
+  {
+    return !std::all_of(own.begin(), own.end(), [&](const Dof dof) {
+      return rows.has(dof);
+    }) || !std::all_of(needed.begin(), needed.end(), [&](const Dof dof) {
+      return rows.has(dof) || others.has(dof);
+    });
   }
 
 
@@ -381,6 +392,11 @@ namespace Contact
       for (const auto &entry : spring.way)
         needed.push_back(entry.first);
     get_rows(needed);
+    if (Utilities::MPI::max(static_cast<unsigned int>(
+                              lacks_rows(lines.dofs, needed)),
+                            communicator) > 0)
+      throw MultigridStalls("geometric multigrid does not know nodes that hang "
+                            "on cells inside of a body");
     coarse.set_springs(coarse_springs());
     SurfaceRows made = lines_at_nodes(lines).of_all_ranks(communicator);
     made.sort();

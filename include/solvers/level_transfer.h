@@ -8,6 +8,7 @@
 
 #include <deal.II/multigrid/mg_transfer_global_coarsening.h>
 
+#include "base/errors.h"
 #include "base/exchange.h"
 #include "solvers/multigrid_level.h"
 #include "solvers/surface_cells.h"
@@ -15,6 +16,15 @@
 namespace Contact
 {
   using namespace dealii;
+
+  /// Conjugate gradients without a matrix do not reach their tolerance, or
+  /// there is no multigrid for the present lines of contact.
+  struct MultigridStalls : public NotConverged
+  {
+    using NotConverged::NotConverged;
+  };
+
+
 
   /**
    * Between a level of ContactMultigrid and the next finer one: the
@@ -52,7 +62,9 @@ namespace Contact
     void initialize();
 
     /// Give the coarse level the lines and the springs of the fine one. Returns
-    /// whether they are others than before. Collective.
+    /// whether they are others than before. Throws MultigridStalls where a line
+    /// has unknowns that no cell at the surfaces or supports has, as hanging
+    /// nodes in a concave corner may follow. Collective.
     bool hand_down();
 
     /// The displacement of the fine level on the coarse one.
@@ -84,6 +96,7 @@ namespace Contact
                    const std::vector<typename SurfaceCells<dim>::Coarse> &coarse);
     void resolve_constraints();
     void get_rows(const Dofs &fine_dofs);
+    bool lacks_rows(const Dofs &own, const Dofs &needed) const;
 
     /// Add a fine unknown times @p factor to @p sum, by unknowns of the coarse
     /// level that are not constrained.

@@ -15,14 +15,6 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// Conjugate gradients without a matrix do not reach their tolerance.
-  struct MultigridStalls : public NotConverged
-  {
-    using NotConverged::NotConverged;
-  };
-
-
-
   /**
    * The condensed system as an operator, C^T K C: K is applied cell by cell,
    * without a matrix, C on the surfaces alone. Conjugate gradients with

@@ -391,19 +391,27 @@ namespace Contact
 
     // One more than the number, so that zero is none.
     std::vector<types::global_dof_index> dofs;
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned() && cell->at_boundary())
-        {
-          dofs.resize(cell->get_fe().n_dofs_per_cell());
-          cell->get_dof_indices(dofs);
-          for (const auto dof : dofs)
-            if (const auto node = of_node.find(dof); node != of_node.end())
-              node->second = discretization.mesh.pieces.of_cell(cell) + 1;
-        }
-    std::vector<unsigned int> numbers;
-    for (const auto &node : of_node)
-      numbers.push_back(node.second);
-    Utilities::MPI::max(numbers, discretization.communicator, numbers);
+    std::vector<unsigned int>            numbers(of_node.size(), 0);
+    const auto                           find = [&](const bool at_boundary) {
+      for (const auto &cell :
+           discretization.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned() && (cell->at_boundary() || !at_boundary))
+          {
+            dofs.resize(cell->get_fe().n_dofs_per_cell());
+            cell->get_dof_indices(dofs);
+            for (const auto dof : dofs)
+              if (const auto node = of_node.find(dof); node != of_node.end())
+                node->second = discretization.mesh.pieces.of_cell(cell) + 1;
+          }
+      auto number = numbers.begin();
+      for (const auto &node : of_node)
+        *number++ = node.second;
+      Utilities::MPI::max(numbers, discretization.communicator, numbers);
+    };
+    find(/*at_boundary=*/true);
+    // In a concave corner a node that hangs may follow one of a cell inside.
+    if (std::find(numbers.begin(), numbers.end(), 0u) != numbers.end())
+      find(/*at_boundary=*/false);
     auto number = numbers.begin();
     for (auto &node : of_node)
       node.second = *number++ - 1;
