@@ -176,8 +176,8 @@ namespace Contact
     double sum() const;
     bool   all_zero() const;
 
-    /// What processes have put on unknowns that they hold, and on multipliers,
-    /// adds up, and all get the sum. Collective.
+    /// All get the sum of the values that processes have put on unknowns that
+    /// they hold, and on multipliers. Collective.
     void sum_up();
 
     /// Zero where another process is the owner; of multipliers the first one

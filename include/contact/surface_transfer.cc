@@ -218,8 +218,8 @@ namespace Contact
 
 
 
-    // What the nearest node of the coarser mesh has. Shears and directions of
-    // slip are those along other tangents.
+    // A node gets the state of the nearest one of the coarser mesh. Shears and
+    // directions of slip are those along other tangents.
     void restore_pair(const SurfaceState<3>        &state,
                       const ContactPair<3>         &contact_pair,
                       const ContactInterface<3>    &interface,

@@ -7,20 +7,10 @@
 
 #include <algorithm>
 
+#include "base/exchange.h"
+
 namespace Contact
 {
-  namespace
-  {
-    /// In ascending order, each once.
-    void make_set(std::vector<types::global_dof_index> &dofs)
-    {
-      std::sort(dofs.begin(), dofs.end());
-      dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
-    }
-  } // namespace
-
-
-
   template<int dim>
   InterfaceCouplings<dim>::InterfaceCouplings(
     const Discretization<dim>   &discretization,
@@ -54,7 +44,7 @@ namespace Contact
             }
         }
     for (auto &of_node : neighbors)
-      make_set(of_node.second);
+      sort_unique(of_node.second);
   }
 
 
@@ -78,7 +68,7 @@ namespace Contact
         dofs.push_back(dof);
         add_around(dof);
       }
-    make_set(dofs);
+    sort_unique(dofs);
     return dofs;
   }
 
@@ -103,7 +93,7 @@ namespace Contact
             of_dof.insert(of_dof.end(),
                           provided.back().begin(),
                           provided.back().end());
-            make_set(of_dof);
+            sort_unique(of_dof);
           }
       }
   }

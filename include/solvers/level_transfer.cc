@@ -180,7 +180,7 @@ namespace Contact
 
 
 
-  // What has been needed before is there still.
+  // Rows that were needed before are there still.
   template<int dim>
   void LevelTransfer<dim>::get_rows(const Dofs &fine_dofs)
   {
@@ -381,7 +381,7 @@ namespace Contact
 
 
 
-  // What leads lines to each other is decided by all ranks in the same way: the
+  // Lines that lead to each other are found by all ranks in the same way: the
   // coarse level has all lines on all ranks.
   template<int dim>
   bool LevelTransfer<dim>::hand_down()

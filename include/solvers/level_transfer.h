@@ -83,7 +83,7 @@ namespace Contact
   private:
     using Sum = SurfaceRows::Sum;
 
-    /// Where a fine unknown is, as the coarse level sees it.
+    /// The place of a fine unknown, as the coarse level sees it.
     enum class Place : unsigned char
     {
       at_node,
