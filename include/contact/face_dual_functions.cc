@@ -5,6 +5,8 @@
 
 #include "contact/face_dual_functions.h"
 
+#include <deal.II/lac/lapack_full_matrix.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -74,6 +76,8 @@ namespace Contact
     are_shared = !dual_to_shapes || carriers.size() < n_nodes;
     if (!are_shared)
       return;
+    // They are combinations of the functions that are kept.
+    dependent = carriers.size() > with_carriers.size();
     shared.reinit(carriers.size(), n_nodes);
     const auto hand_over =
       [&](const unsigned int from, const unsigned int to, const double part) {
@@ -99,6 +103,37 @@ namespace Contact
           }
         for (const unsigned int b : heirs)
           hand_over(a, b, 1. / heirs.size());
+      }
+  }
+
+
+
+  // D = G 1, for the M_j sum up to one: the vector of the roots of D is an
+  // eigenvector of H = D^-1/2 G D^-1/2, and its pseudo-inverse keeps it. So
+  // with D^-1/2 H^+ D^-1/2 for G^-1 the Phi_k sum up to one, and their
+  // integrals are D, as with the inverse.
+  void FacetDualFunctions::invert(FullMatrix<double> &G) const
+  {
+    if (!dependent)
+      {
+        G.gauss_jordan();
+        return;
+      }
+    const double             round_off = 1e-12;
+    const unsigned int       n         = G.m();
+    LAPACKFullMatrix<double> H(n);
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int j = 0; j < n; ++j)
+        H(k, j) = G(k, j) / std::sqrt(D[k] * D[j]);
+    H.compute_inverse_svd(round_off);
+    Vector<double> unit(n), column(n);
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        unit    = 0;
+        unit[j] = 1;
+        H.vmult(column, unit);
+        for (unsigned int k = 0; k < n; ++k)
+          G(k, j) = column[k] / std::sqrt(D[k] * D[j]);
       }
   }
 

@@ -47,7 +47,9 @@ namespace Contact
    * function to its heirs, of which one may be beyond the facet; and a node
    * without a multiplier, or that the master covers much less of than of
    * others, to the nearest ones that keep theirs: the M_j still sum up to one,
-   * and have positive integrals.
+   * and have positive integrals. Where a hanging node alone keeps its function,
+   * its heirs have multiples of one M_j: with a pseudo-inverse of G they have
+   * the same multiples of one Phi_k, which sum up to one as well.
    */
   class FacetDualFunctions
   {
@@ -108,10 +110,15 @@ namespace Contact
     void find_carriers(const std::vector<double> &integrals,
                        const Carriers            &carries);
 
+    /// G becomes its inverse; where the M_j depend on each other, a
+    /// pseudo-inverse.
+    void invert(FullMatrix<double> &G) const;
+
     const unsigned int        n_nodes;
     bool                      partly = false, piecewise = false;
     bool                      dual_to_shapes = false;
-    bool                      are_shared = true; // or shared is the identity
+    bool                      are_shared = true;  // or shared is the identity
+    bool                      dependent  = false; // the M_j
     std::vector<unsigned int> carriers;
     FullMatrix<double>        shared; // M_j = sum_a shared(j, a) functions[a]
     FullMatrix<double>        A;
@@ -161,7 +168,7 @@ namespace Contact
               G(k, j) += of_k * M[j];
           }
       }
-    G.gauss_jordan();
+    invert(G);
     A.reinit(n, n);
     for (unsigned int k = 0; k < n; ++k)
       for (unsigned int j = 0; j < n; ++j)

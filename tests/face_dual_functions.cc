@@ -1,0 +1,93 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The dual functions of a facet that faces the master in the quarter around one
+// of its nodes: their sum is one, their integrals are those of the test
+// functions and positive, none is larger than the facet allows; where the node
+// has a multiplier of its own, where it hangs between two nodes of which one is
+// beyond the facet, and where both are: then both test functions are the same.
+
+#include "contact/face_dual_functions.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <cmath>
+#include <iostream>
+
+using namespace Contact;
+
+namespace
+{
+  const double size = 0.4; // of the part that faces the master
+
+  std::vector<FacetSample> corner()
+  {
+    std::vector<FacetSample> samples;
+    const QGauss<2>          rule(3);
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      {
+        FacetSample sample;
+        for (unsigned int i = 0; i < 2; ++i)
+          sample.slave_xi[i] = 1 - 2 * size * rule.point(q)[i];
+
+        sample.slave_values = FacetShape<3>::values(1, sample.slave_xi);
+        sample.weight       = size * size * rule.weight(q);
+        samples.push_back(sample);
+      }
+    return samples;
+  }
+
+
+
+  void check(const std::string &name, const std::vector<Surface<3>::Part> &last)
+  {
+    FacetDualFunctions::Carriers carries;
+    for (unsigned int a = 0; a < 3; ++a)
+      carries[a] = {{a, 1.}};
+    carries[3]                       = last;
+    const auto               samples = corner();
+    const FacetDualFunctions dual(1, samples, {.25, .25, .25, .25}, carries);
+
+    const unsigned int n = dual.nodes().size();
+    Vector<double>     integrals(n), of_tests(n);
+    double             sum_error = 0, largest = 0;
+    for (const FacetSample &sample : samples)
+      {
+        const auto phi = dual.values(sample), M = dual.test_functions(sample);
+        double     sum = 0;
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            sum += phi[k];
+            largest = std::max(largest, std::abs(phi[k]));
+            integrals[k] += sample.weight * phi[k];
+            of_tests[k] += sample.weight * M[k];
+          }
+        sum_error = std::max(sum_error, std::abs(sum - 1));
+      }
+    double error = 0, area = 0, smallest = 1;
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        error    = std::max({error,
+                             std::abs(integrals[k] - dual.integrals()[k]),
+                             std::abs(of_tests[k] - dual.integrals()[k])});
+        smallest = std::min(smallest, dual.integrals()[k]);
+        area += integrals[k];
+      }
+    const bool ok = sum_error < 1e-13 && error < 1e-14 && smallest > 0 &&
+                    std::abs(area - size * size) < 1e-14 && largest < 10;
+    std::cout << name << ": " << n << " functions, " << (ok ? "ok" : "FAILED")
+              << std::endl;
+  }
+} // namespace
+
+
+
+int main()
+{
+  check("a multiplier of its own", {{3, 1.}});
+  check("hanging, one heir is on the facet", {{1, .5}, {7, .5}});
+  check("hanging, both heirs are beyond the facet", {{7, .5}, {9, .5}});
+  check("hanging, unequal parts", {{7, .75}, {9, .25}});
+}
