@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Contact
 {
@@ -24,6 +25,18 @@ namespace Contact
     for (const auto &entry : entries)
       largest = std::max(largest, std::abs(entry.second));
     return largest;
+  }
+
+
+
+  void RowElimination::Row::drop_round_off()
+  {
+    const double smallest = std::numeric_limits<double>::epsilon() * largest();
+    for (auto entry = entries.begin(); entry != entries.end();)
+      if (std::abs(entry->second) < smallest)
+        entry = entries.erase(entry);
+      else
+        ++entry;
   }
 
 
@@ -99,8 +112,15 @@ namespace Contact
         line.entries[dof] = -(coefficient / scale);
 
     std::set<Dof> changed = take_users(pivot);
+    line.drop_round_off();
     for (const auto user : changed)
-      substitute(known.at(user), pivot, line);
+      {
+        Row &of_user = known.at(user);
+        if (of_user.entries.count(pivot) == 0)
+          continue;
+        substitute(of_user, pivot, line);
+        of_user.drop_round_off();
+      }
     changed.insert(pivot);
     for (const auto &entry : line.entries)
       if (usual.count(entry.first) > 0)

@@ -21,6 +21,10 @@ namespace Contact
    * one after the other, each with a pivot that the caller chooses. At any time
    * every eliminated unknown is known by those that are not:
    *   u_pivot = constant + sum of c_k u_k.
+   *
+   * Where each equation has some unknowns of the next one, as along the rim of
+   * the master on a slave of degree 2, each line gets coefficients of all of
+   * them, which decay with the distance: below round-off they are left out.
    */
   class RowElimination
   {
@@ -38,6 +42,9 @@ namespace Contact
 
       /// The largest |coefficient|.
       double largest() const;
+
+      /// Coefficients below the round-off of the largest one are left out.
+      void drop_round_off();
     };
 
     /// @p usual are the unknowns that are mostly taken as pivots: in which
@@ -64,7 +71,8 @@ namespace Contact
 
     const std::set<Dof>         &usual;
     std::map<Dof, Row>           known;
-    std::map<Dof, std::set<Dof>> users; // the lines with a usual unknown
+    std::map<Dof, std::set<Dof>> users; // the lines with a usual unknown, or
+                                        // once with it
   };
 } // namespace Contact
 
