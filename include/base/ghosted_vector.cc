@@ -32,6 +32,33 @@ namespace Contact
 
 
 
+  // Multiplication by the golden ratio strews numbers that follow each other
+  // over a table whose size is a power of two (D. E. Knuth, The Art of Computer
+  // Programming, volume 3, section 6.4).
+  HeldUnknowns::HeldUnknowns(const IndexSet &owned,
+                             const IndexSet &held,
+                             const MPI_Comm  communicator)
+    : Utilities::MPI::Partitioner(owned, held, communicator)
+    , ghosts(2, {numbers::invalid_dof_index, 0})
+    , shift(63)
+  {
+    while (ghosts.size() < 2 * std::size_t(n_ghost_indices()))
+      {
+        ghosts.resize(2 * ghosts.size(), ghosts[0]);
+        --shift;
+      }
+    unsigned int number = 0;
+    for (const Dof i : ghost_indices())
+      {
+        std::size_t at = place(i);
+        while (ghosts[at].first != numbers::invalid_dof_index)
+          at = (at + 1) & (ghosts.size() - 1);
+        ghosts[at] = {i, number++};
+      }
+  }
+
+
+
   GhostedVector::GhostedVector(const Distribution &distribution,
                                const std::size_t   n_multipliers)
     : distribution(distribution)
@@ -50,8 +77,8 @@ namespace Contact
     AssertThrow(is_distributed(), ExcInternalError());
     if (i >= distribution->size())
       return n_distributed_held() + (i - distribution->size());
-    const auto k = distribution->ghost_indices().index_within_set(i);
-    AssertThrow(k != numbers::invalid_dof_index, ExcInternalError());
+    const unsigned int k = distribution->ghost(i);
+    AssertThrow(k != numbers::invalid_unsigned_int, ExcInternalError());
     return n_direct + k;
   }
 

@@ -10,15 +10,56 @@
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/vector.h>
 
+#include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace Contact
 {
   using namespace dealii;
 
-  /// The owners of the unknowns, and the others that this process holds.
-  using Distribution = std::shared_ptr<const Utilities::MPI::Partitioner>;
+  /// The owners of the unknowns, and the others that this process holds: the
+  /// ghosts, which are found at once. In a set of indices one would have to be
+  /// searched for among its ranges, of which those of surfaces are many.
+  class HeldUnknowns : public Utilities::MPI::Partitioner
+  {
+  public:
+    using Dof = types::global_dof_index;
+
+    /// Collective.
+    HeldUnknowns(const IndexSet &owned,
+                 const IndexSet &held,
+                 const MPI_Comm  communicator);
+
+    /// The number of an unknown among the ghosts, or
+    /// numbers::invalid_unsigned_int.
+    unsigned int ghost(const Dof i) const
+    {
+      std::size_t at = place(i);
+      while (ghosts[at].first != i)
+        {
+          if (ghosts[at].first == numbers::invalid_dof_index)
+            return numbers::invalid_unsigned_int;
+          at = (at + 1) & (ghosts.size() - 1);
+        }
+      return ghosts[at].second;
+    }
+
+  private:
+    /// Where to begin to look for it.
+    std::size_t place(const Dof i) const
+    {
+      return (i * golden_ratio) >> shift;
+    }
+
+    static constexpr std::uint64_t golden_ratio = 0x9e3779b97f4a7c15;
+
+    std::vector<std::pair<Dof, unsigned int>> ghosts; // half of it is empty
+    unsigned int                              shift;
+  };
+
+  using Distribution = std::shared_ptr<const HeldUnknowns>;
 
   /// deal.II's own, for its transfer between meshes and its output.
   using DistributedVector = LinearAlgebra::distributed::Vector<double>;
@@ -82,7 +123,8 @@ namespace Contact
     {
       return i - first < n_direct ||
              (is_distributed() &&
-              (i >= distribution->size() || distribution->is_ghost_entry(i)));
+              (i >= distribution->size() ||
+               distribution->ghost(i) != numbers::invalid_unsigned_int));
     }
 
     double operator()(const types::global_dof_index i) const

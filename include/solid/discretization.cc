@@ -178,10 +178,10 @@ namespace Contact
     IndexSet ghosts = DoFTools::extract_locally_relevant_dofs(dof_handler);
     for (const DoFs &of_rank : Utilities::MPI::all_gather(communicator, shared))
       ghosts.add_indices(of_rank.begin(), of_rank.end());
-    distribution = std::make_shared<Utilities::MPI::Partitioner>(
-      dof_handler.locally_owned_dofs(),
-      ghosts,
-      communicator);
+    distribution =
+      std::make_shared<HeldUnknowns>(dof_handler.locally_owned_dofs(),
+                                     ghosts,
+                                     communicator);
   }
 
 
