@@ -11,6 +11,7 @@
 
 #include <algorithm>
 
+#include "solvers/condensed_tangents.h"
 #include "solvers/rigid_rotation.h"
 
 namespace Contact
@@ -209,40 +210,21 @@ namespace Contact
       keep_interface_rows();
     else
       restore_interface_rows();
+    CondensedTangents sum(elimination.constraints(),
+                          elimination.test_constraints(),
+                          matrix);
     for (unsigned int k = 0; k < interface_cells.size(); ++k)
-      add(interface_tangents[k], elasticity.dofs_of_cell(interface_cells[k]));
+      {
+        const Dofs &dofs = elasticity.dofs_of_cell(interface_cells[k]);
+        sum.add(interface_tangents[k], dofs, dofs);
+      }
     for (const auto &term : elimination.turning_terms())
       if (owned.is_element(term.dofs[0]))
-        add(term.stiffness, term.dofs);
+        sum.add(term.stiffness, term.dofs, term.dofs);
     for (const auto &term : elimination.pairing_terms())
-      elimination.test_constraints().distribute_local_to_global(
-        term.stiffness,
-        term.rows,
-        elimination.constraints(),
-        term.columns,
-        matrix);
+      sum.add(term.stiffness, term.rows, term.columns);
+    sum.finish();
     matrix.compress(VectorOperation::add);
-  }
-
-
-
-  // Rows by the virtual displacements, columns by the displacements; what is
-  // constrained gets a diagonal as large as with the symmetric matrix.
-  template<int dim>
-  void AssembledSystem<dim>::add(const FullMatrix<double> &tangent,
-                                 const Dofs               &dofs)
-  {
-    const auto &constraints = elimination.constraints();
-    if (elimination.is_symmetric())
-      {
-        constraints.distribute_local_to_global(tangent, dofs, matrix);
-        return;
-      }
-    const auto &tested = elimination.test_constraints();
-    tested.distribute_local_to_global(tangent, dofs, constraints, dofs, matrix);
-    for (unsigned int i = 0; i < dofs.size(); ++i)
-      if (tested.is_constrained(dofs[i]))
-        matrix.add(dofs[i], dofs[i], std::abs(tangent(i, i)));
   }
 
   template class AssembledSystem<2>;

@@ -94,7 +94,6 @@ namespace Contact
          yielding_changes(const std::vector<unsigned int> &cells,
                           const GhostedVector             &solution) const;
     void set_bound_centres();
-    void add(const FullMatrix<double> &tangent, const Dofs &dofs);
     void keep_interface_rows();
     void restore_interface_rows();
     void for_interface_rows(
