@@ -425,10 +425,12 @@ namespace Contact
     for (unsigned int k = 0; k < point.motions.size(); ++k)
       if (!all_motions[first + k]->stays)
         unknowns.push_back(motion_index(first + k));
-    const unsigned int n_own = dim * point.n_nodes;
+    std::vector<types::global_dof_index> own(unknowns.begin(),
+                                             unknowns.begin() +
+                                               dim * point.n_nodes);
+    std::sort(own.begin(), own.end());
     for (const auto dof : point.change.dofs)
-      if (std::find(unknowns.begin(), unknowns.begin() + n_own, dof) ==
-          unknowns.begin() + n_own)
+      if (!std::binary_search(own.begin(), own.end(), dof))
         unknowns.push_back(dof);
     return unknowns;
   }

@@ -360,38 +360,69 @@ namespace Contact
 
 
   template<int dim>
-  void
-  ContactKernel<dim>::assemble_point(const ContactPoint<dim>    &point,
-                                     const GhostedVector        &solution,
-                                     const GhostedVector        &u_start,
-                                     const ContactLinearization &linearization,
-                                     Rows                       &rows,
-                                     FullMatrix<double>         &matrix,
-                                     Vector<double>             &residual) const
+  template<typename Visit>
+  void ContactKernel<dim>::for_constraints(const ContactPoint<dim> &point,
+                                           const Visit             &visit) const
   {
-    this->rows(point, solution, u_start, linearization, rows);
-    const unsigned int n   = rows.unknowns.size();
-    const unsigned int n_u = dim * point.n_nodes;
-    const unsigned int n_m = point.n_multipliers;
+    const unsigned int n_u   = dim * point.n_nodes;
+    const unsigned int n_m   = point.n_multipliers;
+    const double       scale = point.weight / point.augmentation_parameter;
+    for (unsigned int k = 0; k < n_m; ++k)
+      for (unsigned int b = 0; b < (interface.has_friction(point) ? dim : 1);
+           ++b)
+        visit(n_u + b * n_m + k, k, b, scale);
+  }
 
-    const ContactState<dim> now = interface.state(point, solution, u_start);
-    const Traction<dim>     t   = interface.traction(point,
-                                               point.status,
-                                               now.p_trial,
-                                               now.q_trial,
-                                               linearization.moving_bound);
 
-    matrix.reinit(n, n);
+
+  // The constraints w psi_k (p - lambda)/c = 0 take the multipliers off.
+  template<int dim>
+  void ContactKernel<dim>::assemble_residual(const ContactPoint<dim> &point,
+                                             const ContactState<dim> &now,
+                                             const Traction<dim>     &t,
+                                             const Rows              &rows,
+                                             Vector<double> &residual) const
+  {
+    const unsigned int n = rows.unknowns.size();
     residual.reinit(n);
     for (unsigned int i = 0; i < n; ++i)
       {
         residual[i] = t.p * rows.load_p[i] + t.q[0] * rows.load_q[0][i];
+        for (unsigned int k = 1; k < dim - 1; ++k)
+          residual[i] += t.q[k] * rows.load_q[k][i];
+      }
+    for_constraints(point,
+                    [&](const unsigned int row,
+                        const unsigned int k,
+                        const unsigned int b,
+                        const double       scale) {
+                      const double lambda =
+                        b == 0 ? now.lambda_n : now.lambda_t[b - 1];
+                      residual[row] -= scale * point.psi[k] * lambda;
+                    });
+  }
+
+
+
+  template<int dim>
+  void
+  ContactKernel<dim>::assemble_matrix(const ContactPoint<dim>    &point,
+                                      const GhostedVector        &solution,
+                                      const GhostedVector        &u_start,
+                                      const ContactLinearization &linearization,
+                                      const Traction<dim>        &t,
+                                      const Rows                 &rows,
+                                      const Vector<double>       &residual,
+                                      FullMatrix<double>         &matrix) const
+  {
+    const unsigned int n   = rows.unknowns.size();
+    const unsigned int n_m = point.n_multipliers;
+    matrix.reinit(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
         double by_p = t.dp_dp * rows.load_p[i] + t.dq_dp[0] * rows.load_q[0][i];
         for (unsigned int k = 1; k < dim - 1; ++k)
-          {
-            residual[i] += t.q[k] * rows.load_q[k][i];
-            by_p += t.dq_dp[k] * rows.load_q[k][i];
-          }
+          by_p += t.dq_dp[k] * rows.load_q[k][i];
         for (unsigned int j = 0; j < n; ++j)
           matrix(i, j) = by_p * rows.p_trial[j] +
                          t.dq_dq * rows.load_q[0][i] * rows.q_trial[0][j];
@@ -399,20 +430,15 @@ namespace Contact
           for (unsigned int j = 0; j < n; ++j)
             matrix(i, j) += t.dq_dq * rows.load_q[k][i] * rows.q_trial[k][j];
       }
-
-    // The constraints w psi_k (p - lambda)/c = 0 take the multipliers off.
-    const double scale = point.weight / point.augmentation_parameter;
-    for (unsigned int k = 0; k < n_m; ++k)
-      for (unsigned int b = 0; b < (interface.has_friction(point) ? dim : 1);
-           ++b)
-        {
-          const unsigned int row = n_u + b * n_m + k;
-          const double lambda    = b == 0 ? now.lambda_n : now.lambda_t[b - 1];
-          residual[row] -= scale * point.psi[k] * lambda;
-          for (unsigned int l = 0; l < n_m; ++l)
-            matrix(row, n_u + b * n_m + l) -=
-              scale * point.psi[k] * point.psi[l];
-        }
+    for_constraints(point,
+                    [&](const unsigned int row,
+                        const unsigned int k,
+                        const unsigned int,
+                        const double scale) {
+                      for (unsigned int l = 0; l < n_m; ++l)
+                        matrix(row, row - k + l) -=
+                          scale * point.psi[k] * point.psi[l];
+                    });
 
     const bool acts =
       point.status.kind != Status::open || !point.change.dofs.empty();
@@ -457,13 +483,24 @@ namespace Contact
     Vector<double>    &whole = matrix != nullptr ? rhs : none;
     for (const auto q : interface.own_points())
       {
-        assemble_point(interface.points()[q],
-                       solution,
-                       u_start,
-                       linearization,
-                       rows,
-                       local_matrix,
-                       local_rhs);
+        const ContactPoint<dim> &point = interface.points()[q];
+        const ContactState<dim> now = interface.state(point, solution, u_start);
+        const Traction<dim>     t   = interface.traction(point,
+                                                   point.status,
+                                                   now.p_trial,
+                                                   now.q_trial,
+                                                   linearization.moving_bound);
+        this->rows(point, solution, u_start, linearization, rows);
+        assemble_residual(point, now, t, rows, local_rhs);
+        if (matrix != nullptr)
+          assemble_matrix(point,
+                          solution,
+                          u_start,
+                          linearization,
+                          t,
+                          rows,
+                          local_rhs,
+                          local_matrix);
         local_rhs *= -1;
         if (matrix == nullptr)
           constraints.distribute_local_to_global(local_rhs, rows.unknowns, rhs);

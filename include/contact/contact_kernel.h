@@ -92,13 +92,28 @@ namespace Contact
                     FullMatrix<double>      &matrix,
                     const Vector<double>    &residual) const;
 
-    void assemble_point(const ContactPoint<dim>    &point,
-                        const GhostedVector        &solution,
-                        const GhostedVector        &u_start,
-                        const ContactLinearization &linearization,
-                        Rows                       &rows,
-                        FullMatrix<double>         &matrix,
-                        Vector<double>             &residual) const;
+    /// The equations of a point over its unknowns.
+    void assemble_residual(const ContactPoint<dim> &point,
+                           const ContactState<dim> &now,
+                           const Traction<dim>     &t,
+                           const Rows              &rows,
+                           Vector<double>          &residual) const;
+
+    /// And their derivatives.
+    void assemble_matrix(const ContactPoint<dim>    &point,
+                         const GhostedVector        &solution,
+                         const GhostedVector        &u_start,
+                         const ContactLinearization &linearization,
+                         const Traction<dim>        &t,
+                         const Rows                 &rows,
+                         const Vector<double>       &residual,
+                         FullMatrix<double>         &matrix) const;
+
+    /// Call @p visit with the row of each constraint, the number of the
+    /// multiplier, the direction, and w/c.
+    template<typename Visit>
+    void for_constraints(const ContactPoint<dim> &point,
+                         const Visit             &visit) const;
 
     const ContactInterface<dim> &interface;
   };
