@@ -318,6 +318,8 @@ namespace Contact
                               const GhostedVector                &u,
                               const PairingMode                  &mode) const
   {
+    if (mode.is_rest && !mortar)
+      return false;
     if (!tied)
       return pair_all(points, u, mode);
     const bool changed = pair_all(points, u.zero(), {});
@@ -337,10 +339,13 @@ namespace Contact
     const auto part = [&](const unsigned int first, const unsigned int end) {
       return ArrayView<ContactPoint<dim>>(points.data() + first, end - first);
     };
+    // Surfaces that are kept apart push each other without touching.
+    PairingMode of_mortar = mode;
+    of_mortar.keeps_open_points =
+      mode.keeps_open_points && interference->added() == 0;
     const auto of_discretization = part(0, n_of_discretization);
-    bool       changed           = mortar
-                                     ? mortar->pair(of_discretization, u, mode.with_derivatives)
-                                     : project(of_discretization, u, mode);
+    bool       changed = mortar ? mortar->pair(of_discretization, u, of_mortar)
+                                : project(of_discretization, u, mode);
     if (n_of_discretization < n_of_slave)
       changed =
         project(part(n_of_discretization, n_of_slave), u, mode) || changed;

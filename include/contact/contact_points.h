@@ -373,6 +373,15 @@ namespace Contact
     /// A point that faces an edge keeps it as long as its projection is no
     /// further beyond an end than SurfaceSearch::overhang.
     bool keeps_edges = false;
+
+    /// In space open points of the mortar discretization may keep an earlier
+    /// pairing where the surfaces around them do not touch each other and their
+    /// gap is still positive: that they stay open is all that is asked of them.
+    bool keeps_open_points = false;
+
+    /// The surfaces are where they were: pair those that have kept theirs, and
+    /// leave all others as they are.
+    bool is_rest = false;
   };
 
 

@@ -12,6 +12,7 @@
 #include <boost/serialization/array.hpp>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "contact/contact_depth.h"
 #include "contact/point_exchange.h"
@@ -48,7 +49,8 @@ namespace Contact
 
 
     /// The deepest node of @p surface; each rank looks at its share of the
-    /// facets.
+    /// facets. A node further behind the other surface than its facet is long
+    /// has come there around it.
     void look(const Surface<3>    &surface,
               const Surface<3>    &other,
               const bool           is_master,
@@ -62,9 +64,16 @@ namespace Contact
       const auto             of_facets     = single_normals(surface, own);
       const auto             other_normals = other.facet_normals(u);
       const auto             of_other      = single_normals(other, search);
+      double                 longest       = 0;
+      for (unsigned int f = 0; f < other.facets.size(); ++f)
+        longest = std::max(longest, other.reference_length(f));
+      const auto is_close = search.may_be_close(own, longest);
       std::map<unsigned int, Projection<3>> closest;
-      for (unsigned int e = share.first(); e < share.end(); ++e)
-        for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+      std::vector<unsigned int>             facets(surface.facets.size());
+      std::iota(facets.begin(), facets.end(), 0);
+      for (const unsigned int e : share.own(facets))
+        for (unsigned int a = 0; a < surface.n_nodes_per_facet() && is_close[e];
+             ++a)
           {
             const unsigned int i = surface.facets[e].nodes[a];
             const Point<3>     x = surface.position(i, u);
@@ -77,8 +86,6 @@ namespace Contact
             const Tensor<1, 3> outward = search.normal(f, projection.xi);
             const double       distance =
               std::sqrt(search.distance_square(x, projection));
-            // A node further behind the other surface than its facet is long
-            // has come there around it.
             if ((x - search.position(projection)) * outward >= 0 ||
                 outward * normals[e][a] >= 0 ||
                 distance >= other.reference_length(f))

@@ -215,38 +215,20 @@ namespace Contact
 
   bool MortarDiscretization<3>::pair(const ArrayView<ContactPoint<3>> &points,
                                      const GhostedVector              &u,
-                                     const bool with_derivatives) const
+                                     const PairingMode &mode) const
   {
     std::vector<PointPairing<3>::PerNode<NodeDoFs<3>>> old_dofs;
-    for (ContactPoint<3> &point : points)
+    for (const ContactPoint<3> &point : points)
+      old_dofs.push_back(point.dofs);
+    const auto numbers = keep_pairings(points, u, mode);
+    if (!numbers.empty())
+      pair_anew(points, numbers, u, mode.with_derivatives);
+    for (const unsigned int q : numbers)
       {
-        old_dofs.push_back(point.dofs);
-        point.change = PairingChange<3>();
-      }
-    Last              now{motion(u), {}, {}};
-    std::vector<bool> paired(points.size(), false);
-    const bool        is_same =
-      now.motion == last.motion && last.pairings.size() == points.size();
-    for (unsigned int q = 0; q < points.size() && is_same; ++q)
-      if (!with_derivatives || points[q].status.kind == Status::open)
-        {
-          const auto motions                        = points[q].motions;
-          points[q].weight                          = last.weights[q];
-          static_cast<PointPairing<3> &>(points[q]) = last.pairings[q];
-          points[q].motions                         = motions;
-          paired[q]                                 = true;
-        }
-    if (std::find(paired.begin(), paired.end(), false) != paired.end())
-      pair_anew(points, u, with_derivatives, paired);
-    if (!is_same)
-      {
-        for (const ContactPoint<3> &point : points)
-          {
-            now.weights.push_back(point.weight);
-            now.pairings.push_back(point);
-            now.pairings.back().change = PairingChange<3>();
-          }
-        last = std::move(now);
+        last.weights[q]         = points[q].weight;
+        last.pairings[q]        = points[q];
+        last.pairings[q].change = PairingChange<3>();
+        last.is_present[q]      = true;
       }
     return !std::equal(points.begin(),
                        points.end(),
@@ -258,23 +240,85 @@ namespace Contact
 
 
 
+  std::vector<unsigned int> MortarDiscretization<3>::keep_pairings(
+    const ArrayView<ContactPoint<3>> &points,
+    const GhostedVector              &u,
+    const PairingMode                &mode) const
+  {
+    const bool          is_known = last.pairings.size() == points.size();
+    std::vector<double> now      = motion(u);
+    if (!is_known || now != last.motion)
+      last.is_present.assign(points.size(), false);
+    last.motion = std::move(now);
+    last.weights.resize(points.size());
+    last.pairings.resize(points.size());
+
+    std::vector<bool> touches;
+    if (is_known && mode.keeps_open_points)
+      touches = may_touch(u);
+    const auto stays_open = [&](const unsigned int q) {
+      const PointPairing<3> &pairing = last.pairings[q];
+      if (touches.empty() || touches[slave_node(points[q])] ||
+          !points[q].motions.empty())
+        return false;
+      Tensor<1, 3> r = -pairing.projection;
+      for (unsigned int a = 0; a < pairing.n_nodes; ++a)
+        for (unsigned int i = 0; i < 3; ++i)
+          r[i] += pairing.C[a] * (pairing.X[a][i] + u[pairing.dofs[a][i]]);
+      return !pairing.facing || pairing.normal * r > 0;
+    };
+
+    std::vector<unsigned int> others;
+    for (unsigned int q = 0; q < points.size(); ++q)
+      {
+        if (mode.is_rest && last.is_present[q])
+          continue;
+        points[q].change   = PairingChange<3>();
+        const bool is_open = points[q].status.kind == Status::open;
+        const bool has_all = !mode.with_derivatives || is_open;
+        if ((last.is_present[q] && has_all) || (is_open && stays_open(q)))
+          {
+            const auto motions                        = points[q].motions;
+            points[q].weight                          = last.weights[q];
+            static_cast<PointPairing<3> &>(points[q]) = last.pairings[q];
+            points[q].motions                         = motions;
+          }
+        else
+          others.push_back(q);
+      }
+    return others;
+  }
+
+
+
+  std::vector<bool>
+  MortarDiscretization<3>::may_touch(const GhostedVector &u) const
+  {
+    const SurfaceSearch<3> of_slave(slave, u), of_master(master, u);
+    const auto             facets = of_master.may_be_close(of_slave, 0);
+    std::vector<bool>      nodes(slave.nodes.size(), false);
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
+      for (unsigned int a = 0; a < slave.n_nodes_per_facet() && facets[e]; ++a)
+        for (const auto &carrier : carries[e][a])
+          nodes[carrier.first] = true;
+    return nodes;
+  }
+
+
+
   void
   MortarDiscretization<3>::pair_anew(const ArrayView<ContactPoint<3>> &points,
+                                     const std::vector<unsigned int>  &numbers,
                                      const GhostedVector              &u,
-                                     const bool               with_derivatives,
-                                     const std::vector<bool> &paired) const
+                                     const bool with_derivatives) const
   {
     if (!point_shares)
       point_shares.emplace(points.size(), discretization.communicator);
-    Timer                     timer;
-    std::vector<bool>         is_own(slave.nodes.size(), false);
-    std::vector<unsigned int> own;
-    for (unsigned int q = point_shares->first(); q < point_shares->end(); ++q)
-      if (!paired[q])
-        {
-          own.push_back(q);
-          is_own[slave_node(points[q])] = true;
-        }
+    Timer                           timer;
+    std::vector<bool>               is_own(slave.nodes.size(), false);
+    const std::vector<unsigned int> own = point_shares->own(numbers);
+    for (const unsigned int q : own)
+      is_own[slave_node(points[q])] = true;
 
     const FaceConfiguration                now(slave, master, planes, u);
     FaceSegments                           segments(slave, master, now);
@@ -295,8 +339,8 @@ namespace Contact
           differentiate(of_nodes[node], node, now, points[q]);
       }
     const double seconds = timer.wall_time();
-    point_shares->exchange(points);
-    if (std::find(paired.begin(), paired.end(), true) == paired.end())
+    point_shares->exchange(points, numbers);
+    if (numbers.size() == points.size())
       point_shares->balance(seconds);
   }
 

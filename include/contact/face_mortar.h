@@ -53,7 +53,7 @@ namespace Contact
 
     bool pair(const ArrayView<ContactPoint<3>> &points,
               const GhostedVector              &u,
-              const bool                        with_derivatives = false) const;
+              const PairingMode                &mode = {}) const;
 
   private:
     /// Of a node of the master: the integrals of a dual function times its
@@ -100,11 +100,22 @@ namespace Contact
       std::vector<std::unique_ptr<FaceMortarChange::OfFacets>> changes;
     };
 
-    /// All points but those that are @p paired already.
+    /// The numbers of the points that have to be paired; all others get their
+    /// last pairing.
+    std::vector<unsigned int>
+    keep_pairings(const ArrayView<ContactPoint<3>> &points,
+                  const GhostedVector              &u,
+                  const PairingMode                &mode) const;
+
+    /// By slave node, whether facets that its integrals are over may touch the
+    /// master.
+    std::vector<bool> may_touch(const GhostedVector &u) const;
+
+    /// The points of these numbers.
     void pair_anew(const ArrayView<ContactPoint<3>> &points,
+                   const std::vector<unsigned int>  &numbers,
                    const GhostedVector              &u,
-                   const bool                        with_derivatives,
-                   const std::vector<bool>          &paired) const;
+                   const bool                        with_derivatives) const;
 
     void integrate(const unsigned int             slave_facet,
                    const std::vector<FaceSample> &points,
@@ -191,14 +202,15 @@ namespace Contact
     /// Who pairs which points does not change what is found.
     mutable std::optional<PointShares> point_shares;
 
-    /// The last pairing, without its derivatives. Surfaces that are where they
-    /// were then have the same one, as at the start of Newton's method, and
-    /// glued ones always.
+    /// The last pairing of each point, without its derivatives, and whether it
+    /// is that of the last motion. Surfaces that are where they were then have
+    /// the same one, as at the start of Newton's method, and glued ones always.
     struct Last
     {
       std::vector<double>          motion;
       std::vector<double>          weights;
       std::vector<PointPairing<3>> pairings;
+      std::vector<bool>            is_present;
     };
     mutable Last last;
 

@@ -120,6 +120,27 @@ namespace Contact
 
 
 
+  std::vector<bool>
+  SurfaceSearch<3>::may_be_close(const SurfaceSearch<3> &other,
+                                 const double            distance) const
+  {
+    std::vector<bool> by_facet;
+    for (Box box : other.hulls)
+      {
+        box.extend(distance);
+        by_facet.push_back(
+          std::any_of(tree.qbegin(boost::geometry::index::intersects(box)),
+                      tree.qend(),
+                      [&](const auto &entry) {
+                        return boost::geometry::intersects(box,
+                                                           hulls[entry.second]);
+                      }));
+      }
+    return by_facet;
+  }
+
+
+
   std::vector<unsigned int>
   SurfaceSearch<3>::facets_in(const BoundingBox<3> &box) const
   {

@@ -76,6 +76,12 @@ namespace Contact
     /// The facets that may have a point in a box.
     std::vector<unsigned int> facets_in(const BoundingBox<3> &box) const;
 
+    /// By facet of another surface, whether a point of it may be as close to
+    /// this one as @p distance [mm]: false where the boxes that the facets are
+    /// in are further apart.
+    std::vector<bool> may_be_close(const SurfaceSearch<3> &other,
+                                   const double            distance) const;
+
     /// The outward unit normal of a facet.
     Tensor<1, 3> normal(const unsigned int facet, const Point<2> &xi) const;
 

@@ -79,7 +79,7 @@ namespace Contact
 
   bool MortarDiscretization<2>::pair(const ArrayView<ContactPoint<2>> &points,
                                      const GhostedVector              &u,
-                                     const bool with_derivatives) const
+                                     const PairingMode &mode) const
   {
     const MortarGeometry<double> now(slave, master, discretization, u);
     const MortarSegments         segments(now, u);
@@ -93,7 +93,7 @@ namespace Contact
       }
 
     std::optional<MortarGeometry<WithDerivatives>> moving;
-    if (with_derivatives)
+    if (mode.with_derivatives)
       moving.emplace(slave, master, discretization, u);
     bool changed = false;
     for (ContactPoint<2> &point : points)

@@ -88,7 +88,7 @@ namespace Contact
      */
     bool pair(const ArrayView<ContactPoint<2>> &points,
               const GhostedVector              &u,
-              const bool                        with_derivatives = false) const;
+              const PairingMode                &mode = {}) const;
 
   private:
     void fill_in(const MortarGeometry<double> &now,

@@ -127,17 +127,30 @@ namespace Contact
 
 
 
-  void PointShares::exchange(const ArrayView<ContactPoint<3>> &points) const
+  std::vector<unsigned int>
+  PointShares::own(const std::vector<unsigned int> &numbers) const
+  {
+    const auto place = [&](const unsigned int r) {
+      return numbers.begin() +
+             std::size_t(starts[r]) * numbers.size() / starts.back();
+    };
+    return {place(rank), place(rank + 1)};
+  }
+
+
+
+  void PointShares::exchange(const ArrayView<ContactPoint<3>> &points,
+                             const std::vector<unsigned int>  &numbers) const
   {
     if (n_ranks == 1)
       return;
-    Writer own;
-    for (unsigned int q = first(); q < end(); ++q)
-      exchange_point(own, points[q]);
+    Writer writer;
+    for (const unsigned int q : own(numbers))
+      exchange_point(writer, points[q]);
 
-    const std::vector<char> all = gathered(own.bytes, communicator);
+    const std::vector<char> all = gathered(writer.bytes, communicator);
     Reader                  reader{all.data()};
-    for (unsigned int q = 0; q < starts.back(); ++q)
+    for (const unsigned int q : numbers)
       exchange_point(reader, points[q]);
   }
 

@@ -25,19 +25,15 @@ namespace Contact
   public:
     PointShares(const unsigned int n_points, const MPI_Comm communicator);
 
-    /// The share of this rank is [first(), end()).
-    unsigned int first() const
-    {
-      return starts[rank];
-    }
-    unsigned int end() const
-    {
-      return starts[rank + 1];
-    }
+    /// The share of this rank in a list of points: of a part of them it is as
+    /// large a part as of all.
+    std::vector<unsigned int>
+    own(const std::vector<unsigned int> &numbers) const;
 
-    /// Give the pairings and weights of the points of each share to all ranks.
-    /// Collective.
-    void exchange(const ArrayView<ContactPoint<3>> &points) const;
+    /// Give the pairings and weights of the points of each share in such a list
+    /// to all ranks. Collective.
+    void exchange(const ArrayView<ContactPoint<3>> &points,
+                  const std::vector<unsigned int>  &numbers) const;
 
     /// This rank has taken @p seconds for its own: the next shares are such
     /// that all ranks would have taken the same time. Collective.

@@ -140,6 +140,30 @@ namespace Contact
     convergence.evaluate(rhs, state, moving_bound);
     if (of_bodies && convergence.has_converged())
       try_to_rest(*of_bodies);
+    if (model.interface && has_converged() && closes_in_full_pairing())
+      evaluate_with(single_changes);
+  }
+
+
+
+  template<int dim>
+  bool NewtonState<dim>::closes_in_full_pairing()
+  {
+    if (!pairing.complete())
+      return false;
+    const ContactInterface<dim> &interface = *model.interface;
+    const bool moving_bound = pairing.linearization().moving_bound;
+    return std::any_of(interface.points().begin(),
+                       interface.points().end(),
+                       [&](const ContactPoint<dim> &point) {
+                         return point.status.kind == Status::open &&
+                                interface
+                                    .status_in(point,
+                                               state.solution,
+                                               state.start,
+                                               moving_bound)
+                                    .kind != Status::open;
+                       });
   }
 
 

@@ -95,6 +95,10 @@ namespace Contact
     void         add_contact();
     double       residual_norm();
 
+    /// Pair the open points that have kept an earlier pairing. Returns whether
+    /// one of them is to close.
+    bool closes_in_full_pairing();
+
     /// Before the first step and in balance: take the statuses that follow if
     /// the state is in balance under them, too. @p of_bodies is the right side
     /// without contact.

@@ -79,13 +79,46 @@ namespace Contact
   template<int dim>
   void Pairing<dim>::pair(const GhostedVector &configuration)
   {
+    pair(configuration, {has_derivatives(), edges_stay});
+  }
+
+
+
+  template<int dim>
+  void Pairing<dim>::pair_near_contact(const GhostedVector &configuration)
+  {
+    PairingMode mode{has_derivatives(), edges_stay};
+    mode.keeps_open_points = dim == 3 && follows_each_step();
+    pair(configuration, mode);
+  }
+
+
+
+  template<int dim>
+  bool Pairing<dim>::complete()
+  {
+    if (is_complete)
+      return false;
+    PairingMode mode{has_derivatives(), edges_stay};
+    mode.is_rest = true;
+    pair(GhostedVector(paired_at), mode);
+    return true;
+  }
+
+
+
+  template<int dim>
+  void Pairing<dim>::pair(const GhostedVector &configuration,
+                          const PairingMode   &mode)
+  {
     bool changed = false;
     {
       TimerOutput::Scope scope(timer, "search");
-      paired_at = configuration;
-      if (model.interface)
+      paired_at   = configuration;
+      is_complete = !mode.keeps_open_points;
+      if (model.interface && !mode.is_rest)
         ++model.discretization->counters.pairings;
-      if (follows() && !configuration.all_zero())
+      if (follows() && !configuration.all_zero() && !mode.is_rest)
         ++model.discretization->counters.geometry_updates;
       const bool is_undeformed =
         parameters.solution.geometry == GeometryLoop::undeformed;
@@ -94,7 +127,7 @@ namespace Contact
                                         ? GhostedVector(
                                             model.discretization->distribution)
                                         : configuration,
-                                      {has_derivatives(), edges_stay});
+                                      mode);
     }
     system->update_pattern(changed);
   }
@@ -143,7 +176,7 @@ namespace Contact
     if (!after_a_step || has_derivatives())
       {
         extrapolation.forget();
-        pair(solution);
+        pair_near_contact(solution);
         return;
       }
     GhostedVector step = model.discretization->displacements(solution);
@@ -151,7 +184,7 @@ namespace Contact
     const double  length        = extrapolation.length(step);
     GhostedVector configuration = paired_at;
     configuration.sadd(1 - length, length, solution);
-    pair(length == 1 ? solution : configuration);
+    pair_near_contact(length == 1 ? solution : configuration);
   }
 
 

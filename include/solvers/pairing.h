@@ -54,6 +54,10 @@ namespace Contact
     /// of small displacements under none.
     void pair(const GhostedVector &configuration);
 
+    /// The same for a start from which Newton's method follows: open points
+    /// that touch nothing may keep an earlier pairing until complete().
+    void pair_near_contact(const GhostedVector &configuration);
+
     /// The displacements of the last pairing.
     const GhostedVector &configuration() const
     {
@@ -89,6 +93,11 @@ namespace Contact
                  const GhostedVector       &last,
                  const bool                 progress);
 
+    /// Pair the points that have kept an earlier pairing in follow(), the
+    /// surfaces being where they were then. Returns whether any may have.
+    /// Collective.
+    bool complete();
+
     /// Whether the solution under this pairing is one.
     bool accepts(const IncrementState<dim> &state);
 
@@ -112,6 +121,7 @@ namespace Contact
   private:
     void freeze(const bool frozen);
     bool has_derivatives() const;
+    void pair(const GhostedVector &configuration, const PairingMode &mode);
 
     PairingMisfit misfit_of(const IncrementState<dim> &state) const;
 
@@ -122,6 +132,7 @@ namespace Contact
 
     ContactLinearization present{};
     GhostedVector        paired_at;
+    bool                 is_complete = true; // no point has an earlier pairing
     AitkenExtrapolation  extrapolation;
 
     // Of the present Newton's method.
