@@ -106,7 +106,8 @@ namespace Contact
                         "How far conjugate gradients are driven in a Newton "
                         "step, relative to the residual of that [-]; > 0, < "
                         "1. Where bodies yield, and the step will leave more "
-                        "than that, to 0.01.");
+                        "than that, and in contact of linear bodies in space, "
+                        "to 0.01.");
       prm.add_parameter(
         "System",
         system,

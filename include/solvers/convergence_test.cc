@@ -18,21 +18,29 @@ namespace Contact
 
 
 
+  // The multipliers, which all have, count once.
+  template<int dim>
+  double ConvergenceTest<dim>::norm_of(const GhostedVector &rhs) const
+  {
+    const MPI_Comm communicator = model.discretization->communicator;
+    const auto     n = model.discretization->distribution->locally_owned_size();
+    double         square =
+      model.interface && Utilities::MPI::this_mpi_process(communicator) == 0
+                ? std::pow(model.interface->constraint_norm(rhs), 2)
+                : 0.;
+    for (const double *r = rhs.begin(); r != rhs.begin() + n; ++r)
+      square += *r * *r;
+    return std::sqrt(Utilities::MPI::sum(square, communicator));
+  }
+
+
+
   template<int dim>
   double ConvergenceTest<dim>::evaluate(const GhostedVector       &rhs,
                                         const IncrementState<dim> &state,
                                         const bool                 moving_bound)
   {
-    const MPI_Comm communicator = model.discretization->communicator;
-    const auto     n = model.discretization->distribution->locally_owned_size();
-    // The multipliers, which all have, count once.
-    double square =
-      model.interface && Utilities::MPI::this_mpi_process(communicator) == 0
-        ? std::pow(model.interface->constraint_norm(rhs), 2)
-        : 0.;
-    for (const double *r = rhs.begin(); r != rhs.begin() + n; ++r)
-      square += *r * *r;
-    norm  = std::sqrt(Utilities::MPI::sum(square, communicator));
+    norm  = norm_of(rhs);
     force = scale->in(state.solution,
                       state.start,
                       state.load_factor,

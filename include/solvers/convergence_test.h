@@ -40,6 +40,9 @@ namespace Contact
                     const IncrementState<dim> &state,
                     const bool                 moving_bound);
 
+    /// The norm of a residual [N per mm of thickness]. Collective.
+    double norm_of(const GhostedVector &rhs) const;
+
     /// The norm and the force F of the last evaluation, and the norm by F.
     double residual() const
     {

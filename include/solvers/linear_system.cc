@@ -247,6 +247,8 @@ namespace Contact
           moves_nonlinear_bodies ? 1e-5
           : model.elasticity->changes_by_yielding()
             ? forcing_term(step) * step.residual
+          : leaves_pairing()
+            ? std::max(parameters.linear_tolerance, 0.01) * step.residual
             : std::min(1e-5, parameters.linear_tolerance * step.residual);
         const double relative =
           std::max(0.1 * step.tolerance, one_solve_is_all ? 0. : forcing);
@@ -299,6 +301,17 @@ namespace Contact
         return std::any_of(bodies.begin(), bodies.end(), [&](const auto &body) {
           return !model.elasticity->is_small_strain(body.second);
         });
+      }
+
+      // In space the tangent does not know how the coefficients of a point
+      // change with the way of the nodes around, and the residual falls by the
+      // gradients of the displacements at best. Where bodies are linear, and
+      // steps cost little else than their solution, two digits serve.
+      bool leaves_pairing() const
+      {
+        return dim == 3 && model.elasticity->is_linear() &&
+               parameters.pairs_each_step() &&
+               model.geometry_follows(parameters);
       }
 
       // In bodies that yield a step is solved to a tenth of what it

@@ -118,8 +118,9 @@ namespace Contact
     unsigned int search_statuses(typename LinearSystem<dim>::Step step);
 
     /// Give the points the statuses that they have in the solution of the
-    /// linear problem. Returns whether one is another.
-    bool adapt_statuses();
+    /// linear problem, unless that is one to @p tolerance under these, too
+    /// [-]. Returns whether one is another.
+    bool adapt_statuses(const double tolerance);
 
     const ContactModel<dim>                  &model;
     const std::unique_ptr<LinearSystem<dim>> &system;
