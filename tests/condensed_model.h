@@ -247,7 +247,8 @@ namespace Tests
     const auto turning = SlipTurning<dim>::terms(*model.interface,
                                                  model.solution,
                                                  model.start,
-                                                 model.moving_bound);
+                                                 model.moving_bound,
+                                                 /*any_rank_may_add=*/false);
     const auto forces  = [&](const double step) {
       GhostedVector du(y), rest(n), u(model.solution), rhs(u.size());
       du *= step;

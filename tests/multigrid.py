@@ -81,8 +81,16 @@ if space:
     held = [s["displacements_on_a_process"] / s["unknowns"]["displacement"]
             for s in space[1:]]
     check("a process holds its part", held[1] < 0.8 < held[0], held)
-both("space, hanging nodes, friction", "nested_space_friction",
-     "Refinement/Levels=2", "Refinement/Strategy=adaptive", ranks=(1, 2))
+slipping = both("space, hanging nodes, friction", "nested_space_friction",
+                "Refinement/Levels=2", "Refinement/Strategy=adaptive",
+                ranks=(1, 2))
+if slipping:
+    # Of the first process: what it does not do is for the other. Facets where
+    # the shares meet are integrated by both.
+    for work, most in ("projections", 0.9), ("slip_stiffnesses", 0.7):
+        done = [s["counters"][work] for s in slipping[1:]]
+        check(f"{work}: a share for each process",
+              0.3 < done[1] / max(1, done[0]) < most, done)
 
 
 # Blocks: the upper one is the slave, pressed down by a displacement that varies,

@@ -279,7 +279,8 @@ namespace
     for (const auto &term : SlipTurning<3>::terms(*model.interface,
                                                   model.solution,
                                                   model.start,
-                                                  false))
+                                                  /*moving_bound=*/false,
+                                                  /*any_rank_may_add=*/false))
       for (unsigned int i = 0; i < term.dofs.size(); ++i)
         for (unsigned int j = 0; j < term.dofs.size(); ++j)
           by_terms[term.dofs[i]] += term.stiffness(i, j) * du[term.dofs[j]];

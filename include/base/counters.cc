@@ -28,6 +28,7 @@ namespace Contact
             {"geometry_updates", geometry_updates},
             {"active_set_changes", active_set_changes},
             {"tangential_rows", tangential_rows},
+            {"slip_stiffnesses", slip_stiffnesses},
             {"obstacle_moves", obstacle_moves},
             {"free_motions", free_motions},
             {"interferences", interferences},

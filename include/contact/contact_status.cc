@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/exchange.h"
 #include "contact/contact_interface.h"
 
 namespace Contact
@@ -286,9 +287,12 @@ namespace Contact
                                          const bool           moving_bound,
                                          const bool           keep)
   {
-    std::vector<PointStatus<dim>> updated;
-    for (const ContactPoint<dim> &point : all_points)
-      updated.push_back(status_in(point, solution, u_start, moving_bound));
+    std::vector<PointStatus<dim>> of_rank;
+    for (const auto q : own)
+      of_rank.push_back(
+        status_in(all_points[q], solution, u_start, moving_bound));
+    std::vector<PointStatus<dim>> updated =
+      gathered(of_rank, discretization.communicator);
     for (const auto &[q, others] : in_corner)
       if (is_held_in_corner(q, [&](const unsigned int point) {
             return updated[point];

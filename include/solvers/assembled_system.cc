@@ -64,6 +64,15 @@ namespace Contact
 
 
 
+  // The matrix has room for what is added by the rank whose cells are beside.
+  template<int dim>
+  bool AssembledSystem<dim>::any_rank_may_add() const
+  {
+    return false;
+  }
+
+
+
   // Cells of other ranks have shares in the rows of this one.
   template<int dim>
   typename AssembledSystem<dim>::Dofs
@@ -219,7 +228,7 @@ namespace Contact
         sum.add(interface_tangents[k], dofs, dofs);
       }
     for (const auto &term : elimination.turning_terms())
-      if (owned.is_element(term.dofs[0]))
+      if (term.is_own())
         sum.add(term.stiffness, term.dofs, term.dofs);
     for (const auto &term : elimination.pairing_terms())
       sum.add(term.stiffness, term.rows, term.columns);

@@ -75,6 +75,7 @@ namespace Contact
     void         make_room() override;
     bool         make_room_for_lines() override;
     bool         needs_all_tangents() const override;
+    bool         any_rank_may_add() const override;
     Dofs         all_of_interface(Dofs &&of_cells) const override;
     void         reset() override;
     void         assemble_bulk(const GhostedVector  &solution,

@@ -104,9 +104,16 @@ namespace Contact
                                        const GhostedVector &u_start,
                                        const GhostedVector &moved)
   {
+    const auto make_lines = [&] {
+      elimination.make(solution,
+                       u_start,
+                       interface_dofs,
+                       moved,
+                       any_rank_may_add());
+    };
     {
       TimerOutput::Scope scope(timer, "assembly");
-      elimination.make(solution, u_start, interface_dofs, moved);
+      make_lines();
     }
     const bool misses_cells = on_any_rank(add_eliminable());
     const bool misses_room  = on_any_rank(make_room_for_lines());
@@ -117,7 +124,7 @@ namespace Contact
     if (misses_cells)
       collect_interface();
     couple();
-    elimination.make(solution, u_start, interface_dofs, moved);
+    make_lines();
   }
 
 
@@ -292,7 +299,7 @@ namespace Contact
                            moved_forces);
       }
     for (const auto &term : elimination.turning_terms())
-      if (owned.is_element(term.dofs[0]))
+      if (term.is_own())
         add_moved_forces(term.stiffness,
                          term.dofs,
                          term.dofs,

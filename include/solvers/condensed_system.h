@@ -118,6 +118,10 @@ namespace Contact
     /// those of cells alone where unknowns are eliminated or move.
     virtual bool needs_all_tangents() const = 0;
 
+    /// Whether any rank may add what points stiffen, or the owner of the node
+    /// of a point alone.
+    virtual bool any_rank_may_add() const = 0;
+
     bool on_any_rank(const bool condition) const;
 
     const Discretization<dim> &discretization;

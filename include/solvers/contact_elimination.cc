@@ -107,7 +107,8 @@ namespace Contact
   void ContactElimination<dim>::make(const GhostedVector &solution,
                                      const GhostedVector &u_start,
                                      const Dofs          &surroundings,
-                                     const GhostedVector &moved)
+                                     const GhostedVector &moved,
+                                     const bool           any_rank_may_add)
   {
     lines.clear();
     test_lines.clear();
@@ -135,8 +136,11 @@ namespace Contact
         if (!symmetric)
           of_pairing =
             PairingStiffness<dim>::terms(*interface, solution, u_start);
-        turning =
-          SlipTurning<dim>::terms(*interface, solution, u_start, moving_bound);
+        turning = SlipTurning<dim>::terms(*interface,
+                                          solution,
+                                          u_start,
+                                          moving_bound,
+                                          any_rank_may_add);
         if (&moved != &solution)
           for (auto &term : turning)
             {

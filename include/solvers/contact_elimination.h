@@ -63,14 +63,16 @@ namespace Contact
     /**
      * Make the constraints of the present statuses, together with those that
      * Discretization puts on the unknowns @p surroundings; the gaps and slips
-     * to be closed are those of @p moved, where free motions may be others.
+     * to be closed are those of @p moved, where free motions may be others. For
+     * @p any_rank_may_add see SlipTurning::terms().
      * Throws NotConverged where a point penetrates and supports leave none of
      * its unknowns free.
      */
     void make(const GhostedVector &solution,
               const GhostedVector &u_start,
               const Dofs          &surroundings,
-              const GhostedVector &moved);
+              const GhostedVector &moved,
+              const bool           any_rank_may_add);
 
     /// Of the displacements, and of the virtual ones.
     const AffineConstraints<double> &constraints() const

@@ -142,6 +142,14 @@ namespace Contact
 
 
 
+  template<int dim>
+  bool MatrixFreeSystem<dim>::any_rank_may_add() const
+  {
+    return true;
+  }
+
+
+
   // The surfaces, with what hanging nodes hang on.
   template<int dim>
   typename MatrixFreeSystem<dim>::Dofs
@@ -218,8 +226,9 @@ namespace Contact
                                   !elimination.pairing_terms().empty());
     if (has_terms)
       {
-        IndexSet used(owned.size());
-        used.add_indices(interface_dofs.begin(), interface_dofs.end());
+        const Dofs dofs = dofs_of_terms();
+        IndexSet   used(owned.size());
+        used.add_indices(dofs.begin(), dofs.end());
         surface.initialize(used, owned, discretization.communicator);
         surface_forces.initialize(used, owned, discretization.communicator);
       }
@@ -258,7 +267,7 @@ namespace Contact
     std::vector<SurfaceSpring> all;
     std::map<Dof, double>      sum;
     for (const auto &term : elimination.turning_terms())
-      if (owned.is_element(term.dofs[0]))
+      if (term.is_own())
         for (const auto &[stiffness, way] : term.springs)
           {
             sum.clear();
@@ -326,6 +335,34 @@ namespace Contact
 
 
 
+  // Those of the terms of this rank, or what they hang on.
+  template<int dim>
+  typename MatrixFreeSystem<dim>::Dofs
+  MatrixFreeSystem<dim>::dofs_of_terms() const
+  {
+    Dofs       dofs;
+    const auto add = [&](const Dofs &of_term) {
+      for (const auto dof : of_term)
+        if (const auto *entries =
+              discretization.constraints.get_constraint_entries(dof))
+          for (const auto &entry : *entries)
+            dofs.push_back(entry.first);
+        else
+          dofs.push_back(dof);
+    };
+    for (const auto &term : elimination.turning_terms())
+      add(term.dofs);
+    for (const auto &term : elimination.pairing_terms())
+      {
+        add(term.rows);
+        add(term.columns);
+      }
+    sort_unique(dofs);
+    return dofs;
+  }
+
+
+
   // What the turning of shears and of the pairing adds. Unknowns that hang on
   // others or are supported have no values of their own.
   template<int dim>
@@ -357,7 +394,7 @@ namespace Contact
     surface.read(work);
     surface_forces.clear();
     for (const auto &term : elimination.turning_terms())
-      if (owned.is_element(term.dofs[0]))
+      if (term.is_own())
         multiply(term.stiffness, term.dofs, term.dofs);
     for (const auto &term : elimination.pairing_terms())
       multiply(term.stiffness, term.rows, term.columns);

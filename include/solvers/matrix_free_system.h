@@ -66,7 +66,6 @@ namespace Contact
     using Base::discretization;
     using Base::elasticity;
     using Base::elimination;
-    using Base::interface_dofs;
     using Base::owned;
     using Base::timer;
 
@@ -74,6 +73,7 @@ namespace Contact
     void         make_room() override;
     bool         make_room_for_lines() override;
     bool         needs_all_tangents() const override;
+    bool         any_rank_may_add() const override;
     Dofs         all_of_interface(Dofs &&of_cells) const override;
     void         reset() override;
     void         assemble_bulk(const GhostedVector  &solution,
@@ -84,6 +84,7 @@ namespace Contact
                                const double         tolerance,
                                GhostedVector       &x) override;
 
+    Dofs dofs_of_terms() const;
     void add_terms(Vector &dst) const;
 
     std::vector<SurfaceSpring> springs() const;

@@ -5,6 +5,8 @@
 
 #include "solvers/slip_turning.h"
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 
 namespace Contact
@@ -24,10 +26,11 @@ namespace Contact
 
 
 
-    /// With the load of @p acting, a shear by tangent.
-    Term make_term(const ContactPoint<3> &point,
-                   Term                   term,
-                   const Tensor<1, 2>    &acting)
+    /// Make of @p term what the system gets, with the load of @p acting, a
+    /// shear by tangent.
+    void complete(const ContactPoint<3> &point,
+                  const Tensor<1, 2>    &acting,
+                  Term                  &term)
     {
       const unsigned int n = 3 * point.n_nodes;
       term.stiffness.reinit(n, n);
@@ -58,7 +61,6 @@ namespace Contact
               way[k] = point.C[k / 3] * along[k % 3];
             term.springs.emplace_back(point.weight * value, way);
           }
-      return term;
     }
   } // namespace
 
@@ -69,6 +71,7 @@ namespace Contact
   SlipTurning<2>::terms(const ContactInterface<2> &,
                         const GhostedVector &,
                         const GhostedVector &,
+                        const bool,
                         const bool)
   {
     return {};
@@ -81,9 +84,11 @@ namespace Contact
   SlipTurning<3>::terms(const ContactInterface<3> &interface,
                         const GhostedVector       &solution,
                         const GhostedVector       &u_start,
-                        const bool                 moving_bound)
+                        const bool                 moving_bound,
+                        const bool                 any_rank_may_add)
   {
-    std::vector<Term> all;
+    std::vector<Term>         all;
+    std::vector<Tensor<1, 2>> acting;
     for (unsigned int k = 0; k < interface.points().size(); ++k)
       {
         const ContactPoint<3> &point = interface.points()[k];
@@ -94,13 +99,13 @@ namespace Contact
         const Tensor<1, 2>    whole_slip = way(point, now);
         // The shear of the springs acts already.
         if (point.status.kind == Status::stick && point.springs.norm() > 0)
-          all.push_back(
-            make_term(point,
-                      {k,
-                       {},
-                       c * point.springs,
-                       point.springs * (now.q_trial + c * whole_slip)},
-                      {}));
+          {
+            all.push_back({k,
+                           {},
+                           c * point.springs,
+                           point.springs * (now.q_trial + c * whole_slip)});
+            acting.emplace_back();
+          }
         const double size = now.q_trial.norm();
         if (!point.status.has_direction() ||
             size == 0) // supports move it, and nothing turns
@@ -122,9 +127,25 @@ namespace Contact
         const Tensor<1, 2> turn = share * (rigid * d) * across;
         const Tensor<1, 2> rest = -share * (rigid * now.lambda_t) * across;
         const Tensor<2, 2> of_slip = c * share * outer_product(across, across);
-        all.push_back(make_term(point,
-                                {k, turn, of_slip, rest + of_slip * whole_slip},
-                                bound * turn + rest));
+        all.push_back({k, turn, of_slip, rest + of_slip * whole_slip});
+        acting.push_back(bound * turn + rest);
+      }
+
+    const auto    &discretization = interface.discretization;
+    const IndexSet share =
+      Utilities::MPI::create_evenly_distributed_partitioning(
+        discretization.communicator,
+        all.size());
+    const IndexSet &owned = discretization.dof_handler.locally_owned_dofs();
+    for (unsigned int t = 0; t < all.size(); ++t)
+      {
+        const ContactPoint<3> &point = interface.points()[all[t].point];
+        if (any_rank_may_add ? share.is_element(t)
+                             : owned.is_element(point.dofs[0][0]))
+          {
+            complete(point, acting[t], all[t]);
+            ++discretization.counters.slip_stiffnesses;
+          }
       }
     return all;
   }

@@ -34,7 +34,8 @@ namespace Contact
   class SlipTurning
   {
   public:
-    /// What a point adds to the system, over unknowns of the displacement.
+    /// What a point adds to the system, over unknowns of the displacement: of
+    /// points that another rank adds, the shear alone.
     struct Term
     {
       unsigned int point;
@@ -51,14 +52,22 @@ namespace Contact
 
       /// The stiffness as springs: a factor [N/mm], and the way by unknown.
       std::vector<std::pair<double, Vector<double>>> springs = {};
+
+      /// Whether this rank adds it.
+      bool is_own() const
+      {
+        return !dofs.empty();
+      }
     };
 
     /// Of the slipping points in a state. With @p moving_bound the bound is
-    /// that of the present pressure.
+    /// that of the present pressure. All ranks add as many, if @p
+    /// any_rank_may_add, else the owner of the point's node.
     static std::vector<Term> terms(const ContactInterface<dim> &interface,
                                    const GhostedVector         &solution,
                                    const GhostedVector         &u_start,
-                                   const bool                   moving_bound);
+                                   const bool                   moving_bound,
+                                   const bool any_rank_may_add);
 
     /// Of a point, the turn of the shear with the bound, and what the slip adds
     /// to the shear in the state behind a step.

@@ -56,7 +56,7 @@ class Scenes:
 # Effects that none of the scenes below has, unless it says so.
 NEWER = ("material_cells", "enhanced_cells", "return_mappings",
          "history_updates", "thermal_cells", "rigid_updates", "obstacle_moves",
-         "free_motions", "interferences")
+         "free_motions", "interferences", "slip_stiffnesses")
 OFF = NEWER + ("large_displacement_cells", "tangential_rows",
                "geometry_updates", "stress_recoveries", "error_estimates")
 NO_CONTACT = ("pairings", "candidate_pairs", "projections",
