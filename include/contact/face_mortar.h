@@ -8,13 +8,10 @@
 
 #include <deal.II/base/array_view.h>
 
-#include <boost/container/flat_map.hpp>
-#include <map>
 #include <optional>
 
 #include "contact/contact_points.h"
-#include "contact/face_changes.h"
-#include "contact/face_segments.h"
+#include "contact/face_integrals.h"
 #include "contact/mortar.h"
 #include "contact/point_exchange.h"
 
@@ -56,49 +53,8 @@ namespace Contact
               const PairingMode                &mode = {}) const;
 
   private:
-    /// Of a node of the master: the integrals of a dual function times its
-    /// shape function, and times the gradient of that.
-    struct OfMaster
-    {
-      double       value = 0;
-      Tensor<1, 3> gradient;
-    };
-
-    template<typename T>
-    using ByNode = boost::container::flat_map<unsigned int, T>;
-
-    /// The integrals that belong to a slave node.
-    struct NodeIntegrals
-    {
-      double           weight = 0; // D_k [mm^2]
-      Tensor<1, 3>     master_normal;
-      double           master_bend = 0;
-      ByNode<double>   slave;  // of the coefficients
-      ByNode<OfMaster> master; // of the coefficients
-
-      /// Of the surfaces from each other, by facet.
-      std::vector<const std::vector<Tensor<1, 3>> *> distances;
-
-      /// If it is asked for; and of which normals of the master, by facet and
-      /// its node, master_normal is the sum.
-      std::optional<FaceMortarChange>                         change;
-      std::map<std::pair<unsigned int, unsigned int>, double> normals;
-    };
-
-    /// The integrals of a slave facet's test functions over what it shares with
-    /// one master facet.
-    struct Segment
-    {
-      /// By test function: the values of the master's n nodes, and behind them
-      /// the components of their gradients, n at a time.
-      using Row = std::array<double, 4 * 9>;
-
-      unsigned int     master_facet;
-      std::vector<Row> rows;
-
-      /// By dual function, none if it is not asked for.
-      std::vector<std::unique_ptr<FaceMortarChange::OfFacets>> changes;
-    };
+    using NodeIntegrals = FaceIntegrals::NodeIntegrals;
+    using OfMaster      = FaceIntegrals::OfMaster;
 
     /// The numbers of the points that have to be paired; all others get their
     /// last pairing.
@@ -117,35 +73,6 @@ namespace Contact
                    const GhostedVector              &u,
                    const bool                        with_derivatives) const;
 
-    void integrate(const unsigned int             slave_facet,
-                   const std::vector<FaceSample> &points,
-                   const FaceConfiguration       &now,
-                   std::vector<Tensor<1, 3>>     &distances,
-                   std::vector<NodeIntegrals>    &of_nodes) const;
-
-    /// The segments of a slave facet; what its dual functions belong to are @p
-    /// carriers.
-    std::vector<Segment>
-    make_segments(const FacetDualFunctions           &dual,
-                  const std::vector<FaceSample>      &points,
-                  const FaceConfiguration            &now,
-                  const std::vector<NodeIntegrals *> &carriers) const;
-
-    void         add_slave(const unsigned int                  slave_facet,
-                           const FacetDualFunctions           &dual,
-                           const std::vector<FaceSample>      &points,
-                           const std::vector<NodeIntegrals *> &carriers) const;
-    void         add_master(const FacetDualFunctions           &dual,
-                            const std::vector<Segment>         &segments,
-                            const std::vector<NodeIntegrals *> &carriers) const;
-    void         add_normals(const FacetDualFunctions           &dual,
-                             const std::vector<Segment>         &segments,
-                             const FaceConfiguration            &now,
-                             const std::vector<NodeIntegrals *> &carriers) const;
-    void         add_changes(const unsigned int                  slave_facet,
-                             const FacetDualFunctions           &dual,
-                             const std::vector<Segment>         &segments,
-                             const std::vector<NodeIntegrals *> &carriers) const;
     void         fill_in(const NodeIntegrals     &integrals,
                          const unsigned int       node,
                          const FaceConfiguration &now,
@@ -175,27 +102,15 @@ namespace Contact
                            const FaceConfiguration &now,
                            ContactPoint<3>         &point) const;
 
-    void find_carriers();
-
     unsigned int slave_node(const ContactPoint<3> &point) const;
 
     /// The displacements of the nodes of both surfaces.
     std::vector<double> motion(const GhostedVector &u) const;
 
-    /// Whether a multiplier of one of these nodes acts on a facet.
-    bool carries_any(const unsigned int       slave_facet,
-                     const std::vector<bool> &nodes) const;
-
     const Surface<3>            &slave;
     const Surface<3>            &master;
     const Discretization<3>     &discretization;
     const std::set<unsigned int> excluded;
-
-    /// By facet and node, see FacetDualFunctions.
-    std::vector<FacetDualFunctions::Carriers> carries;
-
-    /// By facet, see Surface::shares_of_nodes().
-    std::vector<std::vector<double>> shares;
 
     const SymmetryPlanes planes;
 
@@ -215,7 +130,9 @@ namespace Contact
     mutable Last last;
 
     /// By how much the undeformed surfaces turn around each node [rad].
-    std::vector<double> slave_bends, master_bends;
+    const std::vector<double> slave_bends, master_bends;
+
+    const FaceIntegrals face_integrals;
   };
 } // namespace Contact
 

@@ -279,8 +279,11 @@ namespace Contact
     void gather_named_points();
     void find_places();
     void collect_supports();
+    /// Computed where it is asked for: the mapping of a node costs more than
+    /// all the rest of a visit.
+    using PlaceOfNode = std::function<Point<dim>()>;
     using NodeVisitor = std::function<void(const types::global_dof_index dof,
-                                           const Point<dim>             &X,
+                                           const PlaceOfNode            &place,
                                            const bool is_owned)>;
     void visit_group(const unsigned int component,
                      const std::string &entry,
@@ -289,7 +292,7 @@ namespace Contact
     void hold(const unsigned int component,
               const std::string &entry,
               const std::string &name,
-              const std::function<Prescribed<dim>(const Point<dim> &)> &at);
+              const std::function<Prescribed<dim>(const PlaceOfNode &)> &at);
     void collect_formulas(const unsigned int component);
     void hold_leaders_of_hanging_nodes();
     void collect_ties();

@@ -34,9 +34,10 @@ namespace Contact
                            "give one of them another name in the mesh file or "
                            "in 'Mesh/Points'");
         const unsigned int vertex = mesh.point(name, entry);
-        return visitor(vertex_dofs[vertex][component],
-                       mesh.triangulation.get_vertices()[vertex],
-                       /*is_owned=*/true);
+        return visitor(
+          vertex_dofs[vertex][component],
+          [&]() { return mesh.triangulation.get_vertices()[vertex]; },
+          /*is_owned=*/true);
       }
     const auto curve = mesh.curves.find(name);
     const bool is_curve =
@@ -73,11 +74,13 @@ namespace Contact
         for (unsigned int i = 0; i < dofs.size(); ++i)
           if (fe.system_to_component_index(i).first == component &&
               on_group.count(dofs[i]) > 0)
-            visitor(dofs[i],
-                    mapping[cell->active_fe_index()]
-                      .transform_unit_to_real_cell(cell,
-                                                   fe.unit_support_point(i)),
-                    cell->is_locally_owned());
+            visitor(
+              dofs[i],
+              [&]() {
+                return mapping[cell->active_fe_index()]
+                  .transform_unit_to_real_cell(cell, fe.unit_support_point(i));
+              },
+              cell->is_locally_owned());
       }
   }
 
@@ -87,10 +90,10 @@ namespace Contact
   // which of its nodes hang. Cells differ in the last digits of a place.
   template<int dim>
   void Discretization<dim>::hold(
-    const unsigned int                                        component,
-    const std::string                                        &entry,
-    const std::string                                        &name,
-    const std::function<Prescribed<dim>(const Point<dim> &)> &at)
+    const unsigned int                                         component,
+    const std::string                                         &entry,
+    const std::string                                         &name,
+    const std::function<Prescribed<dim>(const PlaceOfNode &)> &at)
   {
     auto &unknowns = supports[component][name];
     unknowns.clear();
@@ -98,12 +101,12 @@ namespace Contact
                 entry,
                 name,
                 [&](const types::global_dof_index dof,
-                    const Point<dim>             &X,
+                    const PlaceOfNode            &place,
                     const bool                    is_owned) {
                   unknowns.insert(dof);
                   if (!is_owned)
                     return;
-                  const Prescribed<dim> here = at(X);
+                  const Prescribed<dim> here = at(place);
                   const Prescribed<dim> first =
                     prescribed.emplace(dof, here).first->second;
                   if (first != here &&
@@ -135,7 +138,7 @@ namespace Contact
                 continue;
               Prescribed<dim> everywhere;
               everywhere.parts[c] = value;
-              hold(c, entry, name, [&](const Point<dim> &) {
+              hold(c, entry, name, [&](const PlaceOfNode &) {
                 return everywhere;
               });
             }
@@ -186,10 +189,10 @@ namespace Contact
             formula_of_rigid[c][name] = number;
             continue;
           }
-        hold(c, entry, name, [number](const Point<dim> &X) {
+        hold(c, entry, name, [number](const PlaceOfNode &place) {
           Prescribed<dim> here;
           here.formula = number;
-          here.X       = X;
+          here.X       = place();
           return here;
         });
       }
@@ -270,7 +273,7 @@ namespace Contact
           {
             const auto leader = vertex_dofs[mesh.point(partner, entry)][c];
             const auto tie    = [&](const types::global_dof_index dof,
-                                 const Point<dim> &,
+                                 const PlaceOfNode &,
                                  const bool) {
               if (dof == leader || hanging.is_constrained(dof))
                 return;

@@ -115,6 +115,7 @@ namespace Contact
     DynamicSparsityPattern pattern(n, n, rows);
     elasticity.add_couplings(pattern);
     add_interface_couplings(pattern);
+    couplings.add_points(pattern);
     if (is_distributed)
       couplings.add_facets(pattern);
     for (const auto i : owned)

@@ -197,6 +197,36 @@ namespace Contact
 
 
 
+  // The stiffness of the pairing of a point couples slave nodes that no facet
+  // has in common, and whatever these follow.
+  template<int dim>
+  void
+  InterfaceCouplings<dim>::add_points(DynamicSparsityPattern &pattern) const
+  {
+    if (interface == nullptr || !interface->has_coulomb_friction())
+      return;
+    const IndexSet &owned = discretization.dof_handler.locally_owned_dofs();
+    for (unsigned int q = 0; q < interface->points().size(); ++q)
+      {
+        const auto &own = interface->points()[q].dofs[0];
+        if (!owned.is_element(own[0]))
+          continue;
+        std::set<types::global_dof_index> coupled(own.begin(), own.end());
+        for (const Dofs &dofs : {Dofs(own.begin(), own.end()), provided[q]})
+          for (const auto dof : dofs)
+            {
+              coupled.insert(dof);
+              add_partners(dof, coupled);
+            }
+        discretization.constraints.add_entries_local_to_global(
+          Dofs(coupled.begin(), coupled.end()),
+          pattern,
+          /*keep_constrained_entries=*/false);
+      }
+  }
+
+
+
   template<int dim>
   typename InterfaceCouplings<dim>::Dofs InterfaceCouplings<dim>::all() const
   {

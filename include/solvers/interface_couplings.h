@@ -56,6 +56,9 @@ namespace Contact
     /// rank: a point's stiffness has those of cells of other ranks.
     void add_facets(DynamicSparsityPattern &pattern) const;
 
+    /// Add the couplings of points of this rank whose pairing has a stiffness.
+    void add_points(DynamicSparsityPattern &pattern) const;
+
     /// All unknowns of the points with all their partners, in ascending order.
     Dofs all() const;
 
