@@ -21,7 +21,8 @@ namespace Contact
    * SIAM J. Sci. Comput. 14, 1993): n iterations apply it n times. deal.II's
    * SolverGMRES applies it once more for the solution, SolverFGMRES because it
    * knows of the convergence an iteration later; where a digit or two are asked
-   * for, that is a third of all.
+   * for, that is a third of all (of 25 s of nested_space_friction.prm with 1.18
+   * million unknowns, 3.5 s).
    */
   template<class Vector>
   class FlexibleGMRES
@@ -76,6 +77,12 @@ namespace Contact
               rotations.emplace_back(column[j], left);
               double below = left;
               rotations[j].turn(column[j], below);
+              if (column[j] == 0) // A maps the direction to zero
+                {
+                  columns.pop_back();
+                  state = SolverControl::failure;
+                  break;
+                }
               rest.push_back(0);
               rotations[j].turn(rest[j], rest[j + 1]);
               norm  = std::abs(rest[j + 1]);
