@@ -16,6 +16,8 @@ Proves that
 - a block that slides far over the facets of a finer one has the same reactions by
   CHOLMOD, AMG and GMG, to 1e-8: the couplings of the matrix have room for what the
   pairing changes with;
+- a block that comes from afar into the corner of three walls, where the shears of
+  its nodes differ by any power of ten, ends there, pressed against all of them;
 - forces and moments of contact between round surfaces that slide far balance to
   1e-10, by the invariants of each increment and by nodes.csv, where the forces
   on the upper body are also what its support exerts.
@@ -385,9 +387,45 @@ def slide():
     check("  the same reactions by all solvers", worst < 1e-8, worst)
 
 
+def corner_of_walls():
+    """By 20 mm along x, first, then y and z; 0.05 mm into two walls and 0.04 mm
+    into the floor."""
+    mesh = Volumes()
+    mesh.block("B", (3, 3, 3), lambda r, s, t: (2 * r - 1, 2 * s - 1, 2 * t),
+               sides={**dict.fromkeys(("x0", "x1", "y0", "y1", "z0"), "skin"),
+                      "z1": "z1"})
+    mesh.write("walls")
+    walls = {"F": "0, 0, 0, 0, 0, 1", "W": "-1, 0, 0, 1, 0, 0",
+             "V": "0, 1, 0, 0, -1, 0"}
+    entries = {
+        "Mesh/File": "walls.msh", "Mesh/Move": "B: 20, -15, 10",
+        "Element/Degree": 2,
+        "Solids/Young's modulus": "B: 1000", "Solids/Poisson's ratio": "B: 0.3",
+        "Boundary conditions/Displacement x": "B_z1: 1",
+        "Boundary conditions/Displacement y": "B_z1: 1",
+        "Boundary conditions/Displacement z": "B_z1: 1",
+        "Boundary conditions/Histories":
+            "Displacement x: table(0 0, 0.5 -20, 0.75 -20.05, 1 -20.05); "
+            "Displacement y: table(0 0, 0.5 15, 0.75 15, 1 15.05); "
+            "Displacement z: table(0 0, 0.5 -10, 0.75 -10.04, 1 -10.04)",
+        "Solution/Increments": 8,
+        "Probes/Probes": "; ".join(f"{w}: obstacle force {c}, Contact {w}"
+                                   for w, c in zip("WVF", "xyz"))}
+    for name, plane in walls.items():
+        entries.update({f"Contact {name}/Slave": "B_skin",
+                        f"Contact {name}/Obstacle": f"half space: {plane}",
+                        f"Contact {name}/Friction coefficient": 0.2})
+    status, said, summary = run("walls", entries)
+    if converged("corner of three walls", status, summary, said):
+        forces = probes(summary)
+        check("  pressed against all walls",
+              forces["W"] > 0 > forces["V"] and forces["F"] > 0, forces)
+
+
 turning_path()
 plate()
 slide()
+corner_of_walls()
 turned_punch()
 held_side()
 DEEP, SHALLOW = (0.7, 0.4, -0.5), (0.5, 0.3, -0.15)

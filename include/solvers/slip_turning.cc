@@ -51,8 +51,11 @@ namespace Contact
                 term.stiffness(3 * a + i, 3 * b + j) =
                   point.C[a] * point.C[b] * k[i][j];
           }
+      // Jacobi's method: that by QL decomposition does not end where a shear of
+      // next to nothing, 1e-84 of the other one, is in the tensor.
       for (const auto &[value, direction] :
-           eigenvectors(symmetrize(term.of_slip)))
+           eigenvectors(symmetrize(term.of_slip),
+                        SymmetricTensorEigenvectorMethod::jacobi))
         if (value > 0)
           {
             const Tensor<1, 3> along = point.along_tangents(direction);
