@@ -9,6 +9,9 @@ Proves that
   has the pressures and shears of the whole scene: the nodal discretization within
   1e-4 of the largest pressure; the mortar discretization, whose integrals are over
   projections that are not symmetric, within 1e-3, and less on a finer mesh;
+- sides of slave and master that look the other way, and are reached through the own
+  body alone, change nothing: a block pressed on a plate has the forces, and the
+  symmetry, of the surfaces that touch, whichever of both is the slave;
 - a stiff stamp that is wider than the block below it, whose facets face that in
   part, presses it uniformly, with elements of 8, 20 and 27 nodes.
 
@@ -115,6 +118,46 @@ def wide_stamp():
         check(f"{what}: uniform stress", worst < 2e-7, values)
 
 
+def skins():
+    """A block on a plate; both surfaces go round edges, of the plate at one side."""
+    def forces(name, sides_of_plate, sides_of_block, slave, master):
+        mesh = Volumes()
+        mesh.block("P", (4, 4, 3), lambda r, s, t: (6 * r - 3, 6 * s - 3, 3 * t - 3),
+                   sides={"z0": "z0", **dict.fromkeys(sides_of_plate, "skin")})
+        mesh.block("B", (2, 2, 2), lambda r, s, t: (2 * r - 1, 2 * s - 1, 1.5 * t),
+                   sides={"z1": "z1", **dict.fromkeys(sides_of_block, "skin")})
+        mesh.write("skins")
+        entries = {
+            "Mesh/File": "skins.msh", "Element/Degree": 1,
+            "Solids/Young's modulus": "B: 1000, P: 3000",
+            "Solids/Poisson's ratio": "B: 0.3, P: 0.3",
+            "Contact/Slave": slave, "Contact/Master": master,
+            "Solution/Increments": 2, "Solution/Newton tolerance": 1e-11,
+            "Probes/Probes": "x: reaction x, P_z0; z: reaction z, P_z0"}
+        for axis, way in zip("xyz", (0, 0, -0.03)):
+            entries[f"Boundary conditions/Displacement {axis}"] = (
+                f"P_z0: 0, B_z1: {way}")
+        status, said, summary = run("skins", entries)
+        check(f"{name}: converges", status == 0, said)
+        if status != 0:
+            return None
+        return {p["name"]: p["value"] for p in summary["probes"]}
+
+    for slave, master in (("B_skin", "P_skin"), ("P_skin", "B_skin")):
+        alone = forces(f"skins, slave {slave}, sides that touch",
+                       ("z1",), ("z0",), slave, master)
+        all_sides = forces(f"skins, slave {slave}, all sides", ("z1", "x1"),
+                           ("x0", "x1", "y0", "y1", "z0"), slave, master)
+        if not (alone and all_sides):
+            continue
+        check("  symmetric", abs(all_sides["x"]) < 1e-8 * abs(all_sides["z"]),
+              all_sides)
+        # The normals at its edges are other ones.
+        check("  as with the sides that touch",
+              abs(all_sides["z"] / alone["z"] - 1) < 1e-3, (alone, all_sides))
+
+
 symmetric_halves()
+skins()
 wide_stamp()
 sys.exit(bool(failures))

@@ -226,6 +226,8 @@ namespace Contact
     : slave_normals(planes.facet_normals(slave, u))
     , master_normals(planes.facet_normals(master, u))
     , search(master, u)
+    , slave(slave)
+    , u(u)
   {
     for (unsigned int i = 0; i < slave.nodes.size(); ++i)
       slave_x.push_back(slave.position(i, u));
@@ -233,6 +235,15 @@ namespace Contact
       master_x.push_back(master.position(i, u));
     slave_middles  = middle_normals(slave, slave_x);
     master_middles = middle_normals(master, master_x);
+  }
+
+
+
+  const SurfaceSearch<3> &FaceConfiguration::slave_search() const
+  {
+    if (!of_slave)
+      of_slave = std::make_unique<SurfaceSearch<3>>(slave, u);
+    return *of_slave;
   }
 
 
@@ -272,6 +283,7 @@ namespace Contact
       if (directions.faces(now.master_middles[m]))
         add_segment(own, m);
     remove_hidden(own);
+    remove_beyond(own);
     return of_facet;
   }
 
@@ -392,27 +404,19 @@ namespace Contact
         largest - least <= thin * slave.reference_length(own.index))
       return;
 
-    std::map<unsigned int, std::vector<ProjectedPart>> facets;
+    std::map<unsigned int, ProjectedFacet> facets;
     for (const FaceSample &sample : of_facet)
-      {
-        auto &parts = facets[sample.master_facet];
-        if (parts.empty())
-          for (const Part &part : parts_of_facet(master.degree))
-            parts.emplace_back(project(own.plane,
-                                       part,
-                                       master.facets[sample.master_facet].nodes,
-                                       now.master_x),
-                               part);
-      }
+      if (const unsigned int m = sample.master_facet; facets.count(m) == 0)
+        facets.emplace(m, projected(own, master, now.master_x, m));
     const auto is_hidden = [&](const FaceSample &sample) {
-      const Point<3> on_slave = sum(sample.slave_values,
-                                    own.facet.nodes,
-                                    now.slave_x,
-                                    slave.n_nodes_per_facet());
-      const Point<2> place    = own.plane.project(on_slave);
+      const Point<3> on_slave = place_of(sample, own);
       return std::any_of(facets.begin(), facets.end(), [&](const auto &facet) {
-        return facet.first != sample.master_facet &&
-               is_behind(sample, own, on_slave, place, facet);
+        if (facet.first == sample.master_facet)
+          return false;
+        const auto along =
+          distance_along(own, on_slave, master, now.master_x, facet.second);
+        return along &&
+               std::abs(*along) < std::abs(sample.distance * own.normal);
       });
     };
     of_facet.erase(std::remove_if(of_facet.begin(), of_facet.end(), is_hidden),
@@ -421,30 +425,108 @@ namespace Contact
 
 
 
-  // A place on a line that facets share is behind none of them.
-  bool FaceSegments::is_behind(const FaceSample     &sample,
-                               const SlaveFacet     &own,
-                               const Point<3>       &on_slave,
-                               const Point<2>       &place,
-                               const ProjectedFacet &facet) const
+  // Where the surfaces have passed each other, a line from the slave's facet
+  // through its body meets the master's before it leaves the body, and does not
+  // go into the master's. Facets next to each other need no such test.
+  void FaceSegments::remove_beyond(const SlaveFacet &own)
   {
-    const auto &[m, parts] = facet;
+    const auto depth_of = [&](const FaceSample &sample) {
+      return sample.distance * own.normal;
+    };
+    const double reach = slave.reference_length(own.index);
+    double       depth = 0;
+    for (const FaceSample &sample : of_facet)
+      depth = std::max(depth, depth_of(sample));
+    if (depth <= reach)
+      return;
+
+    std::vector<Point<3>> x;
+    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      for (const double along : {0., depth})
+        x.push_back(now.slave_x[own.facet.nodes[a]] - along * own.normal);
+    const BoundingBox<3>        box(x);
+    std::vector<ProjectedFacet> sides_of_slave, sides_of_master;
+    for (const unsigned int f : now.slave_search().facets_in(box))
+      if (now.slave_middles[f] * own.normal < 0)
+        sides_of_slave.push_back(projected(own, slave, now.slave_x, f));
+    for (const unsigned int m : now.search.facets_in(box))
+      if (now.master_middles[m] * own.normal > 0)
+        sides_of_master.push_back(projected(own, master, now.master_x, m));
+
+    const auto is_beyond = [&](const FaceSample &sample) {
+      if (depth_of(sample) <= reach)
+        return false;
+      const Point<3> on_slave   = place_of(sample, own);
+      const auto     is_between = [&](const Surface<3>            &surface,
+                                  const std::vector<Point<3>> &x) {
+        return [&](const ProjectedFacet &facet) {
+          const auto along = distance_along(own, on_slave, surface, x, facet);
+          return along && *along > 0 && *along < depth_of(sample);
+        };
+      };
+      return std::any_of(sides_of_slave.begin(),
+                         sides_of_slave.end(),
+                         is_between(slave, now.slave_x)) ||
+             std::any_of(sides_of_master.begin(),
+                         sides_of_master.end(),
+                         is_between(master, now.master_x));
+    };
+    of_facet.erase(std::remove_if(of_facet.begin(), of_facet.end(), is_beyond),
+                   of_facet.end());
+  }
+
+
+
+  Point<3> FaceSegments::place_of(const FaceSample &sample,
+                                  const SlaveFacet &own) const
+  {
+    return sum(sample.slave_values,
+               own.facet.nodes,
+               now.slave_x,
+               slave.n_nodes_per_facet());
+  }
+
+
+
+  FaceSegments::ProjectedFacet
+  FaceSegments::projected(const SlaveFacet            &own,
+                          const Surface<3>            &surface,
+                          const std::vector<Point<3>> &x,
+                          const unsigned int           facet) const
+  {
+    std::vector<ProjectedPart> parts;
+    for (const Part &part : parts_of_facet(surface.degree))
+      parts.emplace_back(
+        project(own.plane, part, surface.facets[facet].nodes, x),
+        part);
+    return {facet, std::move(parts)};
+  }
+
+
+
+  // A place on a line that facets share is on none of them.
+  std::optional<double>
+  FaceSegments::distance_along(const SlaveFacet            &own,
+                               const Point<3>              &on_slave,
+                               const Surface<3>            &surface,
+                               const std::vector<Point<3>> &x,
+                               const ProjectedFacet        &facet) const
+  {
+    const auto &[f, parts]  = facet;
+    const Point<2> in_plane = own.plane.project(on_slave);
     for (const ProjectedPart &part : parts)
       {
-        if (!part.is_in_box(place))
+        if (!part.is_in_box(in_plane))
           continue;
-        const Point<2> xi = part.map.coordinates_of(place);
-        if (!(std::max(std::abs(xi[0]), std::abs(xi[1])) < 1))
-          continue;
-        const Point<3> on_other =
-          sum(FacetShape<3>::values(master.degree, part.in_facet(xi)),
-              master.facets[m].nodes,
-              now.master_x,
-              master.n_nodes_per_facet());
-        if (std::abs((on_slave - on_other) * own.normal) <
-            std::abs(sample.distance * own.normal))
-          return true;
+        const Point<2> xi = part.map.coordinates_of(in_plane);
+        if (std::max(std::abs(xi[0]), std::abs(xi[1])) < 1)
+          return (on_slave -
+                  sum(FacetShape<3>::values(surface.degree, part.in_facet(xi)),
+                      surface.facets[f].nodes,
+                      x,
+                      surface.n_nodes_per_facet())) *
+                 own.normal;
       }
-    return false;
+    return {};
   }
 } // namespace Contact

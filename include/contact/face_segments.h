@@ -26,12 +26,20 @@ namespace Contact
                       const SymmetryPlanes &planes,
                       const GhostedVector  &u);
 
+    /// Of the slave, made when it is first asked for.
+    const SurfaceSearch<3> &slave_search() const;
+
     std::vector<Point<3>>  slave_x, master_x;
     FacetNormals<3>        slave_normals, master_normals;
     const SurfaceSearch<3> search; // of the master
 
     /// The outward normals in the middle of the facets.
     std::vector<Tensor<1, 3>> slave_middles, master_middles;
+
+  private:
+    const Surface<3>                         &slave;
+    const GhostedVector                      &u;
+    mutable std::unique_ptr<SurfaceSearch<3>> of_slave;
   };
 
 
@@ -83,6 +91,8 @@ namespace Contact
    * 2 in four parts, bilinear between their nodes. The common polygons are cut
    * into triangles with Gauss points. Integrals are over the undeformed slave.
    * Of master facets that lie one behind the other, the nearest is the partner.
+   * What faces the slave facet beyond another side of its own body, or outside
+   * of the master's, is none.
    */
   class FaceSegments
   {
@@ -105,16 +115,25 @@ namespace Contact
                               const NormalCone<3> &directions);
     void   add_segment(const SlaveFacet &own, const unsigned int master_facet);
     void   remove_hidden(const SlaveFacet &own);
+    void   remove_beyond(const SlaveFacet &own);
 
-    /// A master facet and its parts in that plane.
-    using ProjectedFacet =
-      std::pair<const unsigned int, std::vector<ProjectedPart>>;
+    /// A facet and its parts in that plane.
+    using ProjectedFacet = std::pair<unsigned int, std::vector<ProjectedPart>>;
 
-    bool is_behind(const FaceSample     &sample,
-                   const SlaveFacet     &own,
-                   const Point<3>       &on_slave,
-                   const Point<2>       &place,
-                   const ProjectedFacet &facet) const;
+    /// How far along the normal of @p own its @p on_slave is from another
+    /// facet of a surface, whose nodes are at @p x, if that is there.
+    std::optional<double> distance_along(const SlaveFacet            &own,
+                                         const Point<3>              &on_slave,
+                                         const Surface<3>            &surface,
+                                         const std::vector<Point<3>> &x,
+                                         const ProjectedFacet &facet) const;
+
+    ProjectedFacet projected(const SlaveFacet            &own,
+                             const Surface<3>            &surface,
+                             const std::vector<Point<3>> &x,
+                             const unsigned int           facet) const;
+
+    Point<3> place_of(const FaceSample &sample, const SlaveFacet &own) const;
 
     const Surface<3>        &slave, &master;
     const FaceConfiguration &now;
