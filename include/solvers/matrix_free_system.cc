@@ -6,13 +6,13 @@
 #include "solvers/matrix_free_system.h"
 
 #include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_gmres.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
-#include "solvers/flexible_gmres.h"
 #include "solvers/negative_curvature.h"
 
 namespace Contact
@@ -419,7 +419,11 @@ namespace Contact
         if (elimination.is_symmetric())
           SolverCG<Vector>(control).solve(*this, of_rank, b, *multigrid);
         else
-          FlexibleGMRES<Vector>(control).solve(*this, of_rank, b, *multigrid);
+          SolverGMRES<Vector>(control,
+                              typename SolverGMRES<Vector>::AdditionalData(
+                                /*max_n_tmp_vectors=*/52,
+                                /*right_preconditioning=*/true))
+            .solve(*this, of_rank, b, *multigrid);
       }
     catch (const SolverControl::NoConvergence &)
       {
