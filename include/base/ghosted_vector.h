@@ -47,7 +47,7 @@ namespace Contact
     }
 
   private:
-    /// Where to begin to look for it.
+    /// The place in the table to begin the search of it.
     std::size_t place(const Dof i) const
     {
       return (i * golden_ratio) >> shift;

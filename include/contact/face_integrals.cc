@@ -125,7 +125,7 @@ namespace Contact
 
 
 
-  // Where one heir of a hanging node has no multiplier, the other has it all.
+  // The other heir of a hanging node has it all if one has no multiplier.
   void FaceIntegrals::find_carriers(const std::set<unsigned int> &excluded)
   {
     for (unsigned int e = 0; e < slave.facets.size(); ++e)

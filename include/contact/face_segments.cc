@@ -425,7 +425,7 @@ namespace Contact
 
 
 
-  // Where the surfaces have passed each other, a line from the slave's facet
+  // After the surfaces have passed each other, a line from the slave's facet
   // through its body meets the master's before it leaves the body, and does not
   // go into the master's. Facets next to each other need no such test.
   void FaceSegments::remove_beyond(const SlaveFacet &own)

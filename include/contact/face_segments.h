@@ -6,6 +6,7 @@
 #ifndef contact_face_segments_h
 #define contact_face_segments_h
 
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -91,8 +92,8 @@ namespace Contact
    * 2 in four parts, bilinear between their nodes. The common polygons are cut
    * into triangles with Gauss points. Integrals are over the undeformed slave.
    * Of master facets that lie one behind the other, the nearest is the partner.
-   * What faces the slave facet beyond another side of its own body, or outside
-   * of the master's, is none.
+   * A facet of the master beyond another side of the slave's own body, or seen
+   * from outside of the master's, is none.
    */
   class FaceSegments
   {
@@ -120,7 +121,7 @@ namespace Contact
     /// A facet and its parts in that plane.
     using ProjectedFacet = std::pair<unsigned int, std::vector<ProjectedPart>>;
 
-    /// How far along the normal of @p own its @p on_slave is from another
+    /// The distance along the normal of @p own of its @p on_slave from another
     /// facet of a surface, whose nodes are at @p x, if that is there.
     std::optional<double> distance_along(const SlaveFacet            &own,
                                          const Point<3>              &on_slave,

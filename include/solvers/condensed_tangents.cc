@@ -54,7 +54,7 @@ namespace Contact
 
 
 
-  // What is constrained gets a diagonal as large as with the symmetric matrix.
+  // Constrained rows get a diagonal as large as with the symmetric matrix.
   void CondensedTangents::add_free(const FullMatrix<double> &tangent,
                                    const Dofs               &rows,
                                    const Dofs               &columns)

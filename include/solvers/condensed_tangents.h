@@ -84,7 +84,7 @@ namespace Contact
 
       void add(const unsigned int column, const double value);
 
-      /// What was added, and nothing is left.
+      /// All that was added; nothing is left.
       Row take();
 
     private:

@@ -22,7 +22,7 @@ namespace Contact
    * every eliminated unknown is known by those that are not:
    *   u_pivot = constant + sum of c_k u_k.
    *
-   * Where each equation has some unknowns of the next one, as along the rim of
+   * If each equation has some unknowns of the next one, as along the rim of
    * the master on a slave of degree 2, each line gets coefficients of all of
    * them, which decay with the distance: below round-off they are left out.
    */
