@@ -5,9 +5,8 @@
 
 #include "contact/face_mortar.h"
 
-#include <deal.II/base/timer.h>
-
 #include <algorithm>
+#include <chrono>
 #include <limits>
 
 namespace Contact
@@ -36,6 +35,15 @@ namespace Contact
     double itself(const double value)
     {
       return value;
+    }
+
+
+
+    using Clock = std::chrono::steady_clock;
+
+    double seconds_since(const Clock::time_point start)
+    {
+      return std::chrono::duration<double>(Clock::now() - start).count();
     }
   } // namespace
 
@@ -195,7 +203,6 @@ namespace Contact
   {
     if (!point_shares)
       point_shares.emplace(points.size(), discretization.communicator);
-    Timer                           timer;
     std::vector<bool>               is_own(slave.nodes.size(), false);
     const std::vector<unsigned int> own = point_shares->own(numbers);
     for (const unsigned int q : own)
@@ -204,35 +211,38 @@ namespace Contact
     const FaceConfiguration                now(slave, master, planes, u);
     FaceSegments                           segments(slave, master, now);
     std::vector<NodeIntegrals>             of_nodes(slave.nodes.size());
+    std::vector<float>                     seconds(slave.nodes.size(), 0);
     std::vector<std::vector<Tensor<1, 3>>> distances(slave.facets.size());
     for (const unsigned int q : own)
       if (with_derivatives && points[q].status.kind != Status::open)
         of_nodes[slave_node(points[q])].change.emplace();
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       {
-        const auto carriers = face_integrals.carriers_of(e);
-        if (std::none_of(carriers.begin(),
-                         carriers.end(),
-                         [&is_own](const unsigned int node) {
-                           return is_own[node];
-                         }))
+        std::vector<unsigned int> carriers;
+        for (const unsigned int node : face_integrals.carriers_of(e))
+          if (is_own[node])
+            carriers.push_back(node);
+        if (carriers.empty())
           continue;
+        const auto  start   = Clock::now();
         const auto &samples = segments.samples(e);
         discretization.counters.projections += samples.size();
         face_integrals.add(e, samples, now, distances[e], of_nodes);
+        for (const unsigned int node : carriers)
+          seconds[node] += seconds_since(start) / carriers.size();
       }
 
+    std::vector<float> of_points(points.size(), 0);
     for (const unsigned int q : own)
       {
-        const unsigned int node = slave_node(points[q]);
+        const unsigned int node  = slave_node(points[q]);
+        const auto         start = Clock::now();
         fill_in(of_nodes[node], node, now, u, points[q]);
         if (of_nodes[node].change && points[q].facing)
           differentiate(of_nodes[node], node, now, points[q]);
+        of_points[q] = seconds[node] + seconds_since(start);
       }
-    const double seconds = timer.wall_time();
-    point_shares->exchange(points, numbers);
-    if (numbers.size() == points.size())
-      point_shares->balance(seconds);
+    point_shares->exchange(points, numbers, of_points);
   }
 
 

@@ -7,8 +7,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cstring>
-#include <numeric>
 
 #include "base/exchange.h"
 
@@ -120,19 +120,39 @@ namespace Contact
     : communicator(communicator)
     , rank(Utilities::MPI::this_mpi_process(communicator))
     , n_ranks(Utilities::MPI::n_mpi_processes(communicator))
+    , seconds(n_points, -1)
   {
-    for (std::size_t r = 0; r <= n_ranks; ++r)
-      starts.push_back(n_points * r / n_ranks);
   }
 
 
 
+  // What is not known is taken to be the mean of what is.
   std::vector<unsigned int>
   PointShares::own(const std::vector<unsigned int> &numbers) const
   {
+    if (n_ranks == 1)
+      return numbers;
+    double       known   = 0;
+    unsigned int n_known = 0;
+    for (const unsigned int q : numbers)
+      if (seconds[q] >= 0)
+        {
+          known += seconds[q];
+          ++n_known;
+        }
+    const double mean = known > 0 ? known / n_known : 1;
+
+    std::vector<double> until; // the end of each point
+    double              sum = 0;
+    for (const unsigned int q : numbers)
+      until.push_back(sum += known > 0 && seconds[q] >= 0 ? seconds[q] : mean);
     const auto place = [&](const unsigned int r) {
-      return numbers.begin() +
-             std::size_t(starts[r]) * numbers.size() / starts.back();
+      return r == n_ranks
+               ? numbers.end()
+               : numbers.begin() + (std::lower_bound(until.begin(),
+                                                     until.end(),
+                                                     sum * r / n_ranks) -
+                                    until.begin());
     };
     return {place(rank), place(rank + 1)};
   }
@@ -140,38 +160,24 @@ namespace Contact
 
 
   void PointShares::exchange(const ArrayView<ContactPoint<3>> &points,
-                             const std::vector<unsigned int>  &numbers) const
+                             const std::vector<unsigned int>  &numbers,
+                             const std::vector<float>         &of_own)
   {
     if (n_ranks == 1)
       return;
     Writer writer;
     for (const unsigned int q : own(numbers))
-      exchange_point(writer, points[q]);
+      {
+        exchange_point(writer, points[q]);
+        writer.plain(&of_own[q], 1);
+      }
 
     const std::vector<char> all = gathered(writer.bytes, communicator);
     Reader                  reader{all.data()};
     for (const unsigned int q : numbers)
-      exchange_point(reader, points[q]);
-  }
-
-
-
-  // Within a share all points are taken to cost the same.
-  void PointShares::balance(const double of_rank)
-  {
-    const std::vector<double> seconds =
-      Utilities::MPI::all_gather(communicator, of_rank);
-    const double each =
-      std::accumulate(seconds.begin(), seconds.end(), 0.) / n_ranks;
-    const std::vector<unsigned int> old    = starts;
-    double                          before = 0;
-    unsigned int                    next   = 1;
-    for (unsigned int r = 0; r < n_ranks; ++r)
       {
-        for (; next < n_ranks && next * each < before + seconds[r]; ++next)
-          starts[next] = old[r] + (next * each - before) / seconds[r] *
-                                    (old[r + 1] - old[r]);
-        before += seconds[r];
+        exchange_point(reader, points[q]);
+        reader.plain(&seconds[q], 1);
       }
   }
 } // namespace Contact

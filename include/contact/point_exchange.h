@@ -17,32 +17,30 @@ namespace Contact
 {
   /**
    * The shares of the contact points that the ranks pair, each its own for all:
-   * numbers that follow each other. They are balanced by the time that each
-   * rank has taken. A pairing is the same whichever rank makes it.
+   * numbers that follow each other. All take the same time, as far as is known
+   * from the last pairing of each point. A pairing is the same whichever rank
+   * makes it.
    */
   class PointShares
   {
   public:
     PointShares(const unsigned int n_points, const MPI_Comm communicator);
 
-    /// The share of this rank in a list of points: of a part of them it is as
-    /// large a part as of all.
+    /// The share of this rank in a list of points.
     std::vector<unsigned int>
     own(const std::vector<unsigned int> &numbers) const;
 
     /// Give the pairings and weights of the points of each share in such a list
-    /// to all ranks. Collective.
+    /// to all ranks, and the time each has taken: @p seconds, by number of a
+    /// point, has that of the own ones. Collective.
     void exchange(const ArrayView<ContactPoint<3>> &points,
-                  const std::vector<unsigned int>  &numbers) const;
-
-    /// This rank has taken @p seconds for its own: the next shares are such
-    /// that all ranks would have taken the same time. Collective.
-    void balance(const double seconds);
+                  const std::vector<unsigned int>  &numbers,
+                  const std::vector<float>         &seconds);
 
   private:
-    const MPI_Comm            communicator;
-    const unsigned int        rank, n_ranks;
-    std::vector<unsigned int> starts; // and the end of the last
+    const MPI_Comm     communicator;
+    const unsigned int rank, n_ranks;
+    std::vector<float> seconds; // by point; negative where it is not known
   };
 } // namespace Contact
 
