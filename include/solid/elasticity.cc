@@ -331,6 +331,42 @@ namespace Contact
 
 
   template<int dim>
+  void Elasticity<dim>::add_loads(const GhostedVector &u,
+                                  const double         load_factor,
+                                  GhostedVector       &rhs) const
+  {
+    const auto [first, end] = discretization.distribution->local_range();
+    const auto load         = loads(u, load_factor);
+    for (auto i = first; i < end; ++i)
+      if (load[i] != 0)
+        discretization.constraints.distribute_local_to_global(i, load[i], rhs);
+  }
+
+
+
+  // Bodies at rest exert nothing.
+  template<int dim>
+  VolumeRatio<dim> Elasticity<dim>::subtract_forces(const GhostedVector &u,
+                                                    GhostedVector &rhs) const
+  {
+    if (springs.held().empty() && present_thermal_forces == 0 && u.all_zero())
+      return VolumeRatio<dim>();
+    Vector<double> of_cell;
+    return visit_cells(u,
+                       /*with_tangent=*/false,
+                       [&](const std::vector<types::global_dof_index> &dofs,
+                           const FullMatrix<double> &,
+                           const Vector<double> &forces) {
+                         of_cell.reinit(forces.size());
+                         of_cell.add(-1, forces);
+                         discretization.constraints
+                           .distribute_local_to_global(of_cell, dofs, rhs);
+                       });
+  }
+
+
+
+  template<int dim>
   VolumeRatio<dim>
   Elasticity<dim>::assemble(const GhostedVector  &u,
                             const double          load_factor,
@@ -338,38 +374,27 @@ namespace Contact
                             SparseMatrix<double> *matrix,
                             const StressStiffness stress_stiffness) const
   {
-    const auto &constraints = discretization.constraints;
-    const auto [first, end] = discretization.distribution->local_range();
-    const auto load         = loads(u, load_factor);
-    for (auto i = first; i < end; ++i)
-      if (load[i] != 0)
-        constraints.distribute_local_to_global(i, load[i], rhs);
+    add_loads(u, load_factor, rhs);
+    if (matrix == nullptr)
+      return subtract_forces(u, rhs);
 
-    // Bodies at rest exert nothing.
-    if (matrix == nullptr && springs.held().empty() &&
-        present_thermal_forces == 0 && u.all_zero())
-      return VolumeRatio<dim>();
-
-    Vector<double>  cell_rhs, none;
-    Vector<double> &whole = matrix != nullptr ? rhs : none;
+    Vector<double>  of_cell;
+    Vector<double> &whole = rhs; // of one rank
     return visit(
       u,
-      matrix != nullptr,
+      /*with_tangent=*/true,
       stress_stiffness,
       std_cxx20::ranges::iota_view<unsigned int, unsigned int>(0, n_cells()),
       [&](const std::vector<types::global_dof_index> &dofs,
           const FullMatrix<double>                   &tangent,
           const Vector<double>                       &forces) {
-        cell_rhs.reinit(forces.size());
-        cell_rhs.add(-1, forces);
-        if (matrix == nullptr)
-          constraints.distribute_local_to_global(cell_rhs, dofs, rhs);
-        else
-          constraints.distribute_local_to_global(tangent,
-                                                 cell_rhs,
-                                                 dofs,
-                                                 *matrix,
-                                                 whole);
+        of_cell.reinit(forces.size());
+        of_cell.add(-1, forces);
+        discretization.constraints.distribute_local_to_global(tangent,
+                                                              of_cell,
+                                                              dofs,
+                                                              *matrix,
+                                                              whole);
       });
   }
 

@@ -144,6 +144,14 @@ namespace Contact
       SparseMatrix<double> *matrix,
       const StressStiffness stress_stiffness = StressStiffness::with) const;
 
+    /// The parts of the residual alone, constraints eliminated: add what the
+    /// owned loads are, and subtract the internal forces of the own cells.
+    void             add_loads(const GhostedVector &u,
+                               const double         load_factor,
+                               GhostedVector       &rhs) const;
+    VolumeRatio<dim> subtract_forces(const GhostedVector &u,
+                                     GhostedVector       &rhs) const;
+
     /**
      * The forces on all nodes, unconstrained: internal minus load. Where a
      * node is supported or in contact, the force that acts there.

@@ -9,6 +9,7 @@
 #include <deal.II/base/index_set.h>
 
 #include <set>
+#include <vector>
 
 #include "solid/elasticity.h"
 
@@ -45,13 +46,16 @@ namespace Contact
                         GhostedVector       &derivative) const;
 
     /// P_a e_i at these nodes, and what follows from that at those that follow
-    /// them: R_i = v . f. On one rank.
+    /// them: R_i = v . f. Collective.
     GhostedVector test_function() const;
 
     /// The displacement unknowns of these nodes, on this rank.
     IndexSet unknowns() const;
 
   private:
+    /// The numbers of the cells of this rank where @p v is not zero.
+    std::vector<unsigned int> cells_at(const GhostedVector &v) const;
+
     /// P_a e_i, by unknown, without zeros.
     const std::map<types::global_dof_index, double> weights;
 

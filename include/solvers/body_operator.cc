@@ -111,19 +111,19 @@ namespace Contact
 
     void vmult(Vector &dst, const Vector &src) const
     {
-      const bool zero_dst = true;
       if (degree == 1)
-        matrix_free.cell_loop(&Cells::template multiply<1>,
-                              this,
-                              dst,
-                              src,
-                              zero_dst);
+        loop(&Cells::template multiply<1, false>, dst, src);
       else
-        matrix_free.cell_loop(&Cells::template multiply<2>,
-                              this,
-                              dst,
-                              src,
-                              zero_dst);
+        loop(&Cells::template multiply<2, false>, dst, src);
+    }
+
+    void forces(Vector &dst, const Vector &u) const
+    {
+      AssertThrow(gradients.empty(), ExcInternalError());
+      if (degree == 1)
+        loop(&Cells::template multiply<1, true>, dst, u);
+      else
+        loop(&Cells::template multiply<2, true>, dst, u);
     }
 
     // With f the row of F of the direction i, in small strain the unit vector:
@@ -230,7 +230,15 @@ namespace Contact
           visit(batch, v, matrix_free.get_cell_iterator(batch, v));
     }
 
-    template<int degree>
+    template<typename Multiply>
+    void loop(const Multiply multiply, Vector &dst, const Vector &src) const
+    {
+      matrix_free.cell_loop(multiply, this, dst, src, /*zero_dst_vector=*/true);
+    }
+
+    /// Values of constrained unknowns are those of @p src, or follow from the
+    /// others.
+    template<int degree, bool has_all_values>
     void multiply(const Data &,
                   Vector                                      &dst,
                   const Vector                                &src,
@@ -241,7 +249,11 @@ namespace Contact
       for (unsigned int batch = batches.first; batch < batches.second; ++batch)
         {
           u.reinit(batch);
-          u.gather_evaluate(src, EvaluationFlags::gradients);
+          if constexpr (has_all_values)
+            u.read_dof_values_plain(src);
+          else
+            u.read_dof_values(src);
+          u.evaluate(EvaluationFlags::gradients);
           if (gradients.empty())
             for (unsigned int q = 0; q < u.n_q_points; ++q)
               u.submit_symmetric_gradient(stress(batch,
@@ -322,6 +334,12 @@ namespace Contact
   void BodyOperator<dim, Number>::vmult(Vector &dst, const Vector &src) const
   {
     cells->vmult(dst, src);
+  }
+
+  template<int dim, typename Number>
+  void BodyOperator<dim, Number>::forces(Vector &dst, const Vector &u) const
+  {
+    cells->forces(dst, u);
   }
 
   template<int dim, typename Number>

@@ -55,6 +55,11 @@ namespace Contact
     /// dst = K src: zero in constrained unknowns.
     void vmult(Vector &dst, const Vector &src) const;
 
+    /// dst = K u, of @p u all of whose values are set, those of hanging nodes
+    /// and supports, too: the internal forces of bodies in small strain. What
+    /// hanging nodes get is handed over.
+    void forces(Vector &dst, const Vector &u) const;
+
     /// The diagonal of K; zero in constrained unknowns. What hanging nodes hand
     /// over is without the couplings between them, which a smoother does not
     /// need.

@@ -69,6 +69,12 @@ namespace Contact
     GhostedVector linear_forces(const GhostedVector &solution,
                                 const double         load_factor);
 
+    /// See LinearSystem.
+    virtual bool subtract_forces(const GhostedVector &, GhostedVector &) const
+    {
+      return false;
+    }
+
     /// Whether the matrix of the last solve is known to be indefinite, and
     /// whether that would be known, see DefiniteSolver. Collective.
     virtual bool is_indefinite(const bool may_cost) = 0;

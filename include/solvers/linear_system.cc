@@ -198,6 +198,12 @@ namespace Contact
       {
       }
 
+      bool subtract_forces(const GhostedVector &u,
+                           GhostedVector       &rhs) const override
+      {
+        return system->subtract_forces(u, rhs);
+      }
+
       // A bound that follows the pressure does so in between. In space nearly
       // incompressible bodies have forces at the new place that are of second
       // order, and the wrong points would open.

@@ -57,6 +57,14 @@ namespace Contact
                                      const double         part,
                                      IncrementState<dim> &state) = 0;
 
+    /// Subtract the internal forces under displacements from the right-hand
+    /// side, constraints eliminated, those of owned unknowns, if there is a
+    /// faster way than Elasticity's. Returns whether there is. Collective.
+    virtual bool subtract_forces(const GhostedVector &, GhostedVector &) const
+    {
+      return false;
+    }
+
     /// Newton's method begins.
     virtual void begin_newton() = 0;
 

@@ -132,6 +132,24 @@ namespace Contact
 
 
 
+  // Springs and thermal strains are beside the operator.
+  template<int dim>
+  bool MatrixFreeSystem<dim>::subtract_forces(const GhostedVector &u,
+                                              GhostedVector       &rhs) const
+  {
+    if (!bodies || !elasticity.is_linear() || elasticity.has_thermal_strain() ||
+        !elasticity.springs.held().empty())
+      return false;
+    std::copy_n(u.begin(), owned.n_elements(), work.begin());
+    Vector forces(work);
+    bodies->forces(forces, work);
+    for (unsigned int k = 0; k < owned.n_elements(); ++k)
+      rhs.begin()[k] -= forces.local_element(k);
+    return true;
+  }
+
+
+
   // The operator has its own; these are for the forces of contact. In large
   // displacement they are those of the first solution of a step.
   template<int dim>

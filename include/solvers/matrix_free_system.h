@@ -51,6 +51,10 @@ namespace Contact
     static bool is_best(const Discretization<dim> &discretization,
                         const Elasticity<dim>     &elasticity);
 
+    /// Those of linear bodies, by the operator.
+    bool subtract_forces(const GhostedVector &u,
+                         GhostedVector       &rhs) const override;
+
     bool is_indefinite(const bool may_cost) override;
     bool knows_definiteness() const override;
 

@@ -84,9 +84,7 @@ namespace Contact
   double NewtonState<dim>::residual_norm()
   {
     TimerOutput::Scope scope(timer, "residual");
-    rhs = 0;
-    model.elasticity->assemble(state.solution, state.load_factor, rhs, nullptr);
-    rhs.sum_up();
+    evaluate_bodies();
     add_contact();
     convergence.evaluate(rhs, state, pairing.linearization().moving_bound);
     return convergence.residual_norm();
@@ -111,7 +109,6 @@ namespace Contact
 
 
 
-  // Every rank adds the forces that its cells exert.
   template<int dim>
   void NewtonState<dim>::evaluate_with(const bool single_changes)
   {
@@ -119,14 +116,7 @@ namespace Contact
     pairing.follow(state.solution, /*after_a_step=*/n_steps > 0);
     {
       TimerOutput::Scope scope(timer, "residual");
-      rhs = 0;
-      const VolumeRatio<dim> smallest =
-        model.elasticity->assemble(state.solution,
-                                   state.load_factor,
-                                   rhs,
-                                   nullptr);
-      rhs.sum_up();
-      smallest_volume = smallest_of_all_ranks(smallest, communicator);
+      smallest_volume = smallest_of_all_ranks(evaluate_bodies(), communicator);
     }
     n_status_changes = model.interface ? update_status(single_changes) : 0;
 
@@ -196,6 +186,21 @@ namespace Contact
     interface.set_statuses(statuses);
     rhs = before;
     convergence.evaluate(rhs, state, moving_bound);
+  }
+
+
+
+  // Every rank adds the forces that its cells exert.
+  template<int dim>
+  VolumeRatio<dim> NewtonState<dim>::evaluate_bodies()
+  {
+    rhs = 0;
+    model.elasticity->add_loads(state.solution, state.load_factor, rhs);
+    VolumeRatio<dim> smallest;
+    if (!system->subtract_forces(state.solution, rhs))
+      smallest = model.elasticity->subtract_forces(state.solution, rhs);
+    rhs.sum_up();
+    return smallest;
   }
 
 

@@ -90,10 +90,11 @@ namespace Contact
     ConvergenceTest<dim> convergence;
 
   private:
-    void         evaluate_with(const bool single_changes);
-    unsigned int update_status(const bool single_changes);
-    void         add_contact();
-    double       residual_norm();
+    void             evaluate_with(const bool single_changes);
+    unsigned int     update_status(const bool single_changes);
+    VolumeRatio<dim> evaluate_bodies();
+    void             add_contact();
+    double           residual_norm();
 
     /// Pair the open points that have kept an earlier pairing. Returns whether
     /// one of them is to close.
