@@ -664,7 +664,7 @@ namespace Contact
         if (!model.interface->free_motions()[k]->stays)
           state.solution[model.interface->motion_index(k)] =
             coarser.motions[increment - 1][k];
-    pairing.pair_near_contact(state.solution);
+    pairing.pair_near_contact(state.solution, /*from_coarser_mesh=*/true);
     if (model.interface)
       restore_surfaces(coarser.surfaces[increment - 1],
                        *model.interface,

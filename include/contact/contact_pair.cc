@@ -341,8 +341,8 @@ namespace Contact
     };
     // Surfaces that are kept apart push each other without touching.
     PairingMode of_mortar = mode;
-    of_mortar.keeps_open_points =
-      mode.keeps_open_points && interference->added() == 0;
+    if (interference->added() != 0)
+      of_mortar.keeps_open_points = of_mortar.leaves_far_points = false;
     const auto of_discretization = part(0, n_of_discretization);
     bool       changed = mortar ? mortar->pair(of_discretization, u, of_mortar)
                                 : project(of_discretization, u, mode);

@@ -379,6 +379,11 @@ namespace Contact
     /// gap is still positive: that they stay open is all that is asked of them.
     bool keeps_open_points = false;
 
+    /// The same on a mesh whose first pairing this is, under a solution of a
+    /// coarser one: those that are further from the master than the size of a
+    /// facet face nothing.
+    bool leaves_far_points = false;
+
     /// The surfaces are where they were: pair those that have kept theirs, and
     /// leave all others as they are.
     bool is_rest = false;

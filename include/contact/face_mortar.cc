@@ -144,7 +144,7 @@ namespace Contact
 
     std::vector<bool> touches;
     if (is_known && mode.keeps_open_points)
-      touches = may_touch(u);
+      touches = may_touch(u, 0);
     const auto stays_open = [&](const unsigned int q) {
       const PointPairing<3> &pairing = last.pairings[q];
       if (touches.empty() || touches[slave_node(points[q])] ||
@@ -175,16 +175,44 @@ namespace Contact
         else
           others.push_back(q);
       }
-    return others;
+    return !is_known && mode.leaves_far_points
+             ? leave_far_points(points, others, u)
+             : others;
+  }
+
+
+
+  std::vector<unsigned int> MortarDiscretization<3>::leave_far_points(
+    const ArrayView<ContactPoint<3>> &points,
+    const std::vector<unsigned int>  &numbers,
+    const GhostedVector              &u) const
+  {
+    double size = 0;
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
+      size = std::max(size, slave.reference_length(e));
+    const std::vector<bool>   is_close = may_touch(u, size);
+    const FaceConfiguration   now(slave, master, planes, u);
+    std::vector<unsigned int> close;
+    for (const unsigned int q : numbers)
+      if (is_close[slave_node(points[q])] || !points[q].motions.empty())
+        close.push_back(q);
+      else
+        {
+          fill_in(NodeIntegrals(), slave_node(points[q]), now, u, points[q]);
+          last.weights[q]  = points[q].weight;
+          last.pairings[q] = points[q];
+        }
+    return close;
   }
 
 
 
   std::vector<bool>
-  MortarDiscretization<3>::may_touch(const GhostedVector &u) const
+  MortarDiscretization<3>::may_touch(const GhostedVector &u,
+                                     const double         distance) const
   {
     const SurfaceSearch<3> of_slave(slave, u), of_master(master, u);
-    const auto             facets = of_master.may_be_close(of_slave, 0);
+    const auto             facets = of_master.may_be_close(of_slave, distance);
     std::vector<bool>      nodes(slave.nodes.size(), false);
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       if (facets[e])

@@ -63,9 +63,17 @@ namespace Contact
                   const GhostedVector              &u,
                   const PairingMode                &mode) const;
 
-    /// By slave node, whether facets that its integrals are over may touch the
-    /// master.
-    std::vector<bool> may_touch(const GhostedVector &u) const;
+    /// By slave node, whether facets that its integrals are over may be as
+    /// close to the master as @p distance [mm].
+    std::vector<bool> may_touch(const GhostedVector &u,
+                                const double         distance) const;
+
+    /// The points of @p numbers face nothing for now. Returns those that do, as
+    /// they are close to the master.
+    std::vector<unsigned int>
+    leave_far_points(const ArrayView<ContactPoint<3>> &points,
+                     const std::vector<unsigned int>  &numbers,
+                     const GhostedVector              &u) const;
 
     /// The points of these numbers.
     void pair_anew(const ArrayView<ContactPoint<3>> &points,

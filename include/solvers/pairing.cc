@@ -85,10 +85,12 @@ namespace Contact
 
 
   template<int dim>
-  void Pairing<dim>::pair_near_contact(const GhostedVector &configuration)
+  void Pairing<dim>::pair_near_contact(const GhostedVector &configuration,
+                                       const bool           from_coarser_mesh)
   {
     PairingMode mode{has_derivatives(), edges_stay};
     mode.keeps_open_points = dim == 3 && follows_each_step();
+    mode.leaves_far_points = mode.keeps_open_points && from_coarser_mesh;
     pair(configuration, mode);
   }
 

@@ -55,8 +55,10 @@ namespace Contact
     void pair(const GhostedVector &configuration);
 
     /// The same for a start from which Newton's method follows: open points
-    /// that touch nothing may keep an earlier pairing until complete().
-    void pair_near_contact(const GhostedVector &configuration);
+    /// that touch nothing may keep an earlier pairing until complete(), or on a
+    /// mesh that starts @p from_coarser_mesh have none.
+    void pair_near_contact(const GhostedVector &configuration,
+                           const bool           from_coarser_mesh = false);
 
     /// The displacements of the last pairing.
     const GhostedVector &configuration() const
