@@ -23,6 +23,10 @@ Proves that
 - a node in the corner of two obstacles with friction is no error, nor is one in
   the corner of a body that two pairs share; a slave much stiffer and finer than
   its master is noted;
+- a block in a concave corner, with one surface around the corner of each body, is
+  as with a contact pair for each side, whatever the number of increments;
+- a mesh too coarse for a corner of the master, with most of the motion in the
+  overlap, is noted, with the remedy;
 - the force of a point that is tied to a support is one of the support, on two
   processes as well;
 - a slave node that is supported on one side only pushes along the normal of the
@@ -47,6 +51,7 @@ Proves that
 Usage: wrong_results.py CONTACT PARAMETERS MESHES
 """
 
+import itertools
 import math
 import sys
 
@@ -496,6 +501,119 @@ def in_a_corner():
                   abs(force["x"] - 16) + abs(force["y"] - 40) < 1e-6, str(force))
 
 
+def frame_in_plane(names):
+    """A frame with a concave corner at the origin, and a block 0.3 mm off it."""
+    mesh = Mesh()
+    for part, sides, n in (
+            (box(0, -2, 6, 0), {"top": names[1], "bottom": "Base_y"}, (4, 2)),
+            (box(-2, 0, 0, 6), {"right": names[0], "left": "Base_x"}, (2, 4)),
+            (box(-2, -2, 0, 0), {"left": "Base_x", "bottom": "Base_y"}, (2, 2))):
+        mesh.block("F", *n, part, sides)
+    mesh.merge()
+    mesh.block("B", 3, 3, box(0.3, 0.3, 4.3, 4.3),
+               {"left": "B" + names[0], "bottom": "B" + names[1],
+                "right": "Head_x", "top": "Head_y"})
+    mesh.write("frame")
+
+
+def frame_in_space(names):
+    """The same with three walls."""
+    mesh = Volumes()
+    for part in itertools.product((0, 1), repeat=3):
+        if all(part):
+            continue
+        sides = {}
+        for d in range(3):
+            if not part[d]:
+                sides["xyz"[d] + "0"] = "Base_" + "xyz"[d]
+                if sum(part) == 2:
+                    sides["xyz"[d] + "1"] = names[d]
+        mesh.block("F", tuple(4 if p else 1 for p in part),
+                   lambda *r, part=part: tuple(
+                       6 * x if p else 2 * x - 2 for p, x in zip(part, r)),
+                   sides, {})
+    mesh.block("B", (3, 3, 3),
+               lambda *r: tuple(0.3 + 4 * x for x in r),
+               {**{"xyz"[d] + "0": names[d] for d in range(3)},
+                **{"xyz"[d] + "1": "Head_" + "xyz"[d] for d in range(3)}}, {})
+    mesh.write("frame")
+
+
+def concave_corner():
+    """A block pressed into a concave corner, by different ways along the axes."""
+    for space, exchanged, degree, n in itertools.product(
+            (False, True), (False, True), ("1", "2"), (1, 3)):
+        if space and degree == "2" and n > 1:
+            continue
+        axes = "xyz" if space else "xy"
+        names = ("Wall", "Floor", "Back")
+        forces = []
+        for one in (True, False):
+            groups = ("In",) * 3 if one else names
+            (frame_in_space if space else frame_in_plane)(groups)
+            body = (lambda b, g: f"{b}_{g}") if space else (
+                lambda b, g: g if b == "F" else b + g)
+            contact = {}
+            for name in ("In",) if one else names[:len(axes)]:
+                section = "Contact" if one else "Contact " + name
+                roles = ("F", "B") if exchanged else ("B", "F")
+                contact |= {section + "/Slave": body(roles[0], name),
+                            section + "/Master": body(roles[1], name),
+                            section + "/Discretization": "nodal"}
+            base, head = ("F_Base_", "B_Head_") if space else ("Base_", "Head_")
+            status, said, summary = run("frame", {
+                "Mesh/File": "frame.msh", "Element/Degree": degree,
+                **solids("F: 1000, B: 1000", "F: 0, B: 0",
+                         "large displacement"), **contact,
+                **{f"Boundary conditions/Displacement {x}":
+                   f"{base}{x}: 0, {head}{x}: {-0.34 - 0.04 * k}"
+                   for k, x in enumerate(axes)},
+                "Solution/Increments": n})
+            what = (f"{'space' if space else 'plane'}, slave "
+                    f"{'frame' if exchanged else 'block'}, degree {degree}, "
+                    f"increments {n}, {'one surface' if one else 'by sides'}")
+            check(what + ": converges", status == 0, said[-400:])
+            if status == 0:
+                force = summary["increments"][-1]["reactions"]
+                forces.append([force[base + x][x] for x in axes])
+        if len(forces) == 2:
+            off = max(abs(a - b) for a, b in zip(*forces)) / max(
+                map(abs, forces[1]))
+            check("  the forces are the same", off < 1e-6, str(forces))
+
+
+def too_coarse():
+    """A small block on a plate with one node below it: its corners go down
+    between the nodes, with most of the way that it is pressed by."""
+    mesh = Volumes()
+    mesh.block("Low", (4, 4, 3),
+               lambda r, s, t: (6 * r - 3, 6 * s - 3, 3 * t - 3))
+    mesh.block("Up", (2, 2, 2), lambda r, s, t: (2 * r - 1, 2 * s - 1, 1.5 * t))
+    mesh.write("too_coarse")
+    forces = {}
+    for rule, refinements, noted in (
+            ("nodal", 0, True), ("nodal", 1, False), ("mortar", 0, False)):
+        status, said, summary = run("too_coarse", {
+            "Mesh/File": "too_coarse.msh", "Mesh/Refinements": refinements,
+            **solids("Low: 3000, Up: 1000", "Low: 0.3, Up: 0.3"),
+            "Contact/Slave": "Low_z1", "Contact/Master": "Up_z0",
+            "Contact/Discretization": rule,
+            **{f"Boundary conditions/Displacement {x}":
+               f"Low_z0: 0, Up_z1: {way}"
+               for x, way in (("x", 0), ("y", 0), ("z", -0.03))}})
+        what = f"{rule}, refined {refinements} times"
+        check(what + ": converges" + (", with a note" if noted else ""),
+              status == 0 and noted == ("note: depth" in said and
+                                        "refine the slave" in said and
+                                        "off by a factor" in said),
+              said[-500:])
+        forces[rule, refinements] = summary["increments"][-1][
+            "reactions"]["Low_z0"]["z"]
+    check("  refined it is right, unrefined it is not",
+          abs(forces["nodal", 1] / forces["mortar", 0] - 1) < 0.2 and
+          forces["nodal", 0] < 0.3 * forces["mortar", 0], str(forces))
+
+
 def roles():
     """A slave much stiffer and finer than its master is noted."""
     mesh = Mesh()
@@ -915,9 +1033,9 @@ def off_the_end():
 
 
 for scene in (carried, overlap, cantilever, halves, teeth, own_master, round_off,
-              lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered, in_a_corner,
-              roles, tied, flank, groove, slide, pinned, clamped, between_nodes, foil,
-              turning, coarse_fit, flat_ends, glued_apart, idle, off_the_end):
+              lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered,
+              in_a_corner, concave_corner, too_coarse, roles, tied, flank, groove,
+              slide, pinned, clamped, between_nodes, foil, turning, coarse_fit, flat_ends, glued_apart, idle, off_the_end):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)

@@ -450,16 +450,18 @@ namespace Contact
     // Which of all points comes next: the closest to its place, up to
     // round-off.
     const auto next = [&](unsigned int q) {
-      unsigned int              pair      = all_points[q].contact_pair;
-      bool                      is_corner = all_points[q].is_master_corner;
-      Point<dim>                X         = places[q];
-      archive &pair &is_corner &X;
-      double                    closest = std::numeric_limits<double>::max();
+      unsigned int pair      = all_points[q].contact_pair;
+      bool         is_corner = all_points[q].is_master_corner;
+      unsigned int side      = all_points[q].side;
+      Point<dim>   X         = places[q];
+      archive &pair &is_corner &side &X;
+      double closest = std::numeric_limits<double>::max();
       for (unsigned int k = 0; Archive::is_loading::value && k < places.size();
            ++k)
         if (const double distance = X.distance_square(places[k]);
             distance < closest && all_points[k].contact_pair == pair &&
-            all_points[k].is_master_corner == is_corner)
+            all_points[k].is_master_corner == is_corner &&
+            all_points[k].side == side)
           {
             closest = distance;
             q       = k;

@@ -282,9 +282,12 @@ namespace Contact
     std::vector<ContactPoint<dim>> points = make_discretization_points();
     n_of_discretization                   = points.size();
     make_axis_points(points);
-    n_of_slave = points.size();
+    n_without_sides = points.size();
     if (!tied && !law.is_frictionless())
       mark_rims(slave, multipliers, discretization, points);
+    if (can_have_corner_points() && !mortar)
+      corner_sides.add_points(slave, multipliers, points);
+    n_of_slave = points.size();
     if (can_have_corner_points())
       for (ContactPoint<dim> &corner :
            make_corner_points(*master, parameters.ends_are_corners))
@@ -299,6 +302,8 @@ namespace Contact
     for (unsigned int &k : multipliers.of_node)
       if (k != numbers::invalid_unsigned_int)
         k += first_multiplier;
+    for (auto &of_side : multipliers.of_sides)
+      of_side.first += first_multiplier;
     for (ContactPoint<dim> &point : points)
       {
         for (unsigned int k = 0; k < point.n_multipliers; ++k)
@@ -345,10 +350,12 @@ namespace Contact
       of_mortar.keeps_open_points = of_mortar.leaves_far_points = false;
     const auto of_discretization = part(0, n_of_discretization);
     bool       changed = mortar ? mortar->pair(of_discretization, u, of_mortar)
-                                : project(of_discretization, u, mode);
-    if (n_of_discretization < n_of_slave)
+                         : corner_sides.is_empty()
+                           ? project(of_discretization, u, mode)
+                           : pair_with_sides(points, u, mode);
+    if (n_of_discretization < n_without_sides)
       changed =
-        project(part(n_of_discretization, n_of_slave), u, mode) || changed;
+        project(part(n_of_discretization, n_without_sides), u, mode) || changed;
     if (has_corner_points())
       changed = pair_corners(points, u) || changed;
 
@@ -356,9 +363,52 @@ namespace Contact
     for (unsigned int q = n_of_slave; q < n_points; ++q)
       if (const unsigned int node = node_at_foot(points[q], slave);
           node != numbers::invalid_unsigned_int)
-        if (const unsigned int k = multipliers.of_node[node] - first_multiplier;
-            k < n_of_slave && (!mortar || k >= n_of_discretization))
-          points[k].facing = false;
+        if (const unsigned int own =
+              multipliers.of_node[node] - first_multiplier;
+            own < n_of_slave && (!mortar || own >= n_of_discretization))
+          for (const unsigned int k :
+               corner_sides.same_as(points, own, -points[q].normal))
+            points[k].facing = false;
+    return changed;
+  }
+
+
+
+  // The sides may take what the nodes' own points have found.
+  template<int dim>
+  bool
+  ContactPair<dim>::pair_with_sides(const ArrayView<ContactPoint<dim>> &points,
+                                    const GhostedVector                &u,
+                                    const PairingMode &mode) const
+  {
+    std::vector<ContactPoint<dim> *> of_corners;
+    for (const auto &node : corner_sides.nodes)
+      {
+        of_corners.push_back(&points[node.own]);
+        for (unsigned int i = 0; i < node.sides.size(); ++i)
+          of_corners.push_back(&points[node.first + i]);
+      }
+    std::vector<PointPairing<dim>> before;
+    for (const ContactPoint<dim> *point : of_corners)
+      before.push_back(*point);
+
+    const SurfaceSearch<dim> search(*master, u);
+    const auto               normals = slave.facet_normals(u);
+    bool                     changed =
+      project({points.data(), n_of_discretization}, u, mode, search, normals);
+    corner_sides.pair(points,
+                      slave,
+                      *master,
+                      search,
+                      normals,
+                      discretization,
+                      u,
+                      mode.keeps_edges);
+    for (unsigned int k = 0; k < of_corners.size(); ++k)
+      {
+        differentiate(*of_corners[k], u, mode);
+        changed = changed || of_corners[k]->dofs != before[k].dofs;
+      }
     return changed;
   }
 
@@ -426,8 +476,23 @@ namespace Contact
         return changed;
       }
 
-    const SurfaceSearch<dim> search(*master, u);
-    const auto               normals = slave.facet_normals(u);
+    return project(points,
+                   u,
+                   mode,
+                   SurfaceSearch<dim>(*master, u),
+                   slave.facet_normals(u));
+  }
+
+
+
+  template<int dim>
+  bool ContactPair<dim>::project(const ArrayView<ContactPoint<dim>> &points,
+                                 const GhostedVector                &u,
+                                 const PairingMode                  &mode,
+                                 const SurfaceSearch<dim>           &search,
+                                 const FacetNormals<dim> &normals) const
+  {
+    bool changed = false;
     for (ContactPoint<dim> &point : points)
       {
         const auto old_dofs = point.dofs;

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "contact/contact_points.h"
+#include "contact/corner_sides.h"
 #include "contact/face_mortar.h"
 #include "contact/free_motion.h"
 #include "contact/mortar.h"
@@ -29,8 +30,10 @@ namespace Contact
    *
    * The points are those of the discretization, and behind them what it can not
    * see: with the mortar discretization at degree 2 a nodal point for a node on
-   * an axis of symmetry, which has no dual function; with the discretizations
-   * mortar and nodal the corners of the master (corner_points.h).
+   * an axis of symmetry, which has no dual function; with the nodal
+   * discretization the further sides of the slave's corners (corner_sides.h);
+   * with the discretizations mortar and nodal the corners of the master
+   * (corner_points.h).
    *
    * On an obstacle the nodal and mortar discretizations are one: of a gap that
    * is linear along the edge, which it is over a half plane, the dual functions
@@ -165,6 +168,14 @@ namespace Contact
     bool pair_all(const ArrayView<ContactPoint<dim>> &points,
                   const GhostedVector                &u,
                   const PairingMode                  &mode) const;
+    bool pair_with_sides(const ArrayView<ContactPoint<dim>> &points,
+                         const GhostedVector                &u,
+                         const PairingMode                  &mode) const;
+    bool project(const ArrayView<ContactPoint<dim>> &points,
+                 const GhostedVector                &u,
+                 const PairingMode                  &mode,
+                 const SurfaceSearch<dim>           &search,
+                 const FacetNormals<dim>            &normals) const;
     bool pair_corners(const ArrayView<ContactPoint<dim>> &points,
                       const GhostedVector                &u) const;
 
@@ -173,10 +184,11 @@ namespace Contact
     std::set<unsigned int>    excluded; // nodes of the slave
     std::set<unsigned int>    on_axis;  // without a dual function
     std::unique_ptr<MortarDiscretization<dim>> mortar;
+    CornerSides<dim>                           corner_sides;
 
-    /// Of the points those of the discretization, and those that belong to the
-    /// slave.
-    unsigned int n_of_discretization = 0, n_of_slave = 0;
+    /// Of the points those of the discretization, those with the ones on an
+    /// axis, and all that belong to the slave.
+    unsigned int n_of_discretization = 0, n_without_sides = 0, n_of_slave = 0;
     unsigned int first_multiplier = 0;
   };
 } // namespace Contact

@@ -94,31 +94,6 @@ namespace Contact
 
 
 
-    /// The share of a facet in the integral of the shape function of its node
-    /// @p a: the trapezoidal rule, and Simpson's.
-    double integral_of_shape_function(const Surface<2>  &slave,
-                                      const unsigned int e,
-                                      const unsigned int a)
-    {
-      const std::array<double, 3> centroids =
-        slave.degree == 1 ? std::array<double, 3>{{-1. / 3, 1. / 3, 0}}
-                          : node_coordinates;
-      const double share =
-        slave.degree == 1 ? 1. : (a == 2 ? 4. / 3. : 1. / 3.);
-      return share *
-             slave.reference_jacobian(slave.facets[e],
-                                      EdgeShape(slave.degree, centroids[a]));
-    }
-
-    double integral_of_shape_function(const Surface<3>  &slave,
-                                      const unsigned int e,
-                                      const unsigned int a)
-    {
-      return slave.shares_of_nodes(e)[a];
-    }
-
-
-
     /// On an axis at degree 2 the integral vanishes. The node has a gap all the
     /// same, and may take a force: as if on the half of the edge next to it the
     /// pressure were linear.
@@ -139,6 +114,29 @@ namespace Contact
     {
     }
   } // namespace
+
+
+
+  // Of the integral of its shape function: the trapezoidal rule, and Simpson's.
+  double share_of_node(const Surface<2>  &slave,
+                       const unsigned int e,
+                       const unsigned int a)
+  {
+    const std::array<double, 3> centroids =
+      slave.degree == 1 ? std::array<double, 3>{{-1. / 3, 1. / 3, 0}}
+                        : node_coordinates;
+    const double share = slave.degree == 1 ? 1. : (a == 2 ? 4. / 3. : 1. / 3.);
+    return share *
+           slave.reference_jacobian(slave.facets[e],
+                                    EdgeShape(slave.degree, centroids[a]));
+  }
+
+  double share_of_node(const Surface<3>  &slave,
+                       const unsigned int e,
+                       const unsigned int a)
+  {
+    return slave.shares_of_nodes(e)[a];
+  }
 
 
 
@@ -268,7 +266,7 @@ namespace Contact
         for (const auto &[node, part] : slave.heirs(slave.facets[e].nodes[a]))
           if (const unsigned int k = multipliers.of_node[node];
               k != numbers::invalid_unsigned_int)
-            points[k].weight += part * integral_of_shape_function(slave, e, a);
+            points[k].weight += part * share_of_node(slave, e, a);
     weigh_on_axis(slave, points);
     return points;
   }

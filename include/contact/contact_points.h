@@ -58,6 +58,10 @@ namespace Contact
     // that follows, see corner_points.h.
     bool is_master_corner = false;
 
+    // At a corner of the slave, of a node that has several points: the number
+    // of its side from one on, see CornerSides; 0: the node's own.
+    unsigned int side = 0;
+
     unsigned int    slave_facet = 0; // in the slave surface
     FacetPoint<dim> slave_xi{};
     double          weight = 0; // undeformed length it stands for [mm]; of
@@ -248,6 +252,9 @@ namespace Contact
     /// Multiplier of each slave node, or numbers::invalid_unsigned_int.
     std::vector<unsigned int> of_node;
     unsigned int              n_multipliers = 0;
+
+    /// Those of the sides of corners, and their nodes.
+    std::vector<std::pair<unsigned int, unsigned int>> of_sides;
   };
 
 
@@ -265,6 +272,14 @@ namespace Contact
   make_nodal_points(const Surface<dim>           &slave,
                     const std::set<unsigned int> &excluded,
                     MultiplierSpace              &multipliers);
+
+  /// The share of a facet in the weight of a nodal point at its node @p a.
+  double share_of_node(const Surface<2>  &slave,
+                       const unsigned int facet,
+                       const unsigned int a);
+  double share_of_node(const Surface<3>  &slave,
+                       const unsigned int facet,
+                       const unsigned int a);
 
   /**
    * The Gauss-point discretization: @p n_points quadrature points per slave

@@ -237,7 +237,7 @@ namespace Contact
     for (const ContactPoint<2> &point : interface.points_of(contact_pair))
       {
         const ContactState<2> now = interface.state(point, solution, u_start);
-        if (point.is_master_corner)
+        if (point.is_master_corner || point.side > 0)
           {
             add_force(interface, point, now, moving_bound, results);
             continue;
@@ -325,7 +325,7 @@ namespace Contact
         loads.push_back({Tensor<1, 2>(), own[numbering.of_node[n]].weight});
       }
     for (const ContactPoint<2> &point : interface.points_of(contact_pair))
-      if (!point.is_master_corner && point.facing)
+      if (!point.is_master_corner && point.side == 0 && point.facing)
         facing[point.dofs[0][0]] = &point;
 
     for (const ContactPoint<2> &point : interface.points_of(contact_pair))

@@ -20,9 +20,13 @@ namespace Contact
 
   bool NormalCone<3>::faces(const Tensor<1, 3> &normal) const
   {
-    return std::any_of(normals.begin(), normals.end(), [&](const auto &n) {
-      return -(normal * n) >= smallest_cosine;
-    });
+    double largest = -1;
+    for (const Tensor<1, 3> &n : normals)
+      largest = std::max(largest, -(normal * n));
+    return largest >= smallest_cosine &&
+           std::none_of(others.begin(), others.end(), [&](const auto &n) {
+             return -(normal * n) > largest;
+           });
   }
 
 

@@ -20,8 +20,9 @@ namespace Contact
     std::vector<Tensor<1, 3>> normals;
 
     /// See NormalCone<2>.
-    bool   at_end = false;
-    double reach  = std::numeric_limits<double>::max();
+    bool                      at_end = false;
+    double                    reach  = std::numeric_limits<double>::max();
+    std::vector<Tensor<1, 3>> others;
 
     /// Whether a facet of this outward normal is face to face.
     bool faces(const Tensor<1, 3> &normal) const;

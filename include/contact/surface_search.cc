@@ -27,6 +27,9 @@ namespace Contact
   bool NormalCone<2>::faces(const Tensor<1, 2> &normal) const
   {
     const Tensor<1, 2> to = -normal;
+    for (const Tensor<1, 2> &other : others)
+      if (to * other > std::max(to * first, to * last))
+        return false;
     return to * first >= smallest_cosine || to * last >= smallest_cosine ||
            (cross(first, to) > 0 && cross(to, last) > 0 &&
             cross(first, last) > 0);

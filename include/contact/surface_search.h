@@ -43,6 +43,10 @@ namespace Contact
     /// a face beside it counts if none is opposite.
     bool at_end = false;
 
+    /// Where other points look from the same place: a face that is more
+    /// opposite to one of these normals is theirs. See CornerSides.
+    std::vector<Tensor<1, 2>> others{};
+
     /// The distance beyond the end of a face up to which it looks [mm].
     double reach = std::numeric_limits<double>::max();
 

@@ -68,6 +68,15 @@ namespace Contact
 
 
 
+    /// Corners of the master and sides of corners of the slave, as many on each
+    /// mesh.
+    bool has_own_force(const ContactPoint<2> &point)
+    {
+      return point.is_master_corner || point.side > 0;
+    }
+
+
+
     SurfaceState<2> save_pair(const ContactInterface<2> &interface,
                               const ContactPair<2>      &contact_pair,
                               const GhostedVector       &solution)
@@ -88,7 +97,7 @@ namespace Contact
           state.statuses.push_back(interface.points()[k].status);
         }
       for (const ContactPoint<2> &point : interface.points_of(contact_pair))
-        if (point.is_master_corner)
+        if (has_own_force(point))
           {
             const unsigned int k = point.multipliers[0];
             state.corners.push_back(
@@ -171,7 +180,7 @@ namespace Contact
            q < contact_pair.first_point + contact_pair.n_points &&
            corner != state.corners.end();
            ++q)
-        if (points[q].is_master_corner)
+        if (has_own_force(points[q]))
           {
             ContactPoint<2> &point = points[q];
             point.status = point.facing ? corner->status : PointStatus<2>();

@@ -170,6 +170,9 @@ namespace Contact
             }
         }
 
+      for (const auto &[k, n] : contact_pair.multipliers.of_sides)
+        node_of[k] = n;
+
       for (const ContactPoint<dim> &point : interface.points_of(contact_pair))
         {
           if (point.is_master_corner)
@@ -184,7 +187,7 @@ namespace Contact
 
           // A point at a node has been paired already, and with the geometry
           // as a fixed point it is this pairing that the result satisfies.
-          if (point.n_multipliers == 1)
+          if (point.n_multipliers == 1 && point.side == 0)
             {
               const ContactState<dim> state =
                 interface.state(point, solution, u_start);

@@ -189,9 +189,14 @@ namespace Contact
           "master: exchange slave and master, or refine the slave."
         : "No contact point looks there: refine the mesh.";
     // Surfaces that push each other overlap by what the mesh does not resolve;
-    // others have passed each other unseen.
+    // others have passed each other unseen. A node tells nothing of the whole:
+    // the force of a block on a single node of its slave may be a quarter of
+    // what it should be, that of a long surface with such a depth at its end
+    // off by two percent.
     if (carries_force(contact_pair, now.slave_facet))
-      found.notes.push_back("depth: " + what + ". " + advice);
+      found.notes.push_back("depth: " + what + ". " + advice +
+                            " Forces may be off by a factor: compare them "
+                            "with those of the refined mesh.");
     else
       found.check("depth",
                   now.depth - overlap,
