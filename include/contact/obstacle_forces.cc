@@ -114,24 +114,49 @@ namespace Contact
 
 
 
-    /// The contact pair of a section if it has what exerts this, an obstacle
-    /// (that moves) or a cut, or nothing.
+    /// Whether a contact pair has what exerts this: an obstacle (that moves) or
+    /// a cut.
+    template<int dim>
+    bool has(const ContactPair<dim> &contact_pair, const Quantity quantity)
+    {
+      const bool is_way = quantity == Quantity::obstacle_turn ||
+                          key_of(quantity).find("motion") != std::string::npos;
+      return is_of_cut(quantity)
+               ? contact_pair.tied && !contact_pair.free_motions.empty()
+               : contact_pair.obstacle &&
+                   (!is_way || contact_pair.obstacle->travel());
+    }
+
+
+
+    /// The contact pair of a section that has it, or nothing.
     template<int dim>
     const ContactPair<dim> *pair_of(const std::string           &section,
                                     const Quantity               quantity,
                                     const ContactInterface<dim> *interface)
     {
-      const bool is_way = quantity == Quantity::obstacle_turn ||
-                          key_of(quantity).find("motion") != std::string::npos;
       if (interface != nullptr)
         for (const auto &contact_pair : interface->pairs)
           if (contact_pair->section() == section &&
-              (is_of_cut(quantity)
-                 ? contact_pair->tied && !contact_pair->free_motions.empty()
-                 : contact_pair->obstacle &&
-                     (!is_way || contact_pair->obstacle->travel())))
+              has(*contact_pair, quantity))
             return contact_pair.get();
       return nullptr;
+    }
+
+
+
+    /// The sections of all contact pairs that have it: "; here: 'Contact'".
+    template<int dim>
+    std::string list_of_sections(const Quantity               quantity,
+                                 const ContactInterface<dim> *interface)
+    {
+      std::string list;
+      if (interface != nullptr)
+        for (const auto &contact_pair : interface->pairs)
+          if (has(*contact_pair, quantity))
+            list += (list.empty() ? "; here: '" : ", '") +
+                    contact_pair->section() + "'";
+      return list.empty() ? "; here there is none" : list;
     }
   } // namespace
 
@@ -172,10 +197,12 @@ namespace Contact
                        of_rings ? "of rings there are 'obstacle force y' and "
                                   "'obstacle motion y'"
                        : is_of_cut(quantity)
-                         ? "name the section of a contact pair with a preload"
+                         ? "name the section of a contact pair with a preload" +
+                             list_of_sections(quantity, interface)
                          : "name the section of a contact pair with an "
                            "obstacle (that moves), 'Contact' or 'Contact "
-                           "NAME'");
+                           "NAME'" +
+                             list_of_sections(quantity, interface));
   }
 
   template std::array<ObstacleForce<2>, 2>

@@ -437,7 +437,11 @@ namespace Contact
                                "of " +
                                  of,
                                "entry Solution/Linear solver = GMG",
-                               "set 'Linear solver = AMG', or 'automatic'");
+                               std::string("set 'Linear solver = AMG', or "
+                                           "'automatic'") +
+                                 (discretization.serendipity
+                                    ? ", or 'Element/Centre node = free'"
+                                    : ""));
             if (MatrixFreeSystem<dim>::is_too_deep(discretization.mesh))
               return Parameters::SolverKind::amg;
           }
