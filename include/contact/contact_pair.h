@@ -191,6 +191,21 @@ namespace Contact
     unsigned int n_of_discretization = 0, n_without_sides = 0, n_of_slave = 0;
     unsigned int first_multiplier = 0;
   };
+
+  template<>
+  bool ContactPair<2>::pair_corners(const ArrayView<ContactPoint<2>> &points,
+                                    const GhostedVector              &u) const;
+  template<>
+  bool ContactPair<3>::pair_corners(const ArrayView<ContactPoint<3>> &points,
+                                    const GhostedVector              &u) const;
+  template<>
+  void ContactPair<2>::differentiate(ContactPoint<2>     &point,
+                                     const GhostedVector &u,
+                                     const PairingMode   &mode) const;
+  template<>
+  void ContactPair<3>::differentiate(ContactPoint<3>     &point,
+                                     const GhostedVector &u,
+                                     const PairingMode   &mode) const;
 } // namespace Contact
 
 #endif
