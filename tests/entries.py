@@ -216,6 +216,11 @@ def platen():
             check(f"a platen, {what}", False, said[:400])
             continue
         found, nodes = values(summary), rows("platen", "nodes.csv")
+        if ranks > 1:  # of which one alone has the ties
+            status, said, _ = run("platen_gmg", {
+                **pushed, "Solution/Linear solver": "GMG"}, ranks)
+            check(f"a platen, {what}: refused without a matrix",
+                  status == 2 and "tied together" in said, said[-400:])
         for c in axes:
             moved[f"Boundary conditions/Displacement {c}"] = (
                 f"{base}: 0, {head}: {found[c]!r}")

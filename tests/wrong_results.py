@@ -541,8 +541,10 @@ def frame_in_space(names):
 
 def concave_corner():
     """A block pressed into a concave corner, by different ways along the axes."""
-    for space, exchanged, degree, n in itertools.product(
-            (False, True), (False, True), ("1", "2"), (1, 3)):
+    for space, exchanged, degree, n, friction in (
+            *itertools.product((False, True), (False, True), ("1", "2"), (1, 3),
+                               (0,)),
+            (False, False, "1", 1, 0.3)):  # two points at a node stick
         if space and degree == "2" and n > 1:
             continue
         axes = "xyz" if space else "xy"
@@ -559,7 +561,8 @@ def concave_corner():
                 roles = ("F", "B") if exchanged else ("B", "F")
                 contact |= {section + "/Slave": body(roles[0], name),
                             section + "/Master": body(roles[1], name),
-                            section + "/Discretization": "nodal"}
+                            section + "/Discretization": "nodal",
+                            section + "/Friction coefficient": friction}
             base, head = ("F_Base_", "B_Head_") if space else ("Base_", "Head_")
             status, said, summary = run("frame", {
                 "Mesh/File": "frame.msh", "Element/Degree": degree,
@@ -571,7 +574,8 @@ def concave_corner():
                 "Solution/Increments": n})
             what = (f"{'space' if space else 'plane'}, slave "
                     f"{'frame' if exchanged else 'block'}, degree {degree}, "
-                    f"increments {n}, {'one surface' if one else 'by sides'}")
+                    f"increments {n}, {'one surface' if one else 'by sides'}"
+                    f"{', friction' if friction else ''}")
             check(what + ": converges", status == 0, said[-400:])
             if status == 0:
                 force = summary["increments"][-1]["reactions"]

@@ -18,6 +18,25 @@ namespace Contact
 
 
 
+    /// Whether two edges stand for one curve, by however large an angle they
+    /// meet.
+    bool is_on_curve(const Surface<2> &surface, const unsigned int node)
+    {
+      const auto &edges = surface.facets_of_node[node];
+      return std::any_of(edges.begin(), edges.end(), [&](const auto e) {
+        return surface.facets[e].nodes[0] == node &&
+               std::abs(surface.turn_of_curves(e)) <=
+                 numbers::PI / 180 * Surface<2>::feature_angle;
+      });
+    }
+
+    bool is_on_curve(const Surface<3> &, const unsigned int)
+    {
+      return false;
+    }
+
+
+
     /// The facets around a node, by the sides that corners part.
     template<int dim>
     std::vector<std::vector<unsigned int>> sides_of(const Surface<dim> &surface,
@@ -281,7 +300,7 @@ namespace Contact
     for (unsigned int i = 0; i < slave.nodes.size(); ++i)
       {
         const auto sides = sides_of(slave, i);
-        if (sides.size() < 2 ||
+        if (sides.size() < 2 || is_on_curve(slave, i) ||
             multipliers.of_node[i] == numbers::invalid_unsigned_int)
           continue;
         Node node{i, multipliers.of_node[i], 0, 0, {}, {}};

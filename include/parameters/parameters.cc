@@ -172,7 +172,13 @@ namespace Contact
         n_ranks == 1 && !has_levels() && !in_space;
       if (can_have_multipliers)
         add(newton, SystemKind::saddle_point);
-      if ((!can_have_multipliers || pairs.size() > 1) && !shared_pair())
+      // Two points at one node that stick have redundant multipliers.
+      const bool may_share_nodes =
+        pairs.size() > 1 || !all_are([](const Contact &pair) {
+          return !pair.frictional() ||
+                 pair.discretization != ContactDiscretization::nodal;
+        });
+      if ((!can_have_multipliers || may_share_nodes) && !shared_pair())
         add(newton, SystemKind::condensed);
 
       // Uniform levels end with the mesh that these refinements make.

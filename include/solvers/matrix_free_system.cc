@@ -58,20 +58,23 @@ namespace Contact
       }
     if (stiffest > largest_ratio * softest)
       return "bodies more than 10000 times as stiff as others";
+    const auto is_on_any_rank = [&](const bool condition) {
+      return Utilities::MPI::max(static_cast<unsigned int>(condition),
+                                 discretization.communicator) > 0;
+    };
     const bool has_special_cell =
       std::any_of(elasticity.cells().begin(),
                   elasticity.cells().end(),
                   [](const auto &cell) { return cell.is_special; });
-    if (Utilities::MPI::max(static_cast<unsigned int>(has_special_cell),
-                            discretization.communicator) > 0)
+    if (is_on_any_rank(has_special_cell))
       return "incompatible modes";
     if (!elasticity.is_linear() && elasticity.has_thermal_strain())
       return "thermal strains in large displacement";
-    if (!discretization.rigid_boundaries().empty())
+    if (is_on_any_rank(!discretization.rigid_boundaries().empty()))
       return "rigid boundaries";
-    if (!discretization.tied().empty())
+    if (is_on_any_rank(!discretization.tied().empty()))
       return "unknowns that are tied together";
-    if (!discretization.normal_supports.lines().empty())
+    if (is_on_any_rank(!discretization.normal_supports.lines().empty()))
       return "supports along normals";
     return "";
   }
