@@ -256,8 +256,9 @@ namespace Contact
         const auto &samples = segments.samples(e);
         discretization.counters.projections += samples.size();
         face_integrals.add(e, samples, now, distances[e], of_nodes);
+        const double of_each = seconds_since(start) / carriers.size();
         for (const unsigned int node : carriers)
-          seconds[node] += seconds_since(start) / carriers.size();
+          seconds[node] += of_each;
       }
 
     std::vector<float> of_points(points.size(), 0);

@@ -429,6 +429,44 @@ namespace Contact
 
 
   template<int dim>
+  GhostedVector
+  Elasticity<dim>::forces(const GhostedVector             &u,
+                          const double                     load_factor,
+                          const std::vector<unsigned int> &chosen) const
+  {
+    GhostedVector forces(discretization.distribution);
+    visit_cells(u,
+                /*with_tangent=*/false,
+                chosen,
+                [&](const std::vector<types::global_dof_index> &dofs,
+                    const FullMatrix<double> &,
+                    const Vector<double> &of_cell) {
+                  forces.add(dofs, of_cell);
+                });
+    forces.sum_up();
+    forces -= loads(u, load_factor);
+    return forces;
+  }
+
+
+
+  template<int dim>
+  std::vector<unsigned int>
+  Elasticity<dim>::cells_at(const GhostedVector &v) const
+  {
+    std::vector<unsigned int> chosen;
+    for (unsigned int c = 0; c < n_cells(); ++c)
+      if (const auto &dofs = dofs_of_cell(c);
+          std::any_of(dofs.begin(), dofs.end(), [&v](const auto dof) {
+            return v[dof] != 0;
+          }))
+        chosen.push_back(c);
+    return chosen;
+  }
+
+
+
+  template<int dim>
   std::vector<std::vector<SymmetricTensor<2, 3>>>
   Elasticity<dim>::stresses(const GhostedVector &u) const
   {

@@ -159,6 +159,15 @@ namespace Contact
     GhostedVector forces(const GhostedVector &u,
                          const double         load_factor) const;
 
+    /// The same of the cells with the numbers @p chosen alone: whole where all
+    /// cells of a node are among them, as of those that cells_at() finds.
+    GhostedVector forces(const GhostedVector             &u,
+                         const double                     load_factor,
+                         const std::vector<unsigned int> &chosen) const;
+
+    /// The numbers of the cells of this rank where @p v is not zero.
+    std::vector<unsigned int> cells_at(const GhostedVector &v) const;
+
     /**
      * The energy stored in the bodies [N mm per mm of thickness]: its
      * derivative are the internal forces. Without that of stabilization.

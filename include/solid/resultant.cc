@@ -76,17 +76,10 @@ namespace Contact
   double Resultant<dim>::value(const GhostedVector &solution,
                                const double         load_factor) const
   {
-    GhostedVector forces(discretization.distribution);
-    elasticity.visit_cells(solution,
-                           /*with_tangent=*/false,
-                           cells_at(test_function()),
-                           [&](const std::vector<types::global_dof_index> &dofs,
-                               const FullMatrix<double> &,
-                               const Vector<double> &of_cell) {
-                             forces.add(dofs, of_cell);
-                           });
-    forces.sum_up();
-    forces -= elasticity.loads(solution, load_factor);
+    GhostedVector forces =
+      elasticity.forces(solution,
+                        load_factor,
+                        elasticity.cells_at(test_function()));
     hand_over_from_followers(discretization, forces);
     double      sum   = 0;
     const auto &owned = discretization.dof_handler.locally_owned_dofs();
@@ -111,24 +104,6 @@ namespace Contact
 
 
   template<int dim>
-  std::vector<unsigned int>
-  Resultant<dim>::cells_at(const GhostedVector &v) const
-  {
-    std::vector<unsigned int> chosen;
-    for (unsigned int c = 0; c < elasticity.n_cells(); ++c)
-      {
-        const auto &dofs = elasticity.dofs_of_cell(c);
-        if (std::any_of(dofs.begin(), dofs.end(), [&v](const auto dof) {
-              return v[dof] != 0;
-            }))
-          chosen.push_back(c);
-      }
-    return chosen;
-  }
-
-
-
-  template<int dim>
   IndexSet Resultant<dim>::unknowns() const
   {
     IndexSet unknowns(discretization.dof_handler.n_dofs());
@@ -147,7 +122,7 @@ namespace Contact
     const GhostedVector v = test_function();
     elasticity.visit_cells(solution,
                            /*with_tangent=*/true,
-                           cells_at(v),
+                           elasticity.cells_at(v),
                            [&](const std::vector<types::global_dof_index> &dofs,
                                const FullMatrix<double> &tangent,
                                const Vector<double> &) {

@@ -9,7 +9,6 @@
 #include <deal.II/base/index_set.h>
 
 #include <set>
-#include <vector>
 
 #include "solid/elasticity.h"
 
@@ -53,9 +52,6 @@ namespace Contact
     IndexSet unknowns() const;
 
   private:
-    /// The numbers of the cells of this rank where @p v is not zero.
-    std::vector<unsigned int> cells_at(const GhostedVector &v) const;
-
     /// P_a e_i, by unknown, without zeros.
     const std::map<types::global_dof_index, double> weights;
 

@@ -165,17 +165,8 @@ namespace Contact
   double ForceScale<dim>::reactions(const GhostedVector &solution,
                                     const double         load_factor) const
   {
-    GhostedVector forces(discretization.distribution);
-    elasticity.visit_cells(solution,
-                           /*with_tangent=*/false,
-                           cells_at_supports(),
-                           [&](const std::vector<types::global_dof_index> &dofs,
-                               const FullMatrix<double> &,
-                               const Vector<double> &of_cell) {
-                             forces.add(dofs, of_cell);
-                           });
-    forces.sum_up();
-    forces -= elasticity.loads(solution, load_factor);
+    const GhostedVector forces =
+      elasticity.forces(solution, load_factor, cells_at_supports());
     double sum = 0;
     for (const auto dof : discretization.dof_handler.locally_owned_dofs())
       if (is_supported(dof))
@@ -204,15 +195,7 @@ namespace Contact
         for (const auto dof : discretization.dof_handler.locally_owned_dofs())
           supported[dof] = is_supported(dof);
         supported.update_ghosts();
-        supported_cells.emplace();
-        for (unsigned int c = 0; c < elasticity.n_cells(); ++c)
-          {
-            const auto &dofs = elasticity.dofs_of_cell(c);
-            if (std::any_of(dofs.begin(), dofs.end(), [&](const auto dof) {
-                  return supported[dof] != 0;
-                }))
-              supported_cells->push_back(c);
-          }
+        supported_cells = elasticity.cells_at(supported);
       }
     return *supported_cells;
   }
