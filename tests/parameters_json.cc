@@ -37,7 +37,7 @@ namespace
   // are or as ParameterHandler writes them.
   void test_json_values()
   {
-    headline("values in JSON");
+    section("values in JSON");
     write("values.json", R"json({
       "Mesh": {
         "File": "a.msh",
@@ -101,7 +101,7 @@ namespace
   // to the file they are in, and that a file goes before what it includes.
   void test_json_include()
   {
-    headline("include in JSON");
+    section("include in JSON");
     write("base.prm", base);
     write("sub/mesh.json", "{\"Mesh\": {\"File\": \"../b.msh\"}}");
     write("sub/both.prm",
@@ -126,7 +126,7 @@ namespace
   // equal names as in the other files.
   void test_json_syntax()
   {
-    headline("syntax of JSON");
+    section("syntax of JSON");
     report_json("");
     report_json("{\"Element\": {\"Degree\": 1}\n");
     report_json("{\n  \"Element\": {\n    \"Degree\": 1,\n  }\n}\n");
@@ -154,7 +154,7 @@ namespace
   // files, and wrong types with what they are.
   void test_json_entries()
   {
-    headline("entries in JSON");
+    section("entries in JSON");
     report_json_lines("Contcat", "\"Slave\": \"A\"");
     report_json_lines("Contact", "\"Slaev\": \"A\"");
     report_json_lines("Element", "\"Slave\": \"A\"");

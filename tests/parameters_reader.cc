@@ -17,7 +17,7 @@ namespace
   // Proves that values of every kind arrive in the structures.
   void test_values()
   {
-    headline("values");
+    section("values");
     write("values.prm",
           base + "subsection Mesh\n"
                  "  set Refinements = 2\n"
@@ -63,7 +63,7 @@ namespace
   // keywords are read as ParameterHandler reads them.
   void test_syntax()
   {
-    headline("syntax");
+    section("syntax");
     write("syntax.prm",
           base + "# a comment \n"
                  "\n"
@@ -92,7 +92,7 @@ namespace
   // read later wins, be it an include, the file itself or the command line.
   void test_include()
   {
-    headline("include");
+    section("include");
     write("sub/mesh.prm", "subsection Mesh\n set File = ../b.msh\nend\n");
     write("sub/both.prm", "include mesh.prm\ninclude two.prm\n");
     write("sub/two.prm", "subsection Solution\n set Increments = 2\nend\n");
@@ -130,7 +130,7 @@ namespace
   // Proves that files that can not be read are named, with who asks for them.
   void test_files()
   {
-    headline("files");
+    section("files");
     report("missing.prm");
     report("sub");
     write("asks.prm", base + "include sub/missing.prm\n");
@@ -152,7 +152,7 @@ namespace
   // Proves that an entry is set once per file, and once on the command line.
   void test_twice()
   {
-    headline("twice");
+    section("twice");
     report_lines("Solution", "set Increments = 1\nset Increments = 1");
     report_lines("Contact",
                  "set Gauss points = 3\nend\nsubsection Contact\n"
@@ -168,7 +168,7 @@ namespace
   // section first, then of the others, if there is one at all.
   void test_unknown()
   {
-    headline("unknown");
+    section("unknown");
     report_lines("Elemnt", "");
     report_lines("Something else", "");
     report_lines("Element", "set Degre = 1");
@@ -184,7 +184,7 @@ namespace
   // Proves that sections have to be opened and closed properly.
   void test_structure()
   {
-    headline("structure");
+    section("structure");
     report_lines("Element", "subsection Mesh\nend");
     write("open.prm", base + "subsection Element\n set Degree = 1\n");
     report("open.prm");
@@ -205,7 +205,7 @@ namespace
   // Proves that every kind of pattern tells what it allows.
   void test_patterns()
   {
-    headline("patterns");
+    section("patterns");
     report_lines("Element", "set Degree = 3");
     report_lines("Element", "set Degree = ");
     report_lines("Element", "set Centre node = fixed");
@@ -229,7 +229,7 @@ namespace
   // Proves that meshes and materials are checked beyond their patterns.
   void test_mesh_and_solids()
   {
-    headline("mesh and solids");
+    section("mesh and solids");
     report_lines("Mesh", "set File =");
     report_lines("Mesh", "set Arcs = A: 0, 50");
     report_lines("Mesh", "set Arcs = A: 0, 50, 0");
@@ -250,7 +250,7 @@ namespace
   // Proves that conditions that contradict each other are refused.
   void test_boundary()
   {
-    headline("boundary conditions");
+    section("boundary conditions");
     const std::string section = "Boundary conditions";
     report_lines(section, "set Displacement x = A: 0\nset Force x = A: 1");
     report_lines(section, "set Displacement y = A: 0\nset Force y = A: 1");
@@ -270,7 +270,7 @@ namespace
   // contact needs one.
   void test_contact()
   {
-    headline("contact");
+    section("contact");
     const std::string pair = "set Slave = S\nset Master = M\n";
     report_lines("Contact", pair);
     report_lines("Contact", "set Slave =\nset Master =");
@@ -299,7 +299,7 @@ namespace
   // Proves that tolerances are positive.
   void test_solution()
   {
-    headline("solution");
+    section("solution");
     report_lines("Solution", "set Geometry tolerance = 0");
     report_lines("Solution", "set Friction tolerance = -1e-3");
     report_lines("Solution", "set Newton tolerance = 0");
@@ -311,7 +311,7 @@ namespace
   // references and tolerances belong together.
   void test_probes()
   {
-    headline("probes");
+    section("probes");
     const std::string probe = "set Probes = P: stress yy, B\n";
     report_lines("Probes", probe);
     report_lines("Probes", "set Probes = P: stress, B");
@@ -333,7 +333,7 @@ namespace
   // Proves that the command line is checked as a file is.
   void test_overrides()
   {
-    headline("overrides");
+    section("overrides");
     report("base.prm", {"Element/Degree=2", "Element/Centre node=free"});
     report("base.prm", {"Element/Centre node=free"});
     report("base.prm", {"Element/Degree=3"});
@@ -351,7 +351,7 @@ namespace
   // printed can be read and holds the defaults.
   void test_print()
   {
-    headline("printed parameters");
+    section("printed parameters");
     std::ostringstream printed;
     Contact::print_parameters(printed);
     write("printed.prm", printed.str());

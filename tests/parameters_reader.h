@@ -63,7 +63,7 @@ namespace Tests
 
 
 
-  inline void headline(const std::string &text)
+  inline void section(const std::string &text)
   {
     std::cout << "\n=== " << text << "\n";
   }
