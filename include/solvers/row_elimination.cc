@@ -32,11 +32,11 @@ namespace Contact
   void RowElimination::Row::drop_round_off()
   {
     const double smallest = std::numeric_limits<double>::epsilon() * largest();
-    for (auto entry = entries.begin(); entry != entries.end();)
-      if (std::abs(entry->second) < smallest)
-        entry = entries.erase(entry);
-      else
-        ++entry;
+    const auto   rest =
+      std::remove_if(entries.begin(), entries.end(), [&](const auto &entry) {
+        return std::abs(entry.second) < smallest;
+      });
+    entries.erase(rest, entries.end());
   }
 
 
@@ -64,8 +64,22 @@ namespace Contact
     const double c     = entry->second;
     in.entries.erase(entry);
     in.constant += c * by.constant;
+
+    Row::Entries sum;
+    sum.reserve(in.entries.size() + by.entries.size());
+    auto next = in.entries.begin();
     for (const auto &[other, coefficient] : by.entries)
-      in.entries[other] += c * coefficient;
+      {
+        for (; next != in.entries.end() && next->first < other; ++next)
+          sum.insert(sum.end(), *next);
+        double value = c * coefficient;
+        if (next != in.entries.end() && next->first == other)
+          value += (next++)->second;
+        sum.emplace_hint(sum.end(), other, value);
+      }
+    for (; next != in.entries.end(); ++next)
+      sum.insert(sum.end(), *next);
+    in.entries = std::move(sum);
   }
 
 
@@ -107,9 +121,10 @@ namespace Contact
     const double scale = equation[pivot];
     Row          line;
     line.constant = equation.constant / scale;
-    for (const auto &[dof, coefficient] : equation.entries)
-      if (dof != pivot)
-        line.entries[dof] = -(coefficient / scale);
+    line.entries  = equation.entries;
+    line.entries.erase(pivot);
+    for (auto &entry : line.entries)
+      entry.second = -(entry.second / scale);
 
     std::set<Dof> changed = take_users(pivot);
     line.drop_round_off();

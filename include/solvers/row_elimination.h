@@ -8,6 +8,7 @@
 
 #include <deal.II/base/types.h>
 
+#include <boost/container/flat_map.hpp>
 #include <map>
 #include <set>
 
@@ -34,8 +35,10 @@ namespace Contact
     /// An equation, or the line of an eliminated unknown.
     struct Row
     {
-      std::map<Dof, double> entries;
-      double                constant = 0;
+      using Entries = boost::container::flat_map<Dof, double>;
+
+      Entries entries;
+      double  constant = 0;
 
       /// The coefficient of an unknown, zero if it is not there.
       double operator[](const Dof dof) const;
