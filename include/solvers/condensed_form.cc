@@ -1,0 +1,404 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/condensed_form.h"
+
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+
+#include "solvers/definite_solver.h"
+#include "solvers/matrix_free_system.h"
+
+namespace Contact
+{
+  template<int dim>
+  CondensedForm<dim>::CondensedForm(const ContactModel<dim> &model,
+                                    const Parameters::All   &parameters,
+                                    const bool               moving_bound,
+                                    ConditionalOStream      &screen,
+                                    TimerOutput             &timer)
+    : model(model)
+    , parameters(parameters.solution)
+    , screen(screen)
+    , timer(timer)
+    , solver(choose_solver(model, parameters.solution))
+    , elimination(*model.discretization, model.interface.get(), moving_bound)
+    , system(create(solver))
+    , last(system.get())
+    , update(model.discretization->distribution)
+  {
+  }
+
+
+
+  template<int dim>
+  void CondensedForm<dim>::update_pattern(const bool)
+  {
+    system->update_pattern();
+    if (while_held)
+      while_held->update_pattern();
+  }
+
+
+
+  // A bound that follows the pressure does so in between. In space nearly
+  // incompressible bodies have forces at the new place that are of second
+  // order, and the wrong points would open.
+  template<int dim>
+  void CondensedForm<dim>::recover_multipliers(const GhostedVector &rhs,
+                                               const double         part,
+                                               IncrementState<dim> &state)
+  {
+    if (dim == 3 && part > 0)
+      recover_from(last->linear_forces(state.solution, state.load_factor),
+                   state);
+    else
+      recover_from(rhs, state);
+  }
+
+
+
+  template<int dim>
+  void CondensedForm<dim>::recover_from(const GhostedVector &rhs,
+                                        IncrementState<dim> &state)
+  {
+    elimination.recover_pressures(rhs, state.start, state.solution);
+    if (model.has_friction() &&
+        parameters.friction == Parameters::FrictionLoop::lagged_bound)
+      model.interface->update_bounds(state.solution, state.start);
+    elimination.recover_shears(rhs, state.start, state.solution);
+  }
+
+
+
+  // Inexact Newton: a step that others follow is solved to a thousandth of
+  // the residual, linear bodies under statuses that stay in one, and where
+  // bodies yield as far as it serves. Supports that the step moves are not
+  // in the residual: bodies that are not linear do not balance behind it,
+  // however exact it is.
+  template<int dim>
+  unsigned int CondensedForm<dim>::make_step(const Step          &step,
+                                             GhostedVector       &rhs,
+                                             IncrementState<dim> &state)
+  {
+    const bool statuses_stay =
+      step.number > 0 || !model.interface || model.interface->is_tied();
+    const bool one_solve_is_all =
+      model.elasticity->is_linear() && statuses_stay &&
+      !parameters.pairs_each_step() &&
+      parameters.friction == Parameters::FrictionLoop::fixed_point;
+    const bool moves_nonlinear_bodies =
+      !model.elasticity->is_linear() &&
+      model.discretization->update_is_prescribed();
+    const double forcing =
+      moves_nonlinear_bodies ? 1e-5
+      : model.elasticity->changes_by_yielding()
+        ? forcing_term(step) * step.residual
+      : leaves_pairing()
+        ? std::max(parameters.linear_tolerance, 0.01) * step.residual
+        : std::min(1e-5, parameters.linear_tolerance * step.residual);
+    const double relative =
+      std::max(0.1 * step.tolerance, one_solve_is_all ? 0. : forcing);
+    unsigned int n = solve_for_update(rhs, relative * step.force, step, state);
+    if (model.interface && !model.interface->free_motions().empty())
+      n += add_motions(rhs, relative * step.force, step, state);
+    screen << "      solved to " << std::scientific << std::setprecision(1)
+           << relative << std::defaultfloat << std::setprecision(6) << " in "
+           << n << " iterations" << std::endl;
+    std::transform(update.begin(),
+                   update.end(),
+                   state.solution.begin(),
+                   state.solution.begin(),
+                   std::plus<>());
+    model.discretization->settle(state.solution, state.load_factor);
+    model.discretization->constrain_update(state.solution, state.load_factor);
+    return n;
+  }
+
+
+
+  template<int dim>
+  std::string CondensedForm<dim>::open_stability() const
+  {
+    if (!may_be_unstable() || last->knows_definiteness() ||
+        solver == Parameters::SolverKind::cholmod)
+      return "";
+    return "the stability of the solution is not checked: " +
+           std::string(solver == Parameters::SolverKind::mumps
+                         ? "MUMPS does"
+                         : "the solver of matrices that friction makes "
+                           "unsymmetric does") +
+           " not tell of a tangent that is not positive definite";
+  }
+
+
+
+  // Stresses that turn with bodies may be a negative stiffness.
+  template<int dim>
+  bool CondensedForm<dim>::may_be_unstable() const
+  {
+    const auto &bodies = model.mesh->bodies;
+    return std::any_of(bodies.begin(), bodies.end(), [&](const auto &body) {
+      return !model.elasticity->is_small_strain(body.second);
+    });
+  }
+
+
+
+  // In space the tangent does not know how the coefficients of a point
+  // change with the way of the nodes around, and the residual falls by the
+  // gradients of the displacements at best. Where bodies are linear, and
+  // steps cost little else than their solution, two digits serve.
+  template<int dim>
+  bool CondensedForm<dim>::leaves_pairing() const
+  {
+    return dim == 3 && model.elasticity->is_linear() &&
+           parameters.pairs_each_step() && model.geometry_follows(parameters);
+  }
+
+
+
+  // In bodies that yield a step is solved to a tenth of what it
+  // would leave of the residual if Newton's method converged quadratically
+  // from the last step on, but to two digits (the second choice of S. C.
+  // Eisenstat and H. F. Walker, SIAM J. Sci. Comput. 17, 1996).
+  template<int dim>
+  double CondensedForm<dim>::forcing_term(const Step &step) const
+  {
+    const double largest = 0.01, part = 0.1;
+    const double expected =
+      step.number == 0 ? 1. : std::pow(step.residual / step.last_residual, 2);
+    return std::max(parameters.linear_tolerance,
+                    std::min(largest, part * expected));
+  }
+
+
+
+  // The forces along free motions after the update.
+  template<int dim>
+  std::vector<double>
+  CondensedForm<dim>::motion_forces(GhostedVector        trial,
+                                    const GhostedVector &u_start,
+                                    const double         load_factor)
+  {
+    std::transform(update.begin(),
+                   update.end(),
+                   trial.begin(),
+                   trial.begin(),
+                   std::plus<>());
+    const auto of_bodies = last->linear_forces(trial, load_factor);
+    elimination.recover_pressures(of_bodies, u_start, trial);
+    elimination.recover_shears(of_bodies, u_start, trial);
+    return model.interface->motion_forces(trial, u_start, {});
+  }
+
+
+
+  // The bordered system. The response to each free motion takes a solution
+  // with the same matrix, and is linear: a hundredth of an edge serves. The
+  // update is then that under which the forces are those given.
+  template<int dim>
+  unsigned int CondensedForm<dim>::add_motions(const GhostedVector &rhs,
+                                               const double         tolerance,
+                                               const Step          &step,
+                                               IncrementState<dim> &state)
+  {
+    const ContactInterface<dim> &interface = *model.interface;
+    double                       part      = std::numeric_limits<double>::max();
+    for (const ContactPoint<dim> &point : interface.points())
+      part =
+        std::min(part, 0.01 * interface.contact_pair(point).edge_length(point));
+    std::vector<unsigned int> motions;
+    for (unsigned int k = 0; k < interface.free_motions().size(); ++k)
+      if (!interface.free_motions()[k]->stays)
+        motions.push_back(k);
+
+    const unsigned int m = motions.size();
+    if (m == 0)
+      return 0;
+    model.discretization->counters.free_motions += m;
+    const auto motion = [&](const unsigned int i) -> const FreeMotion & {
+      return *interface.free_motions()[motions[i]];
+    };
+    const GhostedVector first = update;
+    const auto          before =
+      motion_forces(state.solution, state.start, state.load_factor);
+    std::vector<GhostedVector> responses;
+    LAPACKFullMatrix<double>   resistance(m, m);
+    Vector<double>             way(m); // of turns times the lever
+    unsigned int               n = 0;
+    for (unsigned int j = 0; j < m; ++j)
+      {
+        GhostedVector moved = state.solution;
+        moved[interface.motion_index(motions[j])] += part / motion(j).lever;
+        n += last->solve(state.solution,
+                         state.start,
+                         rhs,
+                         tolerance,
+                         update,
+                         /*keep_tangents=*/true,
+                         &moved);
+        responses.push_back(update);
+        responses.back() -= first;
+        const auto after = motion_forces(moved, state.start, state.load_factor);
+        for (unsigned int i = 0; i < m; ++i)
+          resistance(i, j) =
+            (after[motions[i]] - before[motions[i]]) / (motion(i).lever * part);
+        resistance(j, j) +=
+          interface.motion_spring(motion(j)) / std::pow(motion(j).lever, 2);
+        way[j] = (motion(j).force - before[motions[j]]) / motion(j).lever;
+      }
+
+    const double missing = way.l1_norm();
+    resistance.compute_lu_factorization();
+    resistance.solve(way);
+    update = first;
+    for (unsigned int j = 0; j < m; ++j)
+      {
+        const double of_motion = way[j] / motion(j).lever;
+        if (missing > step.tolerance * step.force)
+          interface.check_motion(motion(j), of_motion, missing);
+        state.solution[interface.motion_index(motions[j])] += of_motion;
+        update.add(way[j] / part, responses[j]);
+      }
+    return n;
+  }
+
+
+
+  template<int dim>
+  typename CondensedForm<dim>::SolverChoice
+  CondensedForm<dim>::choose_solver(const ContactModel<dim>    &model,
+                                    const Parameters::Solution &parameters)
+  {
+    const auto &discretization = *model.discretization;
+    const auto &elasticity     = *model.elasticity;
+    if (parameters.linear_solver == Parameters::SolverKind::gmg)
+      {
+        const std::string of =
+          MatrixFreeSystem<dim>::refusal(discretization, elasticity);
+        if (!of.empty())
+          throw InputError("the multigrid without a matrix does not know "
+                           "of " +
+                             of,
+                           "entry Solution/Linear solver = GMG",
+                           std::string("set 'Linear solver = AMG', or "
+                                       "'automatic'") +
+                             (discretization.serendipity
+                                ? ", or 'Element/Centre node = free'"
+                                : ""));
+        if (MatrixFreeSystem<dim>::is_too_deep(discretization.mesh))
+          return Parameters::SolverKind::amg;
+      }
+    if (parameters.linear_solver != Parameters::SolverKind::automatic)
+      return parameters.linear_solver;
+    if (MatrixFreeSystem<dim>::is_best(discretization, elasticity))
+      return Parameters::SolverKind::gmg;
+    return choose_with_matrix(model);
+  }
+
+
+
+  template<int dim>
+  typename CondensedForm<dim>::SolverChoice
+  CondensedForm<dim>::choose_with_matrix(const ContactModel<dim> &model)
+  {
+    return DefiniteSolver::choose(dim,
+                                  model.n_displacements(),
+                                  Utilities::MPI::n_mpi_processes(
+                                    model.discretization->communicator));
+  }
+
+
+
+  // Where the multigrid without a matrix was the choice of the program and
+  // stalls, a solver with a matrix goes on. Of an indefinite matrix in
+  // large displacement it is not the solver's fault.
+  template<int dim>
+  unsigned int
+  CondensedForm<dim>::solve_for_update(const GhostedVector       &rhs,
+                                       const double               tolerance,
+                                       const Step                &step,
+                                       const IncrementState<dim> &state)
+  {
+    const auto solve = [&] {
+      return present_system().solve(state.solution,
+                                    state.start,
+                                    rhs,
+                                    tolerance,
+                                    update,
+                                    step.continues);
+    };
+    try
+      {
+        return solve();
+      }
+    catch (const MultigridStalls &stall)
+      {
+        if (parameters.linear_solver != Parameters::SolverKind::automatic)
+          {
+            if (tangent_is_indefinite(/*may_cost=*/true))
+              throw NotConverged(std::string(stall.what()) +
+                                 ": the matrix is not positive definite");
+            throw SolverStalls(
+              std::string(stall.what()) +
+              "; set 'Solution/Linear solver = automatic', which goes on "
+              "with CHOLMOD or AMG then");
+          }
+        screen << "      " << stall.what() << ": done from here on"
+               << std::endl;
+        solver = choose_with_matrix(model);
+        system = create(solver);
+        system->update_pattern();
+        return solve();
+      }
+  }
+
+
+
+  // Springs hold bodies for a while: these are in no multigrid without a
+  // matrix.
+  template<int dim>
+  CondensedSystem<dim> &CondensedForm<dim>::present_system()
+  {
+    if (solver != Parameters::SolverKind::gmg ||
+        model.elasticity->springs.held().empty())
+      {
+        while_held.reset();
+        last = system.get();
+      }
+    else
+      {
+        if (!while_held)
+          {
+            while_held = create(choose_with_matrix(model));
+            while_held->update_pattern();
+          }
+        last = while_held.get();
+      }
+    return *last;
+  }
+
+
+
+  template<int dim>
+  std::unique_ptr<CondensedSystem<dim>>
+  CondensedForm<dim>::create(const Parameters::SolverKind kind)
+  {
+    return CondensedSystem<dim>::create(*model.discretization,
+                                        *model.elasticity,
+                                        model.interface.get(),
+                                        elimination,
+                                        kind,
+                                        timer);
+  }
+
+  template class CondensedForm<2>;
+  template class CondensedForm<3>;
+} // namespace Contact
