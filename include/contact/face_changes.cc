@@ -168,14 +168,13 @@ namespace Contact
                                   const FacetShape<3>::Values &master_values,
                                   const Gradients             &gradients)
   {
-    for (unsigned int m = 0; m < gradients.size(); ++m)
+    for (unsigned int m = 0; m < n_master_nodes; ++m)
       {
         const Tensor<1, 3> gradient = phi * gradients[m];
-        for (unsigned int b = 0; b < gradients.size(); ++b)
-          {
-            slave[m][b] += slave_values[b] * gradient;
-            master[m][b] -= master_values[b] * gradient;
-          }
+        for (unsigned int b = 0; b < n_slave_nodes; ++b)
+          slave[m][b] += slave_values[b] * gradient;
+        for (unsigned int b = 0; b < n_master_nodes; ++b)
+          master[m][b] -= master_values[b] * gradient;
       }
   }
 

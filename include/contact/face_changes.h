@@ -68,13 +68,22 @@ namespace Contact
     /// places of the nodes of both.
     struct OfFacets
     {
-      PerFacetNode<3, PerFacetNode<3, Tensor<1, 3>>> slave{}, master{};
+      OfFacets(const unsigned int n_slave_nodes,
+               const unsigned int n_master_nodes)
+        : n_slave_nodes(n_slave_nodes)
+        , n_master_nodes(n_master_nodes)
+      {
+      }
 
       /// A place of integration, @p phi times its weight.
       void add(const double                 phi,
                const FacetShape<3>::Values &slave_values,
                const FacetShape<3>::Values &master_values,
                const Gradients             &gradients);
+
+      const unsigned int n_slave_nodes, n_master_nodes; // of a facet
+
+      PerFacetNode<3, PerFacetNode<3, Tensor<1, 3>>> slave{}, master{};
     };
 
     void add(const SurfaceFacet<3> &slave_facet,

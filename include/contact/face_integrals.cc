@@ -239,7 +239,9 @@ namespace Contact
                {}});
             for (const NodeIntegrals *carrier : carriers)
               segments.back().changes.emplace_back(
-                carrier->change ? new FaceMortarChange::OfFacets() : nullptr);
+                carrier->change
+                  ? new FaceMortarChange::OfFacets(slave.n_nodes_per_facet(), n)
+                  : nullptr);
             for (unsigned int b = 0; b < n; ++b)
               x[b] = now.master_x[master.facets[point.master_facet].nodes[b]];
           }
