@@ -1034,13 +1034,16 @@ namespace Contact
   // @sect4{ContactProblem::flag_cells}
   //
   // All of them, or those with the largest indicators: of the errors of probes
-  // or of the error in the norm of the energy.
+  // or of the error in the norm of the energy; and surfaces that might touch.
   template<int dim>
   void ContactProblem<dim>::flag_cells()
   {
     if (!parameters.refines_adaptively(model.mesh->has_only_hypercubes()))
-      flag_all_cells(*model.mesh);
-    else if (parameters.asks_for_accuracy())
+      {
+        flag_all_cells(*model.mesh);
+        return;
+      }
+    if (parameters.asks_for_accuracy())
       flag_by_indicators(model, parameters, coarser.indicators);
     else
       {
@@ -1050,6 +1053,7 @@ namespace Contact
                          postprocessor.recovered_stresses(),
                          state.solution);
       }
+    flag_close_surfaces(model, parameters, state.solution);
   }
 
 

@@ -42,6 +42,10 @@ Proves that
 - the flat ends of round shafts are not said to be off their circles;
 - glue across a gap is noted, and a violation where the moment that is lost matters;
 - a scene that nothing loads, and one where nothing touches, are noted;
+- a round side that a coarse mesh does not let touch is refined where it is close,
+  on several processes alike, until it has the force of a uniform mesh;
+- given displacements that go through zero in the course of their history violate
+  nothing;
 - slave nodes that slide off the end of the master, where they face it with one
   pairing and nothing with the next, are not called converged; the mortar
   discretization has a solution there;
@@ -1003,6 +1007,59 @@ def idle():
               for of in (summary, summary["increments"][-1])))
 
 
+def round_and_apart():
+    """A round bottom of three chords, of which the middle one does not touch."""
+    radius, ends = 4, (-2.2, -0.9, 0.8, 1.9)
+    mesh = Mesh()
+    mesh.block("A", 3, 1, box(-4, -2, 4, 0), {"bottom": "Base", "top": "Ground"})
+
+    def bottom(s, t):
+        x = ends[round(3 * s)]
+        y = radius - math.sqrt(radius**2 - x**2)
+        return x, y + t * (3 - y)
+    mesh.block("B", 3, 1, bottom, {"bottom": "Sole", "top": "Head"})
+    mesh.write("round_and_apart")
+
+    def force(strategy, levels, ranks=1):
+        status, said, summary = run("round_and_apart", {
+            "Mesh/File": "round_and_apart.msh",
+            "Mesh/Arcs": f"Sole: 0, {radius}, {radius}", **solids(), **CONTACT,
+            "Contact/Discretization": "mortar",
+            "Boundary conditions/Displacement x": "Base: 0, Head: 0",
+            "Boundary conditions/Displacement y": "Base: 0, Head: -0.05",
+            "Refinement/Strategy": strategy, "Refinement/Levels": levels}, ranks)
+        return (status == 0 and summary["contact"]["normal_force"],
+                [level["displacements"] for level in summary["levels"]], said)
+    coarse, _, said = force("uniform", 0)
+    check("chords of a round side that do not touch", coarse == 0 and
+          "nothing touches" in said, said[:300])
+    uniform, _, _ = force("uniform", 4)
+    adaptive, sizes, _ = force("adaptive", 6)
+    check("a round side that finer meshes let touch, adaptive by uniform: "
+          f"{adaptive:.4f} / {uniform:.4f}",
+          uniform > 1 and abs(adaptive / uniform - 1) < 0.03)
+    other, sizes_there, _ = force("adaptive", 6, ranks=2)
+    check("the same meshes and force on two processes", sizes == sizes_there and
+          abs(other / adaptive - 1) < 1e-8, f"{sizes} {sizes_there}")
+
+
+def through_zero():
+    """A block that is pressed, lifted and pressed: at 0.4 its way is round-off."""
+    mesh = Mesh()
+    mesh.block("A", 4, 2, box(-4, -5, 4, 0), {"bottom": "Base", "top": "Ground"})
+    mesh.block("B", 2, 2, box(-3, 0, 3, 4), {"bottom": "Sole", "top": "Head"})
+    mesh.write("through_zero")
+    status, said, _ = run("through_zero", {
+        "Mesh/File": "through_zero.msh", **solids("A: 1000, B: 3000"), **CONTACT,
+        "Contact/Discretization": "mortar", "Contact/Friction coefficient": 0.3,
+        "Boundary conditions/Displacement x": "Base: 0, Head: 0",
+        "Boundary conditions/Displacement y": "Base: 0, Head: -0.05",
+        "Boundary conditions/Histories":
+            "Displacement y: table(0 0, 0.3 1, 0.6 -2, 0.8 -2, 1 1)",
+        "Solution/Increments": 10})
+    check("given displacements that go through zero", status == 0, said[-300:])
+
+
 def off_the_end():
     """A stiff stamp presses rubber, whose side bulges out beyond the stamp's."""
     mesh = Volumes()
@@ -1039,7 +1096,8 @@ def off_the_end():
 for scene in (carried, overlap, cantilever, halves, teeth, own_master, round_off,
               lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered,
               in_a_corner, concave_corner, too_coarse, roles, tied, flank, groove,
-              slide, pinned, clamped, between_nodes, foil, turning, coarse_fit, flat_ends, glued_apart, idle, off_the_end):
+              slide, pinned, clamped, between_nodes, foil, turning, coarse_fit, flat_ends, glued_apart, idle,
+              round_and_apart, through_zero, off_the_end):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)

@@ -318,6 +318,37 @@ namespace Contact
 
 
 
+  namespace
+  {
+    /// Indicators of strains that do not differ by more than Newton's tolerance
+    /// of all displacements would, are zero: where bodies move without stress,
+    /// another number of processes or another solver would have others.
+    template<int dim>
+    void clear_what_is_lost(const ContactModel<dim> &model,
+                            const double             tolerance,
+                            const GhostedVector     &solution,
+                            Vector<float>           &indicators)
+    {
+      const auto  &discretization = *model.discretization;
+      const double lost =
+        tolerance * discretization.displacements(solution).linfty_norm();
+      for (const auto &cell :
+           discretization.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            const double energy =
+              model.elasticity->youngs_modulus(cell->material_id()) *
+              std::pow(lost / cell->diameter(), 2) *
+              discretization.circumference(cell->center()) * cell->measure();
+            float &indicator = indicators[cell->active_cell_index()];
+            if (indicator <= energy)
+              indicator = 0;
+          }
+    }
+  } // namespace
+
+
+
   template<int dim>
   void flag_by_estimate(const ContactModel<dim>                  &model,
                         const Parameters::All                    &parameters,
@@ -325,11 +356,14 @@ namespace Contact
                         const GhostedVector                      &solution)
   {
     ++model.discretization->counters.error_estimates;
-    flag_by_indicators(
-      model,
-      parameters,
+    Vector<float> indicators =
       ErrorEstimator<dim>(*model.discretization, *model.elasticity)
-        .indicators(stresses, model.interface.get(), solution));
+        .indicators(stresses, model.interface.get(), solution);
+    clear_what_is_lost(model,
+                       parameters.solution.newton_tolerance,
+                       solution,
+                       indicators);
+    flag_by_indicators(model, parameters, indicators);
   }
 
   template class ErrorEstimator<2>;

@@ -60,6 +60,64 @@ namespace Contact
 
 
 
+    /// The owned cells with a face at such boundaries, with the middle and the
+    /// size of that.
+    template<int dim, typename Visit>
+    void for_faces(const Mesh<dim>                    &mesh,
+                   const std::set<types::boundary_id> &ids,
+                   const Visit                        &visit)
+    {
+      for (const auto &cell : mesh.triangulation.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->is_locally_owned() && cell->at_boundary(f) &&
+              ids.count(cell->face(f)->boundary_id()) > 0)
+            visit(cell, cell->face(f)->center(), cell->face(f)->diameter());
+    }
+
+
+
+    /// Flag the cells with a face at such boundaries that has one of these
+    /// places.
+    template<int dim>
+    void flag_around(const Mesh<dim>                    &mesh,
+                     const std::set<types::boundary_id> &ids,
+                     const std::vector<Point<dim>>      &places)
+    {
+      for_faces(mesh,
+                ids,
+                [&](const auto       &cell,
+                    const Point<dim> &middle,
+                    const double      size) {
+                  if (std::any_of(places.begin(),
+                                  places.end(),
+                                  [&](const Point<dim> &place) {
+                                    return middle.distance(place) < 0.75 * size;
+                                  }))
+                    cell->set_refine_flag();
+                });
+    }
+
+
+
+    /// The undeformed place of a contact point on the slave or on the master,
+    /// from the nodes @p begin to @p end of its list.
+    template<int dim>
+    Point<dim> mean_place(const ContactPoint<dim> &point,
+                          const unsigned int       begin,
+                          const unsigned int       end)
+    {
+      Point<dim> sum;
+      double     whole = 0;
+      for (unsigned int a = begin; a < end; ++a)
+        {
+          sum += point.C[a] * point.X[a];
+          whole += point.C[a];
+        }
+      return Point<dim>(sum / whole);
+    }
+
+
+
     /// On a mesh of which a rank has a part.
     template<int dim>
     void transfer_distributed(Mesh<dim>                  &mesh,
@@ -162,18 +220,10 @@ namespace Contact
                               const std::set<types::boundary_id> &slave,
                               const std::set<types::boundary_id> &master)
   {
-    const auto for_faces = [&](const std::set<types::boundary_id> &ids,
-                               const auto                         &visit) {
-      for (const auto &cell : mesh.triangulation.active_cell_iterators())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->is_locally_owned() && cell->at_boundary(f) &&
-              ids.count(cell->face(f)->boundary_id()) > 0)
-            visit(cell, cell->face(f)->center(), cell->face(f)->diameter());
-    };
-
     using Faces = std::vector<std::pair<Point<dim>, double>>;
     Faces flagged;
-    for_faces(master,
+    for_faces(mesh,
+              master,
               [&](const auto       &cell,
                   const Point<dim> &middle,
                   const double      size) {
@@ -183,6 +233,7 @@ namespace Contact
     for (const Faces &of_rank :
          Utilities::MPI::all_gather(mesh.communicator, flagged))
       for_faces(
+        mesh,
         slave,
         [&](const auto &cell, const Point<dim> &middle, const double size) {
           for (const auto &[other_middle, other_size] : of_rank)
@@ -252,6 +303,49 @@ namespace Contact
 
 
   template<int dim>
+  void flag_close_surfaces(const ContactModel<dim> &model,
+                           const Parameters::All   &parameters,
+                           const GhostedVector     &solution)
+  {
+    if (!model.interface)
+      return;
+    const ContactInterface<dim>           &interface = *model.interface;
+    const std::vector<Parameters::Contact> of_pairs  = parameters.pairs();
+    for (unsigned int k = 0; k < interface.pairs.size(); ++k)
+      {
+        const auto &contact_pair = *interface.pairs[k];
+        const auto  points       = interface.points_of(contact_pair);
+        if (std::any_of(points.begin(), points.end(), [](const auto &point) {
+              return point.status.kind != Status::open;
+            }))
+          continue;
+        std::vector<Point<dim>> on_slave, on_master;
+        for (const ContactPoint<dim> &point : points)
+          if (point.facing && !point.is_master_corner &&
+              interface.state(point, solution, solution).gap <
+                contact_pair.edge_length(point))
+            {
+              const unsigned int n = point.n_slave_nodes;
+              on_slave.push_back(mean_place(point, 0, n));
+              if (point.n_nodes > n)
+                on_master.push_back(mean_place(point, n, point.n_nodes));
+            }
+        const Parameters::Contact &of_pair = of_pairs[k];
+        const Mesh<dim>           &mesh    = *model.mesh;
+        flag_around(mesh,
+                    mesh.boundary(of_pair.slave, of_pair.section() + "/Slave"),
+                    on_slave);
+        if (!of_pair.master.empty())
+          flag_around(mesh,
+                      mesh.boundary(of_pair.master,
+                                    of_pair.section() + "/Master"),
+                      on_master);
+      }
+  }
+
+
+
+  template<int dim>
   void flag_all_cells(Mesh<dim> &mesh)
   {
     mesh.levels.keep(mesh.triangulation);
@@ -295,6 +389,12 @@ namespace Contact
   template void flag_by_indicators(const ContactModel<3> &model,
                                    const Parameters::All &parameters,
                                    const Vector<float>   &indicators);
+  template void flag_close_surfaces(const ContactModel<2> &model,
+                                    const Parameters::All &parameters,
+                                    const GhostedVector   &solution);
+  template void flag_close_surfaces(const ContactModel<3> &model,
+                                    const Parameters::All &parameters,
+                                    const GhostedVector   &solution);
   template void flag_all_cells(Mesh<2> &mesh);
   template void flag_all_cells(Mesh<3> &mesh);
   template void refine_and_transfer(Mesh<2>                    &mesh,

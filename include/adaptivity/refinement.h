@@ -62,6 +62,16 @@ namespace Contact
                           const Parameters::All   &parameters,
                           const Vector<float>     &indicators);
 
+  /**
+   * Of contact pairs that do not touch, flag the cells at either surface where
+   * these are closer than the facets of the slave are long: no estimate of an
+   * error knows that finer ones, which follow a round side, will touch there.
+   */
+  template<int dim>
+  void flag_close_surfaces(const ContactModel<dim> &model,
+                           const Parameters::All   &parameters,
+                           const GhostedVector     &solution);
+
   /// Flag all cells. Collective.
   template<int dim>
   void flag_all_cells(Mesh<dim> &mesh);

@@ -70,7 +70,8 @@ namespace Contact
       throw InputError("the restart file belongs to other parameters, to "
                        "another mesh, or to another number of processes",
                        file.string(),
-                       "set what was set before, or run without --restart");
+                       "take the parameters, the mesh and the number of "
+                       "processes of before, or run without --restart");
   }
 } // namespace Contact
 

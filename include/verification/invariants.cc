@@ -227,17 +227,21 @@ namespace Contact
 
 
 
-  // Of a coarser level only a start is asked for.
+  // Of a coarser level only a start is asked for. Displacements that are given
+  // by a history may go through zero, up to round-off: what counts are the
+  // largest forces that they have made so far.
   template<int dim>
   void InvariantCheck<dim>::judge_resolution(const double residual,
                                              const double given_force,
                                              const double acting,
                                              const Slack &slack,
-                                             Invariants  &found) const
+                                             Invariants  &found)
   {
     const double loads = elasticity.dead_loads.whole();
+    if (given_force > 0)
+      largest_acting = std::max({largest_acting, given_force, acting});
     const double scale = loads > 0         ? loads
-                         : given_force > 0 ? std::max(given_force, acting)
+                         : given_force > 0 ? largest_acting
                                            : 0.;
     if (scale == 0 || slack.relative > parameters.newton_tolerance ||
         residual > slack.force + slack.shear_force)

@@ -211,7 +211,7 @@ namespace Contact
                                  const double given_force,
                                  const double acting,
                                  const Slack &slack,
-                                 Invariants  &found) const;
+                                 Invariants  &found);
     std::string in_words(const double force) const;
     void        add_up(const GhostedVector &reactions, Invariants &found) const;
     void        add_rigid(const RigidBoundary<dim> &boundary,
@@ -234,7 +234,8 @@ namespace Contact
     const ContactInterface<dim> *interface;
     const Parameters::Solution   parameters;
 
-    State start, end;
+    State  start, end;
+    double largest_acting = 0; // so far, of given displacements [N per mm]
   };
 } // namespace Contact
 
