@@ -9,6 +9,7 @@
 #include <deal.II/hp/fe_values.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "adaptivity/refinement.h"
 #include "contact/contact_results.h"
@@ -321,17 +322,19 @@ namespace Contact
   namespace
   {
     /// Indicators of strains that do not differ by more than Newton's tolerance
-    /// of all displacements would, are zero: where bodies move without stress,
-    /// another number of processes or another solver would have others.
+    /// of all displacements would, at most the default one, are zero: where
+    /// bodies move without stress, another number of processes or another
+    /// solver would have others.
     template<int dim>
-    void clear_what_is_lost(const ContactModel<dim> &model,
-                            const double             tolerance,
-                            const GhostedVector     &solution,
-                            Vector<float>           &indicators)
+    void clear_what_is_lost(const ContactModel<dim>    &model,
+                            const Parameters::Solution &parameters,
+                            const GhostedVector        &solution,
+                            Vector<float>              &indicators)
     {
       const auto  &discretization = *model.discretization;
-      const double lost =
-        tolerance * discretization.displacements(solution).linfty_norm();
+      const double lost           = std::min(parameters.newton_tolerance,
+                                   Parameters::Solution().newton_tolerance) *
+                          discretization.displacements(solution).linfty_norm();
       for (const auto &cell :
            discretization.dof_handler.active_cell_iterators())
         if (cell->is_locally_owned())
@@ -359,10 +362,7 @@ namespace Contact
     Vector<float> indicators =
       ErrorEstimator<dim>(*model.discretization, *model.elasticity)
         .indicators(stresses, model.interface.get(), solution);
-    clear_what_is_lost(model,
-                       parameters.solution.newton_tolerance,
-                       solution,
-                       indicators);
+    clear_what_is_lost(model, parameters.solution, solution, indicators);
     flag_by_indicators(model, parameters, indicators);
   }
 

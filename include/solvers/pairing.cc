@@ -316,8 +316,8 @@ namespace Contact
     if (!jump)
       return {};
     return "pairing: closest points jump between two places and do not come to "
-           "rest; the points are paired with one of the two, and with the closest "
-           "points gaps differ by up to " +
+           "rest; the points are paired with one of the two, which round-off may "
+           "choose, and with the closest points gaps differ by up to " +
            brief(jump->gap) +
            " mm: by so much nodes may stand off or overlap there, and pressures "
            "near them are those of one place of two, and the moments of the "
