@@ -363,10 +363,22 @@ namespace
     const auto terms =
       PairingStiffness<3>::terms(*model.interface, model.solution, model.start);
     check("of all points", terms.size() == points.size());
+    double difference = 0;
     for (const auto &term : terms)
-      for (unsigned int i = 0; i < term.rows.size(); ++i)
+      {
+        Vector<double> of_columns(term.columns.size()), force(term.rows.size()),
+          by_matrix(force);
         for (unsigned int j = 0; j < term.columns.size(); ++j)
-          by_terms[term.rows[i]] -= term.stiffness(i, j) * du[term.columns[j]];
+          of_columns[j] = du[term.columns[j]];
+        term.vmult(force, of_columns);
+        term.matrix().vmult(by_matrix, of_columns);
+        for (unsigned int i = 0; i < term.rows.size(); ++i)
+          by_terms[term.rows[i]] -= force[i];
+        by_matrix -= force;
+        difference =
+          std::max(difference, by_matrix.linfty_norm() / force.linfty_norm());
+      }
+    check_small("product and matrix", difference, 1e-12);
 
     check_derivative(
       model,

@@ -229,8 +229,15 @@ namespace Contact
                                      const PairingMode   &mode) const
   {
     point.change = PairingChange<3>();
-    if (mode.with_derivatives && point.status.kind != Status::open)
-      point.change = change_of_projection(point, *master, u);
+    if (!mode.with_derivatives || point.status.kind == Status::open)
+      return;
+    point.change = change_of_projection(point, *master, u);
+    if (!discretization.dof_handler.locally_owned_dofs().is_element(
+          point.dofs[0][0]))
+      {
+        point.change.C.reinit(0, 0);
+        point.change.turn.clear();
+      }
   }
 
   template bool ContactPair<2>::pair(const ArrayView<ContactPoint<2>> &,

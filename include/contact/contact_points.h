@@ -25,7 +25,8 @@ namespace Contact
   /**
    * The change of a point's pairing with the displacements of the nodes around
    * it, where the discretization finds that by itself: derivatives with respect
-   * to the unknowns @p dofs. A tangent turns with the normal.
+   * to the unknowns @p dofs. A tangent turns with the normal. In space one rank
+   * alone has @p C and @p turn, which are large.
    */
   template<int dim>
   struct PairingChange

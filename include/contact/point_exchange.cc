@@ -84,7 +84,8 @@ namespace Contact
 
 
 
-    /// All that MortarDiscretization<3>::pair() finds.
+    /// What MortarDiscretization<3>::pair() finds, but for the changes that one
+    /// rank alone has.
     template<class Archive>
     void exchange_point(Archive &archive, ContactPoint<3> &point)
     {
@@ -102,8 +103,6 @@ namespace Contact
                    point.void_slips,
                    point.springs,
                    point.change.dofs,
-                   point.change.C,
-                   point.change.turn,
                    point.change.slide,
                    point.dofs,
                    point.X,

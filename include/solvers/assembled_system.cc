@@ -10,6 +10,7 @@
 #include <deal.II/lac/sparsity_tools.h>
 
 #include <algorithm>
+#include <list>
 
 #include "solvers/condensed_tangents.h"
 #include "solvers/rigid_rotation.h"
@@ -231,8 +232,12 @@ namespace Contact
     for (const auto &term : elimination.turning_terms())
       if (term.is_own())
         sum.add(term.stiffness, term.dofs, term.dofs);
-    for (const auto &term : elimination.pairing_terms())
-      sum.add(term.stiffness, term.rows, term.columns);
+    const auto of_pairing =
+      PairingStiffness<dim>::at_owners(elimination.pairing_terms(),
+                                       discretization);
+    std::list<FullMatrix<double>> matrices; // until finish()
+    for (const auto &term : of_pairing)
+      sum.add(matrices.emplace_back(term.matrix()), term.rows, term.columns);
     sum.finish();
     matrix.compress(VectorOperation::add);
   }

@@ -306,11 +306,7 @@ namespace Contact
                          term.load,
                          moved_forces);
     for (const auto &term : elimination.pairing_terms())
-      add_moved_forces(term.stiffness,
-                       term.rows,
-                       term.columns,
-                       none,
-                       moved_forces);
+      add_moved_forces(term, term.rows, term.columns, none, moved_forces);
     moved_forces.sum_up();
     rhs += moved_forces;
     return is_new;
@@ -440,10 +436,11 @@ namespace Contact
 
 
   template<int dim>
-  void CondensedSystem<dim>::add_moved_forces(const FullMatrix<double> &tangent,
-                                              const Dofs               &rows,
-                                              const Dofs               &columns,
-                                              const Vector<double>     &load,
+  template<class Tangent>
+  void CondensedSystem<dim>::add_moved_forces(const Tangent        &tangent,
+                                              const Dofs           &rows,
+                                              const Dofs           &columns,
+                                              const Vector<double> &load,
                                               GhostedVector &forces) const
   {
     const auto    &constraints = elimination.constraints();

@@ -171,11 +171,13 @@ namespace Contact
     /// The interface cells with unknowns that are eliminated, that points in
     /// contact act on, or that move by themselves.
     std::vector<bool> cells_in_use() const;
-    void              add_moved_forces(const FullMatrix<double> &tangent,
-                                       const Dofs               &rows,
-                                       const Dofs               &columns,
-                                       const Vector<double>     &load,
-                                       GhostedVector            &forces) const;
+
+    template<class Tangent>
+    void add_moved_forces(const Tangent        &tangent,
+                          const Dofs           &rows,
+                          const Dofs           &columns,
+                          const Vector<double> &load,
+                          GhostedVector        &forces) const;
 
     /// The unknowns that have been eliminated or may be.
     std::set<types::global_dof_index> eliminable;

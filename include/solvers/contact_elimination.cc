@@ -475,9 +475,7 @@ namespace Contact
                        term.stiffness.begin(),
                        term.stiffness.end());
     for (const auto &term : of_pairing)
-      signature.insert(signature.end(),
-                       term.stiffness.begin(),
-                       term.stiffness.end());
+      term.add_signature(signature);
     return signature;
   }
 

@@ -393,32 +393,31 @@ namespace Contact
       return;
     const auto            &base = discretization.constraints;
     dealii::Vector<double> u, force;
-    const auto             multiply = [&](const FullMatrix<double> &stiffness,
-                              const Dofs               &rows,
-                              const Dofs               &columns) {
-      u.reinit(columns.size());
-      force.reinit(rows.size());
-      for (unsigned int j = 0; j < columns.size(); ++j)
-        if (const auto *entries = base.get_constraint_entries(columns[j]))
-          for (const auto &[dof, factor] : *entries)
-            u[j] += factor * surface(work, dof);
-        else
-          u[j] = surface(work, columns[j]);
-      stiffness.vmult(force, u);
-      for (unsigned int i = 0; i < rows.size(); ++i)
-        if (const auto *entries = base.get_constraint_entries(rows[i]))
-          for (const auto &[dof, factor] : *entries)
-            surface_forces.add(dst, dof, factor * force[i]);
-        else
-          surface_forces.add(dst, rows[i], force[i]);
-    };
+    const auto             multiply =
+      [&](const auto &stiffness, const Dofs &rows, const Dofs &columns) {
+        u.reinit(columns.size());
+        force.reinit(rows.size());
+        for (unsigned int j = 0; j < columns.size(); ++j)
+          if (const auto *entries = base.get_constraint_entries(columns[j]))
+            for (const auto &[dof, factor] : *entries)
+              u[j] += factor * surface(work, dof);
+          else
+            u[j] = surface(work, columns[j]);
+        stiffness.vmult(force, u);
+        for (unsigned int i = 0; i < rows.size(); ++i)
+          if (const auto *entries = base.get_constraint_entries(rows[i]))
+            for (const auto &[dof, factor] : *entries)
+              surface_forces.add(dst, dof, factor * force[i]);
+          else
+            surface_forces.add(dst, rows[i], force[i]);
+      };
     surface.read(work);
     surface_forces.clear();
     for (const auto &term : elimination.turning_terms())
       if (term.is_own())
         multiply(term.stiffness, term.dofs, term.dofs);
     for (const auto &term : elimination.pairing_terms())
-      multiply(term.stiffness, term.rows, term.columns);
+      multiply(term, term.rows, term.columns);
     surface_forces.add_to(dst);
   }
 

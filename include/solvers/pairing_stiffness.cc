@@ -5,6 +5,8 @@
 
 #include "solvers/pairing_stiffness.h"
 
+#include "base/exchange.h"
+
 namespace Contact
 {
   namespace
@@ -42,17 +44,17 @@ namespace Contact
 
 
     /// The columns of nodes that hang become parts of those that they follow.
-    template<int dim>
     void
     hand_over_columns(const std::map<types::global_dof_index, Parts> &leaders,
-                      PairingStiffness<dim>                          &term)
+                      std::vector<types::global_dof_index>           &columns,
+                      FullMatrix<double>                             &matrix)
     {
       std::map<types::global_dof_index, unsigned int> number;
       const auto number_of = [&](const types::global_dof_index dof) {
         return number.emplace(dof, number.size()).first->second;
       };
       std::vector<std::vector<std::pair<unsigned int, double>>> parts;
-      for (const auto dof : term.columns)
+      for (const auto dof : columns)
         {
           parts.emplace_back();
           if (const auto found = leaders.find(dof); found != leaders.end())
@@ -61,17 +63,66 @@ namespace Contact
           else
             parts.back().emplace_back(number_of(dof), 1.);
         }
-      FullMatrix<double> stiffness(term.rows.size(), number.size());
-      for (unsigned int j = 0; j < term.columns.size(); ++j)
+      FullMatrix<double> sums(matrix.m(), number.size());
+      for (unsigned int j = 0; j < columns.size(); ++j)
         for (const auto &[column, part] : parts[j])
-          for (unsigned int i = 0; i < term.rows.size(); ++i)
-            stiffness(i, column) += part * term.stiffness(i, j);
-      term.stiffness = stiffness;
-      term.columns.resize(number.size());
+          for (unsigned int i = 0; i < matrix.m(); ++i)
+            sums(i, column) += part * matrix(i, j);
+      matrix = sums;
+      columns.resize(number.size());
       for (const auto &[dof, column] : number)
-        term.columns[column] = dof;
+        columns[column] = dof;
     }
   } // namespace
+
+
+
+  template<int dim>
+  void PairingStiffness<dim>::vmult(Vector<double>       &force,
+                                    const Vector<double> &u) const
+  {
+    const unsigned int n = coefficients.size();
+    Vector<double>     change(changes.m());
+    changes.vmult(change, u);
+    for (unsigned int a = 0; a < n; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        force[dim * a + i] =
+          change[a] * traction[i] + coefficients[a] * change[n + i];
+  }
+
+
+
+  template<int dim>
+  FullMatrix<double> PairingStiffness<dim>::matrix() const
+  {
+    const unsigned int n = coefficients.size();
+    FullMatrix<double> K(rows.size(), columns.size());
+    for (unsigned int a = 0; a < n; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < columns.size(); ++j)
+          K(dim * a + i, j) =
+            changes(a, j) * traction[i] + coefficients[a] * changes(n + i, j);
+    return K;
+  }
+
+
+
+  // The norms of the rows: a matrix of other entries whose rows have them is
+  // that of another pairing, which has other lines as well.
+  template<int dim>
+  void
+  PairingStiffness<dim>::add_signature(std::vector<double> &signature) const
+  {
+    for (unsigned int i = 0; i < dim; ++i)
+      signature.push_back(traction[i]);
+    for (unsigned int a = 0; a < changes.m(); ++a)
+      {
+        double square = 0;
+        for (unsigned int j = 0; j < changes.n(); ++j)
+          square += changes(a, j) * changes(a, j);
+        signature.push_back(square);
+      }
+  }
 
 
 
@@ -82,43 +133,60 @@ namespace Contact
                                const GhostedVector         &u_start)
   {
     std::vector<PairingStiffness<dim>> all;
-    const auto      leaders = leaders_of_hanging_nodes(interface);
-    const IndexSet &owned =
-      interface.discretization.dof_handler.locally_owned_dofs();
+    const auto leaders = leaders_of_hanging_nodes(interface);
     for (const ContactPoint<dim> &point : interface.points())
       {
         const PairingChange<dim> &change = point.change;
-        if (point.status.kind == Status::open || change.dofs.empty() ||
-            !owned.is_element(point.dofs[0][0]))
+        if (point.status.kind == Status::open || change.C.empty())
           continue;
         const ContactState<dim> now = interface.state(point, solution, u_start);
-        const Tensor<1, dim>    traction =
-          now.lambda_n * point.normal + point.along_tangents(now.lambda_t);
         all.emplace_back();
         PairingStiffness<dim> &term = all.back();
-        for (unsigned int a = 0; a < point.n_nodes; ++a)
+        const unsigned int     n    = point.n_nodes;
+        for (unsigned int a = 0; a < n; ++a)
           term.rows.insert(term.rows.end(),
                            point.dofs[a].begin(),
                            point.dofs[a].end());
         term.columns = change.dofs;
-        term.stiffness.reinit(term.rows.size(), term.columns.size());
+        term.coefficients.assign(point.C.begin(), point.C.begin() + n);
+        term.traction =
+          now.lambda_n * point.normal + point.along_tangents(now.lambda_t);
+        term.changes.reinit(n + dim, term.columns.size());
+        term.changes.fill(change.C);
+        term.changes *= -point.weight;
         for (unsigned int j = 0; j < term.columns.size(); ++j)
           {
             const Tensor<1, dim> turned =
               now.lambda_n * point.along_tangents(change.turn[j]) -
               (now.lambda_t * change.turn[j]) * point.normal;
-            for (unsigned int a = 0; a < point.n_nodes; ++a)
-              for (unsigned int i = 0; i < dim; ++i)
-                term.stiffness(dim * a + i, j) =
-                  -point.weight *
-                  (change.C(a, j) * traction[i] + point.C[a] * turned[i]);
+            for (unsigned int i = 0; i < dim; ++i)
+              term.changes(n + i, j) = -point.weight * turned[i];
           }
         if (!leaders.empty())
-          hand_over_columns(leaders, term);
+          hand_over_columns(leaders, term.columns, term.changes);
       }
     return all;
   }
 
-  template struct PairingStiffness<2>;
-  template struct PairingStiffness<3>;
+
+
+  template<int dim>
+  std::vector<PairingStiffness<dim>> PairingStiffness<dim>::at_owners(
+    const std::vector<PairingStiffness<dim>> &terms,
+    const Discretization<dim>                &discretization)
+  {
+    const UnknownOwners owners(discretization.dof_handler.locally_owned_dofs(),
+                               discretization.communicator);
+    std::map<unsigned int, std::vector<PairingStiffness<dim>>> by_owner;
+    for (const auto &term : terms)
+      by_owner[owners.owner(term.rows[0])].push_back(term);
+    std::vector<PairingStiffness<dim>> own;
+    for (const auto &of_rank :
+         Utilities::MPI::some_to_some(discretization.communicator, by_owner))
+      own.insert(own.end(), of_rank.second.begin(), of_rank.second.end());
+    return own;
+  }
+
+  template class PairingStiffness<2>;
+  template class PairingStiffness<3>;
 } // namespace Contact
