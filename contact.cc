@@ -1101,7 +1101,7 @@ namespace Contact
                         newton.convergence.force_scale(),
                         springs.size() > 0 ? &springs : nullptr,
                         pairing.shift_of_feet(state),
-                        newton.convergence.given_force());
+                        newton.convergence.given_force(state.load_factor));
     invariants->advance();
     if (const std::string note = pairing.note(found.moment_imbalance);
         !note.empty())

@@ -46,6 +46,10 @@ Proves that
   on several processes alike, until it has the force of a uniform mesh;
 - given displacements that go through zero in the course of their history violate
   nothing;
+- loads follow their history as exactly if their nominal values are large, and
+  forces of obstacles that round-off swallows are named;
+- reactions of supports along normals are those of the probes on refined meshes,
+  on several processes as well;
 - slave nodes that slide off the end of the master, where they face it with one
   pairing and nothing with the next, are not called converged; the mortar
   discretization has a solution there;
@@ -1060,6 +1064,64 @@ def through_zero():
     check("given displacements that go through zero", status == 0, said[-300:])
 
 
+def nominal_loads():
+    """A load in Pa that its history makes MPa of, and loads of round-off."""
+    mesh = Mesh()
+    mesh.block("A", 4, 3, box(0, 0, 8, 4),
+               {"bottom": "Sole", "top": "Head", "left": "Side", "corner": "O"})
+    mesh.write("nominal_loads")
+    scene = {"Mesh/File": "nominal_loads.msh", **solids("A: 1000", "A: 0.3"),
+             "Boundary conditions/Displacement x": "Side: 0",
+             "Boundary conditions/Displacement y": "Head: 0",
+             "Probes/Probes": "u: displacement y, O; F: reaction y, Head"}
+    # With the side of 8 mm free to slide; plane strain.
+    exact = (-80, 10 * 4 * (1 - 0.3**2) / 1000)
+    for load, history in (("10", "t"), ("1e9", "1e-8*t"),
+                          ("1e9", "table(0 0, 0.5 1e-17, 1 1e-8)")):
+        status, said, summary = run("nominal_loads", {
+            **scene, "Boundary conditions/Pressure": f"Sole: {load}",
+            "Boundary conditions/Histories": f"Pressure: {history}"})
+        found = [probe["value"] for probe in summary["probes"]]
+        check(f"a pressure of {load} times {history}", status == 0 and all(
+            abs(a / b - 1) < 1e-8 for a, b in zip(found, exact)), said[-300:])
+    half_plane = {"Contact/Slave": "Sole",
+                  "Contact/Obstacle": "half plane: 0, 0, 0, 1"}
+    held = {**scene, **solids("A: 210000", "A: 0.3"), **half_plane,
+            "Probes/Probes": "F: obstacle force y, Contact"}
+    for force, lost in (("1e-9", True), ("1e-3", False)):
+        status, said, summary = run("nominal_loads", {
+            **held, "Contact/Obstacle force": f"y: {force}*t"})
+        found = summary["probes"][0]["value"]
+        check(f"an obstacle force of {force} N/mm",
+              status == 1 and "resolution" in said if lost else
+              status == 0 and abs(found / float(force) - 1) < 1e-6, said[-300:])
+
+
+def normal_supports():
+    """Reactions along normals of a mesh that has been refined."""
+    mesh = Mesh()
+    mesh.block("A", 2, 2, box(0, 0, 2, 2),
+               {"bottom": "Low", "left": "Left", "right": "Right"})
+    mesh.write("normal_supports")
+    scene = {"Mesh/File": "normal_supports.msh", "Mesh/Rotation": 30,
+             **solids("A: 1000", "A: 0.3"), "Solution/Increments": 1,
+             "Boundary conditions/Displacement normal": "Low: 0, Left: 0",
+             "Boundary conditions/Traction x": "Right: 1",
+             "Boundary conditions/Traction y": "Right: -2",
+             "Probes/Probes": "; ".join(f"{g} {c}: reaction {c}, {g}"
+                                        for g in ("Low", "Left") for c in "xy")}
+    for levels, ranks in ((1, 1), (3, 1), (3, 2)):
+        status, said, summary = run("normal_supports", {
+            **scene, "Refinement/Levels": levels,
+            "Refinement/Strategy": "adaptive"}, ranks)
+        by_group = summary["increments"][-1]["reactions"]
+        # The node in the corner counts for both groups, in either result.
+        worst = max(abs(by_group[p["name"].split()[0]][p["name"].split()[1]]
+                        - p["value"]) for p in summary["probes"])
+        check(f"{levels} levels, {ranks} processes: reactions are those of probes",
+              status == 0 and worst < 1e-9, f"{worst} {said[-300:]}")
+
+
 def off_the_end():
     """A stiff stamp presses rubber, whose side bulges out beyond the stamp's."""
     mesh = Volumes()
@@ -1097,7 +1159,8 @@ for scene in (carried, overlap, cantilever, halves, teeth, own_master, round_off
               lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered,
               in_a_corner, concave_corner, too_coarse, roles, tied, flank, groove,
               slide, pinned, clamped, between_nodes, foil, turning, coarse_fit, flat_ends, glued_apart, idle,
-              round_and_apart, through_zero, off_the_end):
+              round_and_apart, through_zero, nominal_loads, normal_supports,
+              off_the_end):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)

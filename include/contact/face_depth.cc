@@ -12,10 +12,8 @@
 #include <boost/serialization/array.hpp>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "contact/contact_depth.h"
-#include "contact/point_exchange.h"
 
 namespace Contact
 {
@@ -54,7 +52,7 @@ namespace Contact
     void look(const Surface<3>    &surface,
               const Surface<3>    &other,
               const bool           is_master,
-              const PointShares   &share,
+              const IndexSet      &share,
               const GhostedVector &u,
               const bool           as_drawn,
               ContactDepth<3>     &deepest)
@@ -69,9 +67,7 @@ namespace Contact
         longest = std::max(longest, other.reference_length(f));
       const auto is_close = search.may_be_close(own, longest);
       std::map<unsigned int, Projection<3>> closest;
-      std::vector<unsigned int>             facets(surface.facets.size());
-      std::iota(facets.begin(), facets.end(), 0);
-      for (const unsigned int e : share.own(facets))
+      for (const unsigned int e : share)
         for (unsigned int a = 0; a < surface.n_nodes_per_facet() && is_close[e];
              ++a)
           {
@@ -136,22 +132,15 @@ namespace Contact
     ContactDepth<3> deepest;
     if (contact_pair.master)
       {
-        const Surface<3> &slave  = contact_pair.slave;
-        const Surface<3> &master = *contact_pair.master;
-        look(slave,
-             master,
-             false,
-             PointShares(slave.facets.size(), communicator),
-             u,
-             as_drawn,
-             deepest);
-        look(master,
-             slave,
-             true,
-             PointShares(master.facets.size(), communicator),
-             u,
-             as_drawn,
-             deepest);
+        const Surface<3> &slave    = contact_pair.slave;
+        const Surface<3> &master   = *contact_pair.master;
+        const auto        share_of = [&](const Surface<3> &surface) {
+          return Utilities::MPI::create_evenly_distributed_partitioning(
+            communicator,
+            surface.facets.size());
+        };
+        look(slave, master, false, share_of(slave), u, as_drawn, deepest);
+        look(master, slave, true, share_of(master), u, as_drawn, deepest);
         compare(communicator, deepest);
       }
     else

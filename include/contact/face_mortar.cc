@@ -231,8 +231,11 @@ namespace Contact
   {
     if (!point_shares)
       point_shares.emplace(points.size(), discretization.communicator);
+    std::vector<bool> changes(points.size(), false);
+    for (const unsigned int q : numbers)
+      changes[q] = with_derivatives && points[q].status.kind != Status::open;
+    const std::vector<unsigned int> own = point_shares->own(numbers, changes);
     std::vector<bool>               is_own(slave.nodes.size(), false);
-    const std::vector<unsigned int> own = point_shares->own(numbers);
     for (const unsigned int q : own)
       is_own[slave_node(points[q])] = true;
 
@@ -242,7 +245,7 @@ namespace Contact
     std::vector<float>                     seconds(slave.nodes.size(), 0);
     std::vector<std::vector<Tensor<1, 3>>> distances(slave.facets.size());
     for (const unsigned int q : own)
-      if (with_derivatives && points[q].status.kind != Status::open)
+      if (changes[q])
         of_nodes[slave_node(points[q])].change.emplace();
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       {
@@ -271,7 +274,7 @@ namespace Contact
           differentiate(of_nodes[node], node, now, points[q]);
         of_points[q] = seconds[node] + seconds_since(start);
       }
-    point_shares->exchange(points, numbers, of_points);
+    point_shares->exchange(points, numbers, own, changes, of_points);
   }
 
 

@@ -119,32 +119,45 @@ namespace Contact
     : communicator(communicator)
     , rank(Utilities::MPI::this_mpi_process(communicator))
     , n_ranks(Utilities::MPI::n_mpi_processes(communicator))
-    , seconds(n_points, -1)
+    , seconds{
+        {std::vector<float>(n_points, -1), std::vector<float>(n_points, -1)}}
   {
   }
 
 
 
-  // What is not known is taken to be the mean of what is.
-  std::vector<unsigned int>
-  PointShares::own(const std::vector<unsigned int> &numbers) const
+  // What is not known is taken to be the mean of what is, first of points that
+  // are alike.
+  PointShares::Numbers
+  PointShares::own(const Numbers           &numbers,
+                   const std::vector<bool> &with_derivatives) const
   {
     if (n_ranks == 1)
       return numbers;
-    double       known   = 0;
-    unsigned int n_known = 0;
+    std::array<double, 2>       known{{0, 0}};
+    std::array<unsigned int, 2> n_known{{0, 0}};
     for (const unsigned int q : numbers)
-      if (seconds[q] >= 0)
+      if (const unsigned int kind = with_derivatives[q]; seconds[kind][q] >= 0)
         {
-          known += seconds[q];
-          ++n_known;
+          known[kind] += seconds[kind][q];
+          ++n_known[kind];
         }
-    const double mean = known > 0 ? known / n_known : 1;
+    const double all     = known[0] + known[1];
+    const auto   mean_of = [&](const unsigned int kind) {
+      return known[kind] > 0 ? known[kind] / n_known[kind]
+               : all > 0       ? all / (n_known[0] + n_known[1])
+                               : 1.;
+    };
+    const std::array<double, 2> mean{{mean_of(0), mean_of(1)}};
 
     std::vector<double> until; // the end of each point
     double              sum = 0;
     for (const unsigned int q : numbers)
-      until.push_back(sum += known > 0 && seconds[q] >= 0 ? seconds[q] : mean);
+      {
+        const unsigned int kind = with_derivatives[q];
+        const double       last = seconds[kind][q];
+        until.push_back(sum += all > 0 && last >= 0 ? last : mean[kind]);
+      }
     const auto place = [&](const unsigned int r) {
       return r == n_ranks
                ? numbers.end()
@@ -159,13 +172,15 @@ namespace Contact
 
 
   void PointShares::exchange(const ArrayView<ContactPoint<3>> &points,
-                             const std::vector<unsigned int>  &numbers,
+                             const Numbers                    &numbers,
+                             const Numbers                    &own,
+                             const std::vector<bool>          &with_derivatives,
                              const std::vector<float>         &of_own)
   {
     if (n_ranks == 1)
       return;
     Writer writer;
-    for (const unsigned int q : own(numbers))
+    for (const unsigned int q : own)
       {
         exchange_point(writer, points[q]);
         writer.plain(&of_own[q], 1);
@@ -176,7 +191,7 @@ namespace Contact
     for (const unsigned int q : numbers)
       {
         exchange_point(reader, points[q]);
-        reader.plain(&seconds[q], 1);
+        reader.plain(&seconds[with_derivatives[q]][q], 1);
       }
   }
 } // namespace Contact

@@ -60,6 +60,8 @@ namespace Contact
                                return -pressure(X) * normal;
                              });
       }
+    for (const auto &[entry, load] : loads)
+      magnitudes[entry] = load.l1_norm();
   }
 
 
@@ -264,12 +266,12 @@ namespace Contact
 
 
   template<int dim>
-  double DeadLoads<dim>::whole() const
+  double DeadLoads<dim>::magnitude(const double load_factor) const
   {
-    double sum = 0;
-    for (const auto &[entry, load] : loads)
-      sum += load.l1_norm();
-    return sum + discretization.whole_rigid_load();
+    double sum = discretization.rigid_load(load_factor);
+    for (const auto &[entry, magnitude] : magnitudes)
+      sum += std::abs(discretization.factor(entry, load_factor)) * magnitude;
+    return sum;
   }
 
 

@@ -37,9 +37,9 @@ namespace Contact
     /// volumes: N].
     GhostedVector at(const double load_factor) const;
 
-    /// The sum of all their magnitudes at their full values, in the same unit,
+    /// The sum of all their magnitudes under a load factor, in the same unit,
     /// and of those on rigid boundaries: what is small against it is small.
-    double whole() const;
+    double magnitude(const double load_factor) const;
 
     /// Whether a nodal force acts on this unknown.
     bool carries_nodal_force(const types::global_dof_index dof) const
@@ -90,7 +90,8 @@ namespace Contact
     GhostedVector &load_of(const std::string &entry);
 
     const Discretization<dim>           &discretization;
-    std::map<std::string, GhostedVector> loads; // at their full values
+    std::map<std::string, GhostedVector> loads;      // at their full values
+    std::map<std::string, double>        magnitudes; // of them
     std::set<types::global_dof_index>    nodal_forces;
     std::set<types::coarse_cell_id>      loaded_cells;
     std::set<types::boundary_id>         loaded;

@@ -189,7 +189,9 @@ namespace Contact
     void   add_rigid_loads(const GhostedVector &u,
                            const double         load_factor,
                            GhostedVector       &load) const;
-    double whole_rigid_load() const;
+
+    /// The sum of the magnitudes of the nodal forces on undeformed bodies.
+    double rigid_load(const double load_factor) const;
 
     /// The boundaries that move as rigid bodies.
     const std::vector<RigidBoundary<dim>> &rigid_boundaries() const

@@ -300,12 +300,12 @@ namespace Contact
 
 
   template<int dim>
-  double Discretization<dim>::whole_rigid_load() const
+  double Discretization<dim>::rigid_load(const double load_factor) const
   {
     if (rigid.empty())
       return 0;
     GhostedVector u(distribution), load(distribution);
-    add_rigid_loads(u, 1, load);
+    add_rigid_loads(u, load_factor, load);
     return load.l1_norm();
   }
 

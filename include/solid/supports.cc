@@ -96,7 +96,6 @@ namespace Contact
     const std::function<Prescribed<dim>(const PlaceOfNode &)> &at)
   {
     auto &unknowns = supports[component][name];
-    unknowns.clear();
     visit_group(component,
                 entry,
                 name,
@@ -126,6 +125,7 @@ namespace Contact
   template<int dim>
   void Discretization<dim>::collect_supports()
   {
+    supports = {};
     on_all_ranks(communicator, [&]() {
       formulas.clear();
       for (unsigned int c = 0; c < dim; ++c)

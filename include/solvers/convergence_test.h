@@ -60,9 +60,9 @@ namespace Contact
     }
 
     /// See ForceScale. Collective.
-    double given_force() const
+    double given_force(const double load_factor) const
     {
-      return scale->given();
+      return scale->given(load_factor);
     }
 
     double tolerance() const

@@ -84,7 +84,7 @@ namespace Contact
     if (way > 0)
       acting = std::max(acting, reactions(solution, load_factor));
 
-    const double dead = dead_forces();
+    const double dead = dead_forces(load_factor);
     const double round_off =
       std::numeric_limits<double>::epsilon() * modulus * (coordinate + way) *
       std::sqrt(static_cast<double>(discretization.dof_handler.n_dofs()));
@@ -98,9 +98,10 @@ namespace Contact
 
 
   template<int dim>
-  double ForceScale<dim>::dead_forces() const
+  double ForceScale<dim>::dead_forces(const double load_factor) const
   {
-    double dead = elasticity.dead_loads.whole() + elasticity.thermal_forces();
+    double dead = elasticity.dead_loads.magnitude(load_factor) +
+                  elasticity.thermal_forces();
     if (interface != nullptr)
       for (const FreeMotion *motion : interface->free_motions())
         if (!motion->stays)
@@ -111,10 +112,12 @@ namespace Contact
 
 
   template<int dim>
-  double ForceScale<dim>::given() const
+  double ForceScale<dim>::given(const double load_factor) const
   {
     const double way = discretization.largest_prescribed() + way_of_contact();
-    return Utilities::MPI::max(way > 0 ? dead_forces() + softest * way : 0.,
+    return Utilities::MPI::max(way > 0
+                                 ? dead_forces(load_factor) + softest * way
+                                 : 0.,
                                discretization.communicator);
   }
 

@@ -21,8 +21,8 @@ namespace Contact
    * tolerance times F.
    *
    * F is the largest of
-   *  - the dead loads, the sum of their magnitudes at their full values, and
-   *    the forces of free motions;
+   *  - the dead loads, the sum of the magnitudes that they have in the state,
+   *    and the forces of free motions, also at the ends of earlier increments;
    *  - the forces that act in the state: of contact, and of supports that move
    *    (the sum of their magnitudes), also at the ends of earlier increments;
    *  - the force that round-off alone makes, divided by the Newton tolerance:
@@ -58,9 +58,9 @@ namespace Contact
               const bool           moving_bound) const;
 
     /// The largest force that the data alone tell of, with that of the softest
-    /// body when it gives way by the ways that they prescribe: no state can
-    /// inflate it. Zero where no way is; not of overlaps.
-    double given() const;
+    /// body when it gives way by the ways that they prescribe, under a load
+    /// factor: no state can inflate it. Zero where no way is; not of overlaps.
+    double given(const double load_factor) const;
 
     /// The state of which this was the scale is the end of an increment.
     void accept(const double scale)
@@ -80,7 +80,7 @@ namespace Contact
     double way_of_contact() const;
     /// The sum of the magnitudes of loads, thermal forces, and those of free
     /// motions.
-    double dead_forces() const;
+    double dead_forces(const double load_factor) const;
     double contact_forces(const GhostedVector &solution,
                           const GhostedVector &u_start,
                           const bool           moving_bound) const;

@@ -66,6 +66,15 @@ namespace Contact
     , parameters(parameters)
   {
     start.displacement = GhostedVector(discretization.distribution);
+    for (unsigned int k = 1; k <= parameters.n_increments; ++k)
+      {
+        const double t    = static_cast<double>(k) / parameters.n_increments;
+        double       load = elasticity.dead_loads.magnitude(t);
+        if (interface != nullptr)
+          for (const FreeMotion *motion : interface->free_motions())
+            load += std::abs(motion->force_at(Point<1>(t))) / motion->lever;
+        largest_load = std::max(largest_load, load);
+      }
   }
 
 
@@ -214,7 +223,25 @@ namespace Contact
     for (const auto *forces : {&end.pressures, &end.shears})
       if (forces->size() > 0)
         acting += forces->l1_norm();
-    judge_resolution(residual.l2_norm(), given_force, acting, slack, found);
+    judge_resolution(std::hypot(residual.l2_norm(), missing_in_motions()),
+                     given_force,
+                     acting,
+                     slack,
+                     found);
+  }
+
+
+
+  template<int dim>
+  double InvariantCheck<dim>::missing_in_motions() const
+  {
+    double square = 0;
+    for (unsigned int k = 0; k < end.motion_forces.size(); ++k)
+      if (const FreeMotion &motion = *interface->free_motions()[k];
+          !motion.stays)
+        square +=
+          std::pow((motion.force - end.motion_forces[k]) / motion.lever, 2);
+    return std::sqrt(square);
   }
 
 
@@ -227,9 +254,10 @@ namespace Contact
 
 
 
-  // Of a coarser level only a start is asked for. Displacements that are given
-  // by a history may go through zero, up to round-off: what counts are the
-  // largest forces that they have made so far.
+  // Of a coarser level only a start is asked for. The first loads of a history
+  // may be so small that round-off takes them, whatever the tolerance.
+  // Displacements that are given by a history may go through zero, up to
+  // round-off: what counts are the largest forces that they have made so far.
   template<int dim>
   void InvariantCheck<dim>::judge_resolution(const double residual,
                                              const double given_force,
@@ -237,7 +265,7 @@ namespace Contact
                                              const Slack &slack,
                                              Invariants  &found)
   {
-    const double loads = elasticity.dead_loads.whole();
+    const double loads = largest_load;
     if (given_force > 0)
       largest_acting = std::max({largest_acting, given_force, acting});
     const double scale = loads > 0         ? loads

@@ -213,13 +213,17 @@ namespace Contact
                                  const Slack &slack,
                                  Invariants  &found);
     std::string in_words(const double force) const;
-    void        add_up(const GhostedVector &reactions, Invariants &found) const;
-    void        add_rigid(const RigidBoundary<dim> &boundary,
-                          const double              load_factor,
-                          const GhostedVector      &left,
-                          GhostedVector            &reactions,
-                          Invariants               &found) const;
-    void        check_energy(const Slack &slack, Invariants &found);
+
+    /// What the forces of free motions lack, the norm [N per mm].
+    double missing_in_motions() const;
+
+    void add_up(const GhostedVector &reactions, Invariants &found) const;
+    void add_rigid(const RigidBoundary<dim> &boundary,
+                   const double              load_factor,
+                   const GhostedVector      &left,
+                   GhostedVector            &reactions,
+                   Invariants               &found) const;
+    void check_energy(const Slack &slack, Invariants &found);
 
     /// The works of pressures and shears in the motion of the obstacles, and of
     /// preloads.
@@ -235,6 +239,7 @@ namespace Contact
     const Parameters::Solution   parameters;
 
     State  start, end;
+    double largest_load   = 0; // of free motions as well, of all increments
     double largest_acting = 0; // so far, of given displacements [N per mm]
   };
 } // namespace Contact
