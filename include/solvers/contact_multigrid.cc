@@ -31,18 +31,6 @@ namespace Contact
 
 
 
-    void add_couplings(const SurfaceRows      &springs,
-                       DynamicSparsityPattern &pattern)
-    {
-      for (unsigned int row = 0; row < springs.size(); ++row)
-        for (unsigned int k = springs.begin(row); k < springs.end(row); ++k)
-          pattern.add_entries(springs.others[k],
-                              springs.others.data() + springs.begin(row),
-                              springs.others.data() + springs.end(row));
-    }
-
-
-
     void add_spring(const double                    stiffness,
                     const SurfaceRows              &springs,
                     const unsigned int              row,
@@ -273,6 +261,23 @@ namespace Contact
 
 
 
+  // Springs come and go, mostly over the same unknowns of this mesh: room for
+  // one that has gone stays.
+  template<int dim>
+  bool ContactMultigrid<dim>::add_couplings(const SurfaceRows &springs)
+  {
+    SurfaceRows missing;
+    for (unsigned int row = 0; row < springs.size(); ++row)
+      if (coarse_couplings.count(springs.others_of(row)) == 0)
+        missing.add_row(springs, row);
+    missing = missing.of_all_ranks(discretization.communicator);
+    for (unsigned int row = 0; row < missing.size(); ++row)
+      coarse_couplings.insert(missing.others_of(row));
+    return missing.size() > 0;
+  }
+
+
+
   // The mesh is small: every rank has the whole matrix, to which each adds its
   // cells, and factorizes it by itself. A solution then takes one sum over the
   // ranks, where a factorization in parts sends more messages than it computes.
@@ -287,12 +292,11 @@ namespace Contact
     SurfaceRows                     springs;
     for (const auto &spring : level.own_springs())
       springs.add_row(numbers::invalid_dof_index, reduced(spring.way, all));
-    const SurfaceRows of_all =
-      springs.of_all_ranks(discretization.communicator);
-    const bool new_pattern =
-      !coarse_solver || new_lines || !coarse_springs.has_pattern_of(of_all);
-    coarse_springs = of_all;
-    Dofs dofs(n);
+    if (!coarse_solver || new_lines)
+      coarse_couplings.clear();
+    const bool new_couplings = add_couplings(springs);
+    const bool new_pattern   = !coarse_solver || new_lines || new_couplings;
+    Dofs       dofs(n);
     if (new_pattern)
       {
         DynamicSparsityPattern pattern(level.m(), level.m());
@@ -306,7 +310,9 @@ namespace Contact
           }
         for (Dof i = 0; i < level.m(); ++i)
           pattern.add(i, i);
-        add_couplings(of_all, pattern);
+        for (const Dofs &coupling : coarse_couplings)
+          for (const Dof dof : coupling)
+            pattern.add_entries(dof, coupling.begin(), coupling.end(), true);
         const IndexSet rows = complete_index_set(level.m());
         coarse_solver.reset();
         coarse_matrix.clear();

@@ -65,6 +65,10 @@ namespace Contact
     void              collect_coarse_cells();
     void              make_coarse_tangents();
     void              make_coarse_matrix();
+
+    /// Know the unknowns that springs couple on the coarsest mesh. Returns
+    /// whether there are couplings that were not known yet. Collective.
+    bool                      add_couplings(const SurfaceRows &springs);
     AffineConstraints<double> coarse_constraints() const;
     void                      add_tangent(
                            FullMatrix<double>                                   &matrix,
@@ -90,9 +94,9 @@ namespace Contact
     /// Of virtual displacements on the finest level, if they have other lines.
     SurfaceProjection<typename MultigridLevel<dim>::Number> test_projection;
 
-    std::vector<FullMatrix<double>> coarse_tangents; // of this rank's cells
-    SurfaceRows                     coarse_lines;    // in the matrix
-    SurfaceRows                     coarse_springs;  // their ways, in it
+    std::vector<FullMatrix<double>> coarse_tangents;  // of this rank's cells
+    SurfaceRows                     coarse_lines;     // in the matrix
+    std::set<Dofs>                  coarse_couplings; // of springs, in it
     TrilinosWrappers::SparseMatrix  coarse_matrix;
     std::unique_ptr<DefiniteSolver> coarse_solver;
     Fine                            coarse_displacement; // if large

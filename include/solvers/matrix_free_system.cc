@@ -104,7 +104,11 @@ namespace Contact
     // Of all ranks: each has to choose the same.
     const double coarse_part =
       double(mesh.n_cells(0)) / mesh.n_global_active_cells();
-    return n >= least && !is_too_deep(discretization.mesh) &&
+    const bool is_solved_by_each_rank =
+      mesh.n_global_levels() == 1 &&
+      Utilities::MPI::n_mpi_processes(discretization.communicator) > 1;
+    return (n >= least || is_solved_by_each_rank) &&
+           !is_too_deep(discretization.mesh) &&
            n * coarse_part < least &&
            refusal(discretization, elasticity).empty();
   }

@@ -47,6 +47,8 @@ namespace Contact
      * on it is, if the coarsest mesh has less than CHOLMOD takes a moment for.
      * In large displacement CHOLMOD is the choice as long as it is with AMG: it
      * tells of a tangent that is no longer definite before the end of a step.
+     * Of several ranks each solves such a coarsest mesh by CHOLMOD, faster than
+     * all together with AMG.
      */
     static bool is_best(const Discretization<dim> &discretization,
                         const Elasticity<dim>     &elasticity);

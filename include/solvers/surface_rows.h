@@ -50,6 +50,11 @@ namespace Contact
       return ends[row];
     }
 
+    Dofs others_of(const unsigned int row) const
+    {
+      return {others.begin() + begin(row), others.begin() + end(row)};
+    }
+
     /// Add an entry of the next row, and end this.
     void add_entry(const Dof other, const double factor)
     {
