@@ -863,6 +863,17 @@ def between_nodes():
         check("  the depth is named, and nothing about round surfaces",
               ("inside of the obstacle" in said) == (status_wanted == 1) and
               "ound surfaces" not in said, said[:300])
+        if edges == 5:
+            status, said, summary = run("between", {
+                "Mesh/File": "between.msh", **solids("B: 1000", "B: 0.3"),
+                "Contact/Slave": "Sole",
+                "Contact/Obstacle": f"circle: 0, {-radius}, {radius}",
+                "Boundary conditions/Displacement x": "Head: 0",
+                "Boundary conditions/Displacement y": f"Head: {-way}",
+                "Refinement/Levels": 2})
+            check("  on the first of three meshes alone: exit status 0",
+                  status == 0 and "level 0" in said and
+                  len(summary["increments"][0]["violations"]) > 0, said[:300])
 
 
 def foil():

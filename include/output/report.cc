@@ -204,6 +204,8 @@ namespace Contact
     record.reactions        = found.reactions;
 
     std::ostringstream where;
+    if (parameters.refinement.n_levels > 0)
+      where << ", level " << record.level;
     where << ", load factor " << record.load_factor;
     for (const std::string &note : found.notes)
       print_error(where.str() + ": note: " + note);

@@ -35,13 +35,15 @@ namespace Contact
 
 
 
+  // A mesh that is refined makes starts only: the next one has all increments.
   bool RunSummary::passed() const
   {
     return converged && accuracy_missed.empty() &&
            std::all_of(increments.begin(),
                        increments.end(),
-                       [](const auto &increment) {
-                         return increment.violations.empty();
+                       [&](const auto &increment) {
+                         return increment.violations.empty() ||
+                                increment.level < increments.back().level;
                        }) &&
            std::all_of(probes.begin(), probes.end(), [](const auto &probe) {
              return probe.within();
