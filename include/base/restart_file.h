@@ -15,13 +15,43 @@
 #include <filesystem>
 #include <fstream>
 #include <ostream>
-#include <sstream>
+#include <streambuf>
 #include <string>
 
 #include "base/errors.h"
 
 namespace Contact
 {
+  /// Hands over to a stream, whose state then tells whether the disk is full:
+  /// an archive writes past the state of its stream, and sets its locale.
+  class HandingOver : public std::streambuf
+  {
+  public:
+    explicit HandingOver(std::ostream &to)
+      : to(to)
+    {
+    }
+
+  protected:
+    std::streamsize xsputn(const char           *characters,
+                           const std::streamsize n) override
+    {
+      to.write(characters, n);
+      return n;
+    }
+
+    int_type overflow(const int_type character) override
+    {
+      to.put(traits_type::to_char_type(character));
+      return character;
+    }
+
+  private:
+    std::ostream &to;
+  };
+
+
+
   /**
    * Write what @p parts serializes, behind @p key, which says what run it
    * belongs to.
@@ -30,15 +60,10 @@ namespace Contact
   void
   write_restart(std::ostream &out, const std::string &key, const Parts &parts)
   {
-    // The archive writes past the state of its stream, which has to tell
-    // whether the disk is full.
-    std::ostringstream content;
-    {
-      boost::archive::binary_oarchive archive(content);
-      archive                        &key;
-      parts(archive);
-    }
-    out << content.str();
+    HandingOver                     to_out(out);
+    boost::archive::binary_oarchive archive(to_out);
+    archive                        &key;
+    parts(archive);
   }
 
 
