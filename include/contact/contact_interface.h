@@ -12,7 +12,6 @@
 #include <deal.II/lac/sparse_matrix.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include "contact/contact_pair.h"
@@ -316,11 +315,6 @@ namespace Contact
     void set_statuses(const std::vector<PointStatus<dim>> &all);
     std::vector<signed char> signature() const;
 
-    /// The statuses, the bounds and the multipliers in @p solution, by place:
-    /// numbers depend on the number of ranks.
-    template<class Archive>
-    void serialize(Archive &archive, GhostedVector &solution);
-
     /// The unknowns of a point: displacements of its nodes, its multipliers,
     /// and unknowns of other nodes that its pairing depends on.
     std::vector<types::global_dof_index>
@@ -397,7 +391,6 @@ namespace Contact
     void check_side(const ContactPair<dim>    &contact_pair,
                     const Parameters::Contact &parameters) const;
 
-
     std::vector<ContactPoint<dim>>                    all_points;
     IndexSet                                          own;
     std::map<unsigned int, std::vector<unsigned int>> in_corner;
@@ -431,63 +424,6 @@ namespace Contact
                                     .tangential_part(all_points[other].normal)
                                     .norm() > sine;
                        });
-  }
-
-
-
-  template<int dim>
-  template<class Archive>
-  void ContactInterface<dim>::serialize(Archive       &archive,
-                                        GhostedVector &solution)
-  {
-    std::vector<signed char> codes     = signature();
-    Vector<double>           of_points = bounds();
-    std::vector<Point<dim>>  places;
-    for (unsigned int k = 0; k < all_motions.size(); ++k)
-      archive &solution[motion_index(k)];
-    for (const ContactPoint<dim> &point : all_points)
-      places.push_back(contact_pair(point).place(point));
-    // Which of all points comes next: the closest to its place, up to
-    // round-off.
-    const auto next = [&](unsigned int q) {
-      unsigned int pair      = all_points[q].contact_pair;
-      bool         is_corner = all_points[q].is_master_corner;
-      unsigned int side      = all_points[q].side;
-      Point<dim>   X         = places[q];
-      archive &pair &is_corner &side &X;
-      double closest = std::numeric_limits<double>::max();
-      for (unsigned int k = 0; Archive::is_loading::value && k < places.size();
-           ++k)
-        if (const double distance = X.distance_square(places[k]);
-            distance < closest && all_points[k].contact_pair == pair &&
-            all_points[k].is_master_corner == is_corner &&
-            all_points[k].side == side)
-          {
-            closest = distance;
-            q       = k;
-          }
-      return q;
-    };
-    for (unsigned int n = 0; n < all_points.size(); ++n)
-      {
-        const unsigned int       q     = next(n);
-        const ContactPoint<dim> &point = all_points[q];
-        archive                 &codes[q] & of_points[q];
-        for (unsigned int m = 0; m < point.n_multipliers; ++m)
-          {
-            const unsigned int k = point.multipliers[m];
-            archive           &solution[normal_index(k)];
-            for (unsigned int t = 0; t < dim - 1 && has_friction(point); ++t)
-              archive &solution[tangential_index(k, t)];
-          }
-      }
-    if (!Archive::is_loading::value)
-      return;
-    std::vector<PointStatus<dim>> all;
-    for (const auto code : codes)
-      all.push_back(PointStatus<dim>::from_code(code));
-    set_statuses(all);
-    set_bounds(of_points);
   }
 } // namespace Contact
 

@@ -5,6 +5,7 @@
 
 #include "output/checkpoint.h"
 
+#include <limits>
 #include <sstream>
 
 #include "base/all_ranks.h"
@@ -14,6 +15,71 @@
 
 namespace Contact
 {
+  namespace
+  {
+    /// The statuses and bounds of points and the multipliers in a solution, by
+    /// place: numbers depend on the number of ranks.
+    template<class Archive, int dim>
+    void serialize_contact(Archive               &archive,
+                           ContactInterface<dim> &interface,
+                           GhostedVector         &solution)
+    {
+      const auto              &points    = interface.points();
+      std::vector<signed char> codes     = interface.signature();
+      Vector<double>           of_points = interface.bounds();
+      std::vector<Point<dim>>  places;
+      for (unsigned int k = 0; k < interface.free_motions().size(); ++k)
+        archive &solution[interface.motion_index(k)];
+      for (const ContactPoint<dim> &point : points)
+        places.push_back(interface.contact_pair(point).place(point));
+      // Which of all points comes next: the closest to its place, up to
+      // round-off.
+      const auto next = [&](unsigned int q) {
+        unsigned int                    pair      = points[q].contact_pair;
+        bool                            is_corner = points[q].is_master_corner;
+        unsigned int                    side      = points[q].side;
+        Point<dim>                      X         = places[q];
+        archive &pair &is_corner &side &X;
+        double closest = std::numeric_limits<double>::max();
+        for (unsigned int k = 0;
+             Archive::is_loading::value && k < places.size();
+             ++k)
+          if (const double distance = X.distance_square(places[k]);
+              distance < closest && points[k].contact_pair == pair &&
+              points[k].is_master_corner == is_corner && points[k].side == side)
+            {
+              closest = distance;
+              q       = k;
+            }
+        return q;
+      };
+      for (unsigned int n = 0; n < points.size(); ++n)
+        {
+          const unsigned int       q     = next(n);
+          const ContactPoint<dim> &point = points[q];
+          archive                 &codes[q] & of_points[q];
+          for (unsigned int m = 0; m < point.n_multipliers; ++m)
+            {
+              const unsigned int k = point.multipliers[m];
+              archive           &solution[interface.normal_index(k)];
+              for (unsigned int t = 0;
+                   t < dim - 1 && interface.has_friction(point);
+                   ++t)
+                archive &solution[interface.tangential_index(k, t)];
+            }
+        }
+      if (!Archive::is_loading::value)
+        return;
+      std::vector<PointStatus<dim>> all;
+      for (const auto code : codes)
+        all.push_back(PointStatus<dim>::from_code(code));
+      interface.set_statuses(all);
+      interface.set_bounds(of_points);
+    }
+  } // namespace
+
+
+
   template<int dim>
   Checkpoint<dim>::Checkpoint(
     const Parameters::All                      &parameters,
@@ -119,7 +185,7 @@ namespace Contact
     if (Archive::is_loading::value)
       pairing.pair(state.solution);
     if (model.interface)
-      model.interface->serialize(archive, state.solution);
+      serialize_contact(archive, *model.interface, state.solution);
   }
 
 
