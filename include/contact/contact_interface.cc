@@ -265,6 +265,7 @@ namespace Contact
                            u,
                            mode) ||
         changed;
+    hold_in_corners();
     return changed;
   }
 
@@ -340,8 +341,9 @@ namespace Contact
     if (const double overlap = contact_pair(point).interference->added())
       for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
         state.gap -= overlap * point.C[a];
-    for (const Tensor<1, dim> &across : point.void_slips)
-      dr -= (dr * across) * across;
+    for (const auto *without : {&point.void_slips, &point.held_slips})
+      for (const Tensor<1, dim> &across : *without)
+        dr -= (dr * across) * across;
     state.slip = point.tangential_part(dr);
     // Without multipliers in the vector the question is for the gap alone.
     if (solution.size() > discretization.dof_handler.n_dofs())
@@ -360,6 +362,11 @@ namespace Contact
                     point.augmentation_parameter;
     state.p_trial = state.lambda_n - point.augmentation_parameter * state.gap;
     state.q_trial = state.lambda_t - point.augmentation_parameter * state.slip;
+    for (const Tensor<1, dim> &across : point.held_slips)
+      {
+        const Tensor<1, dim - 1> held = point.tangential_part(across);
+        state.q_trial -= (state.q_trial * held) * held;
+      }
     return state;
   }
 

@@ -327,9 +327,10 @@ namespace Contact
     /// move it along a tangent, a point in contact slips.
     bool can_stick(const ContactPoint<dim> &point) const;
 
-    /// Whether a point sticks although its node is in contact with another
-    /// obstacle, whose normal holds it already: one of the two conditions is
-    /// redundant. @p status_of gives the status of a point by its number.
+    /// Whether a point sticks although its node is in contact with other
+    /// obstacles, whose normals hold it already in all directions: one of the
+    /// conditions is redundant. @p status_of gives the status of a point by its
+    /// number.
     template<typename StatusOf>
     bool is_held_in_corner(const unsigned int point,
                            const StatusOf    &status_of) const;
@@ -379,6 +380,17 @@ namespace Contact
     /// Points that stick and are held in a corner slip in no direction.
     void release_in_corners();
 
+    /// The statuses or normals are others: in space, what holds points in
+    /// corners of obstacles along their tangents.
+    void hold_in_corners();
+
+    /// The directions along the tangents of a point in which others in contact
+    /// hold its node. Orthonormal.
+    template<typename StatusOf>
+    std::vector<Tensor<1, dim>>
+    slips_held_in_corner(const unsigned int point,
+                         const StatusOf    &status_of) const;
+
     void make_free_motions(ContactPair<dim>          &contact_pair,
                            const Parameters::Contact &parameters);
     bool touches(const ContactPair<dim> &contact_pair) const;
@@ -411,19 +423,29 @@ namespace Contact
   bool ContactInterface<dim>::is_held_in_corner(const unsigned int point,
                                                 const StatusOf &status_of) const
   {
-    const auto others = in_corner.find(point);
-    if (others == in_corner.end() || status_of(point).kind != Status::stick)
-      return false;
-    // As for two rows of one point, see tangential_row_is_void().
-    const double sine = 1e-3;
-    return std::any_of(others->second.begin(),
-                       others->second.end(),
-                       [&](const unsigned int other) {
-                         return status_of(other).kind != Status::open &&
-                                all_points[point]
-                                    .tangential_part(all_points[other].normal)
-                                    .norm() > sine;
-                       });
+    return status_of(point).kind == Status::stick &&
+           slips_held_in_corner(point, status_of).size() == dim - 1;
+  }
+
+
+
+  template<int dim>
+  template<typename StatusOf>
+  std::vector<Tensor<1, dim>>
+  ContactInterface<dim>::slips_held_in_corner(const unsigned int point,
+                                              const StatusOf &status_of) const
+  {
+    std::vector<Tensor<1, dim>> held;
+    const auto                  others = in_corner.find(point);
+    if (others == in_corner.end())
+      return held;
+    const ContactPoint<dim> &of = all_points[point];
+    for (const unsigned int other : others->second)
+      if (status_of(other).kind != Status::open)
+        add_orthonormal(of.along_tangents(
+                          of.tangential_part(all_points[other].normal)),
+                        held);
+    return held;
   }
 } // namespace Contact
 

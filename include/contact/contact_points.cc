@@ -181,11 +181,13 @@ namespace Contact
 
 
   template<int dim>
-  std::vector<Tensor<1, dim>> PointPairing<dim>::directions_of_slip() const
+  std::vector<Tensor<1, dim>> ContactPoint<dim>::directions_of_slip() const
   {
-    std::vector<Tensor<1, dim>> directions = void_slips;
+    std::vector<Tensor<1, dim>> directions = this->void_slips;
+    for (const Tensor<1, dim> &across : held_slips)
+      add_orthonormal(across, directions);
     for (unsigned int t = 0; t < dim - 1; ++t)
-      add_orthonormal(along_tangents(springs[t]), directions);
+      add_orthonormal(this->along_tangents(this->springs[t]), directions);
     const unsigned int n_others = directions.size();
     for (unsigned int i = 0; i < dim; ++i)
       add_orthonormal(Tensor<1, dim>(Point<dim>::unit_vector(i)), directions);
@@ -422,4 +424,6 @@ namespace Contact
                                        const GhostedVector     &u);
   template struct PointPairing<2>;
   template struct PointPairing<3>;
+  template struct ContactPoint<2>;
+  template struct ContactPoint<3>;
 } // namespace Contact

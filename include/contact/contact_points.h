@@ -185,9 +185,6 @@ namespace Contact
     // The projection on the rim, where the master is free along the surface: a
     // spring of the stiffness c holds what sticks there.
     Tensor<2, dim - 1> springs;
-
-    /// The unit vectors, or what void slips and springs leave: orthonormal.
-    std::vector<Tensor<1, dim>> directions_of_slip() const;
   };
 
 
@@ -224,6 +221,14 @@ namespace Contact
 
     // At the increment's start, which springs go on from [MPa].
     Tensor<1, dim - 1> shear_at_start;
+
+    // In space, the directions along the tangents in which other obstacles that
+    // the node is in contact with hold it. Orthonormal.
+    std::vector<Tensor<1, dim>> held_slips;
+
+    /// The unit vectors, or what void and held slips and springs leave:
+    /// orthonormal.
+    std::vector<Tensor<1, dim>> directions_of_slip() const;
 
     /// The number of the node that has the multipliers, where it is one.
     unsigned int own_node() const

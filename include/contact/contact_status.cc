@@ -51,6 +51,20 @@ namespace Contact
             return all_points[point].status;
           }))
         all_points[q].status = {Status::slip, {}};
+    hold_in_corners();
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::hold_in_corners()
+  {
+    if (dim == 3)
+      for (const auto &[q, others] : in_corner)
+        all_points[q].held_slips =
+          slips_held_in_corner(q, [this](const unsigned int point) {
+            return all_points[point].status;
+          });
   }
 
 
@@ -365,6 +379,7 @@ namespace Contact
       if (!contact_pair(point).tied &&
           state(point, solution, solution).p_trial <= 0)
         point.status = PointStatus<dim>();
+    hold_in_corners();
   }
 
 
@@ -386,6 +401,7 @@ namespace Contact
   {
     for (unsigned int q = 0; q < all_points.size(); ++q)
       all_points[q].status = all[q];
+    hold_in_corners();
   }
 
 

@@ -109,6 +109,24 @@ namespace Contact
         }
       return "it is on no slave";
     }
+
+
+
+    /// A place that check_contact_traction() has found on a first mesh.
+    template<int dim>
+    PlaceOnSlave<dim> on_slave(const Place<dim>            &place,
+                               const ContactInterface<dim> *interface)
+    {
+      const auto found = on_slaves(place, interface);
+      if (found.empty())
+        throw InputError(
+          "a place of a probe is on a side of the slave on the first mesh, and "
+          "beside it on a refined one: " +
+            why_no_multiplier(place, interface),
+          "Probes/Probes, pressure or shear",
+          "give a place on the round side itself, or on a flat one");
+      return found.front();
+    }
   } // namespace
 
 
@@ -178,14 +196,14 @@ namespace Contact
                           const ContactInterface<dim> *interface,
                           const GhostedVector         &solution)
   {
-    const auto found = on_slaves(place, interface);
-    if (found.empty())
+    if (interface == nullptr)
       return 0;
-    const ContactPair<dim> &contact_pair = *found[0].contact_pair;
+    const auto              found        = on_slave(place, interface);
+    const ContactPair<dim> &contact_pair = *found.contact_pair;
     const bool              is_normal    = quantity == Quantity::pressure;
     const auto of_corners = corner_loads(*interface, contact_pair, solution);
     double     sum        = 0;
-    for (const auto &[n, weight] : found[0].nodes)
+    for (const auto &[n, weight] : found.nodes)
       {
         const double of_multiplier =
           is_normal ? interface->pressure(contact_pair.pressure_at(n), solution)
@@ -206,7 +224,7 @@ namespace Contact
                                const ContactInterface<dim> &interface,
                                GhostedVector               &derivative)
   {
-    const auto [contact_pair, nodes] = on_slaves(place, &interface).at(0);
+    const auto [contact_pair, nodes] = on_slave(place, &interface);
     for (const auto &[n, weight] : nodes)
       if (quantity == Quantity::pressure)
         for (const auto &[k, part] : contact_pair->pressure_at(n))

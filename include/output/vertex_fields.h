@@ -33,16 +33,23 @@ namespace Contact
                  const std::vector<double>                &plastic_strains);
 
     /// Attach stress_xx, _yy, _zz, _xy, in space _xz and _yz, and von_mises
-    /// [MPa], and plastic_strain if there is one, to @p data_out, which must
-    /// not outlive this object.
+    /// [MPa] of these at all nodes of the bodies, and plastic_strain if there
+    /// is one, to @p data_out, which must not outlive this object.
     void attach(DataOut<dim> &data_out) const;
 
   private:
+    void find_von_mises(const MPI_Comm communicator);
+
     const hp::FECollection<dim> fe;
     DoFHandler<dim>             dof_handler;
 
     /// Name and values by unknown of the fields.
     std::vector<std::pair<std::string, DistributedVector>> fields;
+
+    /// Von Mises' stress, which is not linear between vertices.
+    const hp::FECollection<dim> fe_of_nodes;
+    DoFHandler<dim>             nodes;
+    DistributedVector           von_mises_at_nodes;
   };
 } // namespace Contact
 

@@ -114,8 +114,15 @@ namespace Contact
     if (point.status.kind == Status::stick)
       {
         std::vector<Tensor<1, dim - 1>> free;
-        for (const auto &direction : free_slips(point, discretization))
-          add_orthonormal(direction - point.springs * direction, free);
+        for (Tensor<1, dim - 1> direction : free_slips(point, discretization))
+          {
+            for (const Tensor<1, dim> &across : point.held_slips)
+              {
+                const Tensor<1, dim - 1> held = point.tangential_part(across);
+                direction -= (direction * held) * held;
+              }
+            add_orthonormal(direction - point.springs * direction, free);
+          }
         return free;
       }
     if (dim == 2 || !point.status.has_direction())
@@ -176,6 +183,7 @@ namespace Contact
         tractions[k] = traction_of_single(k, residual);
     if (any_coupled)
       solve_coupled(residual, tractions);
+    share_along_edges(tractions);
     for (unsigned int k = 0; k < points.size(); ++k)
       if (points[k].status.kind == Status::stick)
         tractions[k].q += turned[k].shear;
@@ -191,6 +199,47 @@ namespace Contact
                              : tractions[k].q - (tractions[k].q * d) * d;
         }
     return tractions;
+  }
+
+
+
+  // They stick up to the sum of their bounds, and slip together.
+  template<int dim>
+  void
+  MultiplierRecovery<dim>::share_along_edges(std::vector<Pair> &tractions) const
+  {
+    if constexpr (dim == 3)
+      {
+        std::map<NodeDoFs<dim>, std::vector<unsigned int>> at_edges;
+        for (unsigned int k = 0; k < points.size(); ++k)
+          if (points[k].status.kind == Status::stick &&
+              points[k].held_slips.size() == 1)
+            at_edges[points[k].dofs[0]].push_back(k);
+        for (const auto &[node, of_node] : at_edges)
+          {
+            const ContactPoint<dim> &first = points[of_node[0]];
+            const Tensor<1, dim>     edge =
+              cross_product_3d(first.normal, first.held_slips[0]);
+            const auto bound = [&](const unsigned int k) {
+              return moving_bound ? interface.contact_pair(points[k]).law.bound(
+                                      tractions[k].p)
+                                  : points[k].friction_bound;
+            };
+            double force = 0, most = 0;
+            for (const unsigned int k : of_node)
+              {
+                force += points[k].weight *
+                         (points[k].along_tangents(tractions[k].q) * edge);
+                most += points[k].weight * bound(k);
+              }
+            for (const unsigned int k : of_node)
+              if (most > 0)
+                tractions[k].q =
+                  points[k].tangential_part(force * bound(k) / most * edge);
+          }
+      }
+    else
+      (void)tractions;
   }
 
 

@@ -110,8 +110,9 @@ namespace Contact
             acting.emplace_back();
           }
         const double size = now.q_trial.norm();
-        if (!point.status.has_direction() ||
-            size == 0) // supports move it, and nothing turns
+        // Supports move it, or an edge leaves one direction: nothing turns.
+        if (!point.status.has_direction() || size == 0 ||
+            !point.held_slips.empty())
           continue;
         const double bound =
           moving_bound ? interface.contact_pair(point).law.bound(now.p_trial)
