@@ -50,6 +50,8 @@ Proves that
   forces of obstacles that round-off swallows are named;
 - reactions of supports along normals are those of the probes on refined meshes,
   on several processes as well;
+- a block in the edge of two rigid walls slides along it with friction of both, mu
+  times the force of each, and comes to rest in the corner of three;
 - slave nodes that slide off the end of the master, where they face it with one
   pairing and nothing with the next, are not called converged; the mortar
   discretization has a solution there;
@@ -1133,6 +1135,42 @@ def normal_supports():
               status == 0 and worst < 1e-9, f"{worst} {said[-300:]}")
 
 
+def along_edges():
+    """A block in the edge of a floor and a wall is dragged along it, and into the
+    corner with a third one."""
+    mesh = Volumes()
+    mesh.block("B", (3, 3, 3), lambda r, s, t: (2 * r, 2 * s, 2 * t))
+    mesh.write("along_edges")
+    walls = {"F": ("B_z0", "0, 0, 0, 0, 0, 1"), "W": ("B_x0", "0, 0, 0, 1, 0, 0"),
+             "V": ("B_y1", "0, 2.2, 0, 0, -1, 0")}
+    for rule, way, named in (("nodal", 0.05, "FW"), ("mortar", 0.15, "FW"),
+                             ("nodal", 0.23, "FWV")):
+        contact = {}
+        for name in named:
+            contact.update({
+                f"Contact {name}/Slave": walls[name][0],
+                f"Contact {name}/Obstacle": f"half space: {walls[name][1]}",
+                f"Contact {name}/Discretization": rule,
+                f"Contact {name}/Friction coefficient": 0.2})
+        status, said, summary = run("along_edges", {
+            "Mesh/File": "along_edges.msh", **solids("B: 1000", "B: 0.3"), **contact,
+            **{f"Boundary conditions/Displacement {d}": "B_z1: 1" for d in "xyz"},
+            "Boundary conditions/Histories":
+                "Displacement x: table(0 0, 1 -0.05); Displacement y: "
+                f"table(0.5 0, 1 {way}); Displacement z: table(0 0, 0.5 -0.04, "
+                "1 -0.04)",
+            "Solution/Increments": 4, "Probes/Probes": "; ".join(
+                f"{name}{d}: obstacle force {d}, Contact {name}"
+                for name in named for d in "xyz")})
+        check(f"{len(named)} walls, {rule}: converges", status == 0, said[-300:])
+        force = {probe["name"]: probe["value"] for probe in summary["probes"]}
+        if way == 0.15:
+            worst = max(abs(force["Fy"] / force["Fz"] + 0.2),
+                        abs(force["Wy"] / force["Wx"] + 0.2))
+            check(f"  all slips along the edge: friction by pressure - 0.2 = "
+                  f"{worst:.1e}", worst < 1e-3)
+
+
 def off_the_end():
     """A stiff stamp presses rubber, whose side bulges out beyond the stamp's."""
     mesh = Volumes()
@@ -1171,7 +1209,7 @@ for scene in (carried, overlap, cantilever, halves, teeth, own_master, round_off
               in_a_corner, concave_corner, too_coarse, roles, tied, flank, groove,
               slide, pinned, clamped, between_nodes, foil, turning, coarse_fit, flat_ends, glued_apart, idle,
               round_and_apart, through_zero, nominal_loads, normal_supports,
-              off_the_end):
+              along_edges, off_the_end):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)

@@ -325,7 +325,7 @@ namespace Contact
   template<int dim>
   void NewtonState<dim>::accept()
   {
-    if (n_steps > 0)
+    if (n_steps > 0 || !std::isfinite(convergence.residual()))
       check();
     const bool progress = guard.advance(convergence.residual_norm());
     if (n_steps > 0)
