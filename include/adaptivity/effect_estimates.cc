@@ -43,6 +43,10 @@ namespace Contact
       /// if the linearised problem has no solution, or one that is no state.
       double make_step();
 
+      /// Throws NotConverged if nothing holds a body under the statuses of now:
+      /// what slips lets it go.
+      void check_supports() const;
+
       ContactModel<2>   model;
       IncrementState<2> state;
 
@@ -120,6 +124,13 @@ namespace Contact
                                                  state.load_factor));
           take_surfaces(*scene.interface, from.solution);
         }
+      check_supports();
+    }
+
+
+
+    void Variant::check_supports() const
+    {
       if (!rigid_body_modes<2>(*model.discretization, model.interface.get())
              .empty())
         throw NotConverged("nothing holds a body");
@@ -406,6 +417,7 @@ namespace Contact
             if (other.make_step() > step / 2)
               throw NotConverged("the steps do not become shorter: it is far "
                                  "from here, or nothing holds a body");
+            other.check_supports();
             const auto second         = probes_of(other);
             estimate.changes          = difference(second, values);
             estimate.uncertainties    = difference(second, first);
