@@ -124,7 +124,7 @@ namespace
                              dilatation;
     check_small(name + ", forces",
                 bodies.elasticity->forces(u, 1).linfty_norm() /
-                  bodies.elasticity->dead_loads.whole(),
+                  bodies.elasticity->dead_loads.magnitude(1),
                 1e-12);
 
     SymmetricTensor<2, 3> exact;
