@@ -211,7 +211,7 @@ namespace
                     1e-11);
       }
     check_small(text + ": whole load",
-                std::abs(bodies.elasticity->dead_loads.whole() - 137),
+                std::abs(bodies.elasticity->dead_loads.magnitude(1) - 137),
                 1e-11);
   }
 
