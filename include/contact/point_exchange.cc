@@ -84,8 +84,8 @@ namespace Contact
 
 
 
-    /// What MortarDiscretization<3>::pair() finds, but for the changes that one
-    /// rank alone has.
+    /// The findings of MortarDiscretization<3>::pair(), but for the changes that
+    /// one rank alone has.
     template<class Archive>
     void exchange_point(Archive &archive, ContactPoint<3> &point)
     {
@@ -126,8 +126,8 @@ namespace Contact
 
 
 
-  // What is not known is taken to be the mean of what is, first of points that
-  // are alike.
+  // Times that are not known are taken to be the mean of those that are, first
+  // of points that are alike.
   PointShares::Numbers
   PointShares::own(const Numbers           &numbers,
                    const std::vector<bool> &with_derivatives) const

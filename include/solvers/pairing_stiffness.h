@@ -39,7 +39,7 @@ namespace Contact
     /// K [N/mm].
     FullMatrix<double> matrix() const;
 
-    /// What K depends on beside the lines of contact, in few numbers.
+    /// Add few numbers that K depends on beside the lines of contact.
     void add_signature(std::vector<double> &signature) const;
 
     /// Of the points in contact whose changes this rank has. They may be at

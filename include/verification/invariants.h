@@ -214,7 +214,7 @@ namespace Contact
                                  Invariants  &found);
     std::string in_words(const double force) const;
 
-    /// What the forces of free motions lack, the norm [N per mm].
+    /// The norm of the forces that free motions lack [N per mm].
     double missing_in_motions() const;
 
     void add_up(const GhostedVector &reactions, Invariants &found) const;
