@@ -84,8 +84,8 @@ namespace Contact
 
 
 
-    /// The findings of MortarDiscretization<3>::pair(), but for the changes that
-    /// one rank alone has.
+    /// The findings of MortarDiscretization<3>::pair(), but for the changes
+    /// that one rank alone has.
     template<class Archive>
     void exchange_point(Archive &archive, ContactPoint<3> &point)
     {
