@@ -42,6 +42,7 @@ Proves that
 - the flat ends of round shafts are not said to be off their circles;
 - glue across a gap is noted, and a violation where the moment that is lost matters;
 - a scene that nothing loads, and one where nothing touches, are noted;
+- nodes that supports hold inside of an obstacle are noted;
 - a round side that a coarse mesh does not let touch is refined where it is close,
   on several processes alike, until it has the force of a uniform mesh;
 - given displacements that go through zero in the course of their history violate
@@ -1024,6 +1025,28 @@ def idle():
               for of in (summary, summary["increments"][-1])))
 
 
+def held_nodes():
+    """Supports drive nodes of a slave into its obstacle: all of them, or one."""
+    mesh = Mesh()
+    mesh.block("B", 4, 2, box(0, 0, 4, 2), {"bottom": "Sole", "top": "Head"})
+    mesh.write("held_nodes")
+    for held, violates, words in (
+            ("Sole: -0.1", True, "supports hold all of the slave"),
+            ("Corner: -0.1, Head: -0.05", False, "")):
+        status, said, summary = run("held_nodes", {
+            "Mesh/File": "held_nodes.msh", "Mesh/Points": "Corner: 0, 0",
+            **solids("B: 1000", "B: 0.3"), "Contact/Slave": "Sole",
+            "Contact/Obstacle": "half plane: 0, 0, 0, 1",
+            "Boundary conditions/Displacement x": "Corner: 0",
+            "Boundary conditions/Displacement y": held})
+        check(f"what supports hold inside of the obstacle is noted ({held})",
+              status == violates and "inside of its obstacle, up to 0.1 mm" in said and
+              words in said and "no point of the slave" not in said, said[:600])
+        if not words:
+            check("  the other nodes are pushed",
+                  summary["contact"]["normal_force"] > 0)
+
+
 def round_and_apart():
     """A round bottom of three chords, of which the middle one does not touch."""
     radius, ends = 4, (-2.2, -0.9, 0.8, 1.9)
@@ -1208,7 +1231,7 @@ for scene in (carried, overlap, cantilever, halves, teeth, own_master, round_off
               lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered,
               in_a_corner, concave_corner, too_coarse, roles, tied, flank, groove,
               slide, pinned, clamped, between_nodes, foil, turning, coarse_fit, flat_ends, glued_apart, idle,
-              round_and_apart, through_zero, nominal_loads, normal_supports,
+              held_nodes, round_and_apart, through_zero, nominal_loads, normal_supports,
               along_edges, off_the_end):
     print(scene.__name__)
     scene()

@@ -361,12 +361,8 @@ namespace Contact
       state.slip += point.springs * (state.lambda_t - point.shear_at_start) /
                     point.augmentation_parameter;
     state.p_trial = state.lambda_n - point.augmentation_parameter * state.gap;
-    state.q_trial = state.lambda_t - point.augmentation_parameter * state.slip;
-    for (const Tensor<1, dim> &across : point.held_slips)
-      {
-        const Tensor<1, dim - 1> held = point.tangential_part(across);
-        state.q_trial -= (state.q_trial * held) * held;
-      }
+    state.q_trial = point.without_held(
+      state.lambda_t - point.augmentation_parameter * state.slip);
     return state;
   }
 

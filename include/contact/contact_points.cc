@@ -34,31 +34,6 @@ namespace Contact
 
 
 
-    /// Whether supports leave one of the first @p n_nodes nodes of a point free
-    /// to move along @p normal, other than by round-off of its coefficient.
-    template<int dim>
-    bool is_free_along(const ContactPoint<dim>   &point,
-                       const unsigned int         n_nodes,
-                       const Tensor<1, dim>      &normal,
-                       const Discretization<dim> &discretization)
-    {
-      const double round_off = 1e-8;
-      double       free = 0, all = 0;
-      for (unsigned int a = 0; a < n_nodes; ++a)
-        {
-          const Tensor<1, dim> part =
-            discretization.free_part(point.dofs[a], normal);
-          for (unsigned int i = 0; i < dim; ++i)
-            {
-              all += std::abs(point.C[a] * normal[i]);
-              free += std::abs(point.C[a] * part[i]);
-            }
-        }
-      return free > round_off * all;
-    }
-
-
-
     /// Scalar products of the normal and the tangential row of a point over the
     /// unknowns that no support fixes.
     struct FreeRows
@@ -349,6 +324,29 @@ namespace Contact
 
 
   template<int dim>
+  bool is_free_along(const ContactPoint<dim>   &point,
+                     const unsigned int         n_nodes,
+                     const Tensor<1, dim>      &normal,
+                     const Discretization<dim> &discretization)
+  {
+    const double round_off = 1e-8;
+    double       free = 0, all = 0;
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      {
+        const Tensor<1, dim> part =
+          discretization.free_part(point.dofs[a], normal);
+        for (unsigned int i = 0; i < dim; ++i)
+          {
+            all += std::abs(point.C[a] * normal[i]);
+            free += std::abs(point.C[a] * part[i]);
+          }
+      }
+    return free > round_off * all;
+  }
+
+
+
+  template<int dim>
   void skip_where_held(ContactPoint<dim>         &point,
                        const Discretization<dim> &discretization,
                        const GhostedVector       &u)
@@ -404,6 +402,14 @@ namespace Contact
                     make_nodal_points(const Surface<3>             &slave,
                                       const std::set<unsigned int> &excluded,
                                       MultiplierSpace              &multipliers);
+  template bool     is_free_along(const ContactPoint<2>   &point,
+                                  const unsigned int       n_nodes,
+                                  const Tensor<1, 2>      &normal,
+                                  const Discretization<2> &discretization);
+  template bool     is_free_along(const ContactPoint<3>   &point,
+                                  const unsigned int       n_nodes,
+                                  const Tensor<1, 3>      &normal,
+                                  const Discretization<3> &discretization);
   template void     skip_where_held(ContactPoint<2>         &point,
                                     const Discretization<2> &discretization,
                                     const GhostedVector     &u);

@@ -230,6 +230,18 @@ namespace Contact
     /// orthonormal.
     std::vector<Tensor<1, dim>> directions_of_slip() const;
 
+    /// A shear without its part along #held_slips.
+    Tensor<1, dim - 1> without_held(const Tensor<1, dim - 1> &shear) const
+    {
+      Tensor<1, dim - 1> rest = shear;
+      for (const Tensor<1, dim> &across : held_slips)
+        {
+          const Tensor<1, dim - 1> held = this->tangential_part(across);
+          rest -= (rest * held) * held;
+        }
+      return rest;
+    }
+
     /// The number of the node that has the multipliers, where it is one.
     unsigned int own_node() const
     {
@@ -327,6 +339,14 @@ namespace Contact
   Tensor<1, 2> prescribed_slip(const ContactPoint<3>   &point,
                                const Discretization<3> &discretization,
                                const GhostedVector     &motion);
+
+  /// Whether supports leave one of the first @p n_nodes nodes of a point free
+  /// to move along @p normal, other than by round-off of its coefficient.
+  template<int dim>
+  bool is_free_along(const ContactPoint<dim>   &point,
+                     const unsigned int         n_nodes,
+                     const Tensor<1, dim>      &normal,
+                     const Discretization<dim> &discretization);
 
   /**
    * A point whose nodes are held on both sides has no unknown for its pressure

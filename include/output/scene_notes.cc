@@ -148,6 +148,18 @@ namespace Contact
 
 
 
+    template<int dim>
+    bool is_held(const ContactPoint<dim>   &point,
+                 const Discretization<dim> &discretization)
+    {
+      return !is_free_along(point,
+                            point.n_slave_nodes,
+                            point.normal,
+                            discretization);
+    }
+
+
+
     // A wrong group, or an obstacle whose normal points the other way, would
     // show as a scene without contact.
     template<int dim>
@@ -165,7 +177,19 @@ namespace Contact
                    (point.is_master_corner || entries[z].obstacle.empty() ||
                     outward(slave, point.slave_facet) * point.normal < 0);
           };
-          if (std::none_of(points.begin(), points.end(), faces))
+          if (std::any_of(points.begin(), points.end(), faces))
+            continue;
+          if (entries[z].master.empty() &&
+              std::all_of(points.begin(),
+                          points.end(),
+                          [&](const ContactPoint<dim> &point) {
+                            return is_held(point, interface.discretization);
+                          }))
+            notes.push_back("supports hold all of the slave '" +
+                            entries[z].slave +
+                            "' along the normals of its obstacle: no pressure "
+                            "can act there, whatever the gaps are");
+          else
             notes.push_back(
               "no point of the slave '" + entries[z].slave + "' faces its " +
               (entries[z].master.empty()
@@ -336,6 +360,43 @@ namespace Contact
 
 
 
+    // What a support holds along the normal of an obstacle takes no part in
+    // contact: it goes where the support says.
+    template<int dim>
+    void add_notes_on_held_nodes(const Parameters::All       &parameters,
+                                 const ContactInterface<dim> &interface,
+                                 const GhostedVector         &solution,
+                                 std::vector<std::string>    &notes)
+    {
+      const double digits  = 1e-6; // of a gap, by the length of a facet
+      const auto   entries = parameters.pairs();
+      for (unsigned int z = 0; z < entries.size(); ++z)
+        {
+          const ContactPair<dim>  &contact_pair = *interface.pairs[z];
+          double                   depth        = 0;
+          const ContactPoint<dim> *deepest      = nullptr;
+          if (!contact_pair.master)
+            for (const ContactPoint<dim> &point :
+                 interface.points_of(contact_pair))
+              if (const double gap =
+                    interface.state(point, solution, solution).gap;
+                  is_held(point, interface.discretization) && -gap > depth &&
+                  -gap > digits * contact_pair.edge_length(point))
+                {
+                  depth   = -gap;
+                  deepest = &point;
+                }
+          if (deepest != nullptr)
+            notes.push_back(
+              "supports hold nodes of the slave '" + entries[z].slave +
+              "' inside of its obstacle, up to " + brief(depth) +
+              " mm deep, there at X = (" + brief(contact_pair.place(*deepest)) +
+              ") mm: no pressure acts on what they hold along its normal");
+        }
+    }
+
+
+
     void add_note_on_idleness(const RunSummary         &summary,
                               const bool                is_tied,
                               const GhostedVector      &solution,
@@ -388,6 +449,7 @@ namespace Contact
     std::vector<std::string> notes;
     add_note_on_idleness(summary, model.interface->is_tied(), solution, notes);
     add_notes_on_roundness(parameters, *model.interface, solution, notes);
+    add_notes_on_held_nodes(parameters, *model.interface, solution, notes);
     return notes;
   }
 

@@ -114,13 +114,9 @@ namespace Contact
     if (point.status.kind == Status::stick)
       {
         std::vector<Tensor<1, dim - 1>> free;
-        for (Tensor<1, dim - 1> direction : free_slips(point, discretization))
+        for (const Tensor<1, dim - 1> &slip : free_slips(point, discretization))
           {
-            for (const Tensor<1, dim> &across : point.held_slips)
-              {
-                const Tensor<1, dim - 1> held = point.tangential_part(across);
-                direction -= (direction * held) * held;
-              }
+            const Tensor<1, dim - 1> direction = point.without_held(slip);
             add_orthonormal(direction - point.springs * direction, free);
           }
         return free;
