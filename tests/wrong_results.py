@@ -42,7 +42,8 @@ Proves that
 - the flat ends of round shafts are not said to be off their circles;
 - glue across a gap is noted, and a violation where the moment that is lost matters;
 - a scene that nothing loads, and one where nothing touches, are noted;
-- nodes that supports hold inside of an obstacle are noted;
+- nodes that supports hold inside of an obstacle are noted, and a body that nothing
+  holds along a line at the end;
 - a round side that a coarse mesh does not let touch is refined where it is close,
   on several processes alike, until it has the force of a uniform mesh;
 - given displacements that go through zero in the course of their history violate
@@ -1047,6 +1048,23 @@ def held_nodes():
                   summary["contact"]["normal_force"] > 0)
 
 
+def left_free():
+    """Contact without friction holds a body but along one line."""
+    mesh = Mesh()
+    mesh.block("B", 4, 2, box(0, 0, 4, 2), {"bottom": "Sole", "top": "Head"})
+    mesh.write("left_free")
+    for friction in (0, 0.3):
+        status, said, _ = run("left_free", {
+            "Mesh/File": "left_free.msh", **solids("B: 1000", "B: 0.3"),
+            "Contact/Slave": "Sole", "Contact/Obstacle": "half plane: 0, 0, 0, 1",
+            "Contact/Friction coefficient": friction,
+            "Boundary conditions/Pressure": "Head: 3"})
+        check(f"a body that may slide anywhere is noted, friction {friction}",
+              status == 0 and ("nothing holds the body 'B' at the end against: "
+                               "displacement in x" in said) == (friction == 0),
+              said[:400])
+
+
 def round_and_apart():
     """A round bottom of three chords, of which the middle one does not touch."""
     radius, ends = 4, (-2.2, -0.9, 0.8, 1.9)
@@ -1231,7 +1249,7 @@ for scene in (carried, overlap, cantilever, halves, teeth, own_master, round_off
               lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered,
               in_a_corner, concave_corner, too_coarse, roles, tied, flank, groove,
               slide, pinned, clamped, between_nodes, foil, turning, coarse_fit, flat_ends, glued_apart, idle,
-              held_nodes, round_and_apart, through_zero, nominal_loads, normal_supports,
+              held_nodes, left_free, round_and_apart, through_zero, nominal_loads, normal_supports,
               along_edges, off_the_end):
     print(scene.__name__)
     scene()

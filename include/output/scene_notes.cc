@@ -10,6 +10,7 @@
 
 #include "base/string_utilities.h"
 #include "parameters/formula.h"
+#include "solvers/rigid_body_modes.h"
 
 namespace Contact
 {
@@ -397,6 +398,22 @@ namespace Contact
 
 
 
+    // Springs of no force leave such a body anywhere.
+    template<int dim>
+    void add_notes_on_free_motions(const ContactModel<dim>  &model,
+                                   std::vector<std::string> &notes)
+    {
+      for (const RigidBodyMode &motion :
+           rigid_body_modes<dim>(*model.discretization, &*model.interface))
+        notes.push_back("nothing holds " +
+                        model.mesh->piece_name(motion.piece) +
+                        " at the end against: " + motion.name +
+                        ". No force acts along it, and its displacement is one "
+                        "of many. Support it there, or with friction");
+    }
+
+
+
     void add_note_on_idleness(const RunSummary         &summary,
                               const bool                is_tied,
                               const GhostedVector      &solution,
@@ -450,6 +467,7 @@ namespace Contact
     add_note_on_idleness(summary, model.interface->is_tied(), solution, notes);
     add_notes_on_roundness(parameters, *model.interface, solution, notes);
     add_notes_on_held_nodes(parameters, *model.interface, solution, notes);
+    add_notes_on_free_motions(model, notes);
     return notes;
   }
 
