@@ -51,6 +51,12 @@ expect_entry() {
 TMPDIR=/proc/none "$contact" "$good" --quiet >/dev/null
 find output -type f -exec cksum {} + | sort >before
 
+# A place close to a round slave, beside it on the third mesh
+expect "beside it on a refined one" "$parameters/nested.prm" \
+  --set "Output/Directory=beside" --set "Refinement/Levels=2" \
+  --set "Mesh/Points=P in Cylinder: 5, 0.27" --set "Probes/Probes=p: pressure, P" \
+  --set "Probes/References=" --set "Probes/Tolerances="
+
 # Materials
 body=Block
 expect_entry "is one of small strain" "Solids/Material=$body: elastic-plastic"
