@@ -551,6 +551,8 @@ namespace Contact
     is_smallest_step = step.is_smallest;
     model.elasticity->heat(step.from, step.to);
     model.elasticity->begin_first_step();
+    if (model.has_friction())
+      model.interface->begin_increment(step.from, state.solution);
     if (model.interface &&
         model.interface->move_obstacles(step.from, step.to, state.solution))
       pairing.pair(state.solution);

@@ -116,6 +116,12 @@ namespace Contact
                                             timer);
       if (model.interface)
         {
+          if (linearization.moving_geometry &&
+              model.interface->has_interference())
+            {
+              model.interface->pair(state.start);
+              model.interface->begin_increment(state.start_factor, state.start);
+            }
           model.interface->move_obstacles(state.start_factor,
                                           state.load_factor);
           pair();

@@ -153,6 +153,9 @@ namespace Contact
 
 
 
+  // Where the tangent is not definite, as where small cells at a corner are
+  // strained beyond what the material bears, sweeps may lead away: then those
+  // before count.
   GhostedVector RefinedSystem::relax(GhostedVector     &rhs,
                                      const unsigned int n_sweeps) const
   {
@@ -167,8 +170,11 @@ namespace Contact
       if (relaxes[row])
         x[row] += missing(row) / matrix.diag_element(row);
     };
+    GhostedVector left  = rhs;
+    const double  first = rhs.l2_norm();
     for (unsigned int sweep = 0; sweep < n_sweeps; ++sweep)
       {
+        const GhostedVector before = x;
         for (unsigned int row = 0; row < rhs.size(); ++row)
           relax_node(row);
         if (!contact.unknowns.empty())
@@ -181,10 +187,17 @@ namespace Contact
           }
         for (unsigned int row = rhs.size(); row-- > 0;)
           relax_node(row);
+        GhostedVector now = rhs, product(rhs.size());
+        matrix.vmult<Vector<double>, Vector<double>>(product, x);
+        now -= product;
+        if (!(now.l2_norm() < first))
+          {
+            x = before;
+            break;
+          }
+        left = now;
       }
-    GhostedVector product(rhs.size());
-    matrix.vmult<Vector<double>, Vector<double>>(product, x);
-    rhs -= product;
+    rhs = left;
     return x;
   }
 

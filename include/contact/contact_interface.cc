@@ -316,7 +316,7 @@ namespace Contact
                                const GhostedVector     &u_start) const
   {
     const bool     tied = contact_pair(point).tied;
-    Tensor<1, dim> r, dr = -point.projection_motion;
+    Tensor<1, dim> r, dr = point.apart_at_start - point.projection_motion;
     if (!tied)
       r -= point.projection;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
@@ -341,10 +341,7 @@ namespace Contact
     if (const double overlap = contact_pair(point).interference->added())
       for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
         state.gap -= overlap * point.C[a];
-    for (const auto *without : {&point.void_slips, &point.held_slips})
-      for (const Tensor<1, dim> &across : *without)
-        dr -= (dr * across) * across;
-    state.slip = point.tangential_part(dr);
+    state.slip = point.without_held(point.tangential_part(dr));
     // Without multipliers in the vector the question is for the gap alone.
     if (solution.size() > discretization.dof_handler.n_dofs())
       for (unsigned int k = 0; k < point.n_multipliers; ++k)
@@ -364,15 +361,6 @@ namespace Contact
     state.q_trial = point.without_held(
       state.lambda_t - point.augmentation_parameter * state.slip);
     return state;
-  }
-
-
-
-  template<int dim>
-  void ContactInterface<dim>::remember_shears(const GhostedVector &solution)
-  {
-    for (ContactPoint<dim> &point : all_points)
-      point.shear_at_start = state(point, solution, solution).lambda_t;
   }
 
 

@@ -157,6 +157,14 @@ namespace Contact
      */
     bool pair(const GhostedVector &u, const PairingMode &mode = {});
 
+    /// An increment begins at the load factor @p from with @p solution, in
+    /// which the points are paired: they remember it. Call it before
+    /// move_obstacles().
+    void begin_increment(const double from, const GhostedVector &solution);
+
+    /// Whether a pair has an interference that turns with it.
+    bool has_interference() const;
+
     /// An increment moves the obstacles from where they are at one load factor
     /// and in @p start to another, and changes the interferences and the forces
     /// of free motions. Returns whether the points have to be paired anew.
@@ -351,9 +359,6 @@ namespace Contact
     /// The supports move in this increment by @p motion, zero elsewhere [mm]:
     /// a point that only they move along its tangent slips with them.
     void set_support_motion(const GhostedVector &motion);
-
-    /// An increment begins with @p solution.
-    void remember_shears(const GhostedVector &solution);
 
     /// The tractions that follow from a status and trial values.
     Traction<dim> traction(const ContactPoint<dim>  &point,

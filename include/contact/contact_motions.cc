@@ -100,6 +100,33 @@ namespace Contact
 
 
   template<int dim>
+  bool ContactInterface<dim>::has_interference() const
+  {
+    return std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) {
+      return bool(pair->interference->at);
+    });
+  }
+
+
+
+  // The normals are those of the last pairing: before obstacles turn.
+  template<int dim>
+  void ContactInterface<dim>::begin_increment(const double         from,
+                                              const GhostedVector &solution)
+  {
+    for (ContactPoint<dim> &point : all_points)
+      {
+        const auto &interference = *contact_pair(point).interference;
+        point.shear_at_start     = state(point, solution, solution).lambda_t;
+        point.apart_at_start     = Tensor<1, dim>();
+        if (interference.at)
+          point.apart_at_start = interference.at(Point<1>(from)) * point.normal;
+      }
+  }
+
+
+
+  template<int dim>
   void ContactInterface<dim>::close_overlaps(const double         from,
                                              const double         to,
                                              const GhostedVector &start)
@@ -118,6 +145,12 @@ namespace Contact
                              -state(point, start, start).gap);
             }
           interference.kept_apart = (1 - to) * interference.at_start;
+          for (unsigned int k = 0; k < contact_pair->n_points; ++k)
+            {
+              auto &point = all_points[contact_pair->first_point + k];
+              point.apart_at_start -=
+                (1 - from) * interference.at_start * point.normal;
+            }
         }
   }
 

@@ -23,9 +23,12 @@ namespace Contact
     if (!tied)
       return pair_all(points, u, mode);
     const bool changed = pair_all(points, u.zero(), {});
-    if (!free_motions.empty())
-      for (ContactPoint<dim> &point : points)
-        point.motions = {{-point.normal, 0}};
+    for (ContactPoint<dim> &point : points)
+      {
+        point.void_slips.clear(); // of symmetry, which the glue need not have
+        if (!free_motions.empty())
+          point.motions = {{-point.normal, 0}};
+      }
     return changed;
   }
 

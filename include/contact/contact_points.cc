@@ -191,7 +191,9 @@ namespace Contact
       return {};
     const Tensor<1, 2> along =
       point.tangents[0] - (rows.nn > 0 ? rows.nt / rows.nn : 0.) * point.normal;
-    double slip = -along * point.projection_motion, size = std::abs(slip);
+    double slip = point.tangents[0] * point.apart_at_start -
+                  along * point.projection_motion,
+           size = std::abs(slip);
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       {
         const Tensor<1, 2> held =

@@ -216,6 +216,10 @@ namespace Contact
   {
     PointStatus<dim> status;
 
+    // The distance that an interference put between the surfaces at the
+    // increment's start [mm]: it turns with them, which is no slip.
+    Tensor<1, dim> apart_at_start;
+
     // Bound of the shear traction while a Tresca problem is solved [MPa].
     double friction_bound = 0;
 
@@ -230,15 +234,16 @@ namespace Contact
     /// orthonormal.
     std::vector<Tensor<1, dim>> directions_of_slip() const;
 
-    /// A shear without its part along #held_slips.
-    Tensor<1, dim - 1> without_held(const Tensor<1, dim - 1> &shear) const
+    /// A slip or shear without its part along #void_slips and #held_slips.
+    Tensor<1, dim - 1> without_held(const Tensor<1, dim - 1> &slip) const
     {
-      Tensor<1, dim - 1> rest = shear;
-      for (const Tensor<1, dim> &across : held_slips)
-        {
-          const Tensor<1, dim - 1> held = this->tangential_part(across);
-          rest -= (rest * held) * held;
-        }
+      Tensor<1, dim - 1> rest = slip;
+      for (const auto *without : {&this->void_slips, &held_slips})
+        for (const Tensor<1, dim> &across : *without)
+          {
+            const Tensor<1, dim - 1> held = this->tangential_part(across);
+            rest -= (rest * held) * held;
+          }
       return rest;
     }
 

@@ -46,11 +46,8 @@ namespace Contact
       load_factor  = to;
       start        = solution;
       if (model.has_friction())
-        {
-          model.interface->set_support_motion(
-            model.discretization->support_motion(start, to));
-          model.interface->remember_shears(start);
-        }
+        model.interface->set_support_motion(
+          model.discretization->support_motion(start, to));
       if (model.interface)
         points_at_start = model.interface->points();
     }

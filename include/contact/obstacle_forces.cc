@@ -33,8 +33,10 @@ namespace Contact
                                                    moving_bound);
         const Tensor<1, dim>    arm =
           point.projection - contact_pair.obstacle->centre();
-        forces[0].add(arm, point.weight * t.p * point.normal);
-        forces[1].add(arm, point.weight * point.along_tangents(t.q));
+        const Tensor<1, dim> gap =
+          slave_position(point, solution) - point.projection;
+        forces[0].add(arm, gap, point.weight * t.p * point.normal);
+        forces[1].add(arm, gap, point.weight * point.along_tangents(t.q));
       }
     return forces;
   }
@@ -58,8 +60,9 @@ namespace Contact
       }
     const auto parts =
       obstacle_forces(interface, contact_pair, solution, u_start, moving_bound);
-    const Tensor<1, dim>          force  = parts[0].force + parts[1].force;
-    const Moment<dim>             moment = parts[0].moment + parts[1].moment;
+    const Tensor<1, dim> force = parts[0].force + parts[1].force;
+    const Moment<dim>    moment =
+      parts[0].moment + parts[1].moment + parts[0].over_gap + parts[1].over_gap;
     std::map<std::string, double> values;
     const auto                    travel = contact_pair.obstacle->travel();
     if (interface.discretization.axisymmetric)

@@ -17,17 +17,22 @@ namespace Contact
   using namespace dealii;
 
   /// The load of an obstacle on the slave: the forces [N per mm of thickness],
-  /// and their moment about its centre.
+  /// and their moment about its centre, as they leave the obstacle; and what
+  /// moment they have in addition at the slave, where an interference keeps the
+  /// two apart.
   template<int dim>
   struct ObstacleForce
   {
     Tensor<1, dim> force;
-    Moment<dim>    moment;
+    Moment<dim>    moment, over_gap;
 
-    void add(const Tensor<1, dim> &arm, const Tensor<1, dim> &f)
+    void add(const Tensor<1, dim> &arm,
+             const Tensor<1, dim> &gap,
+             const Tensor<1, dim> &f)
     {
       force += f;
       moment += moment_of(arm, f);
+      over_gap += moment_of(gap, f);
     }
 
     /// Their work in a motion of the obstacle.
@@ -39,7 +44,7 @@ namespace Contact
     template<class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &force &moment;
+      archive &force &moment &over_gap;
     }
   };
 

@@ -139,8 +139,9 @@ namespace Contact
     for (const auto &direction : held)
       {
         const Tensor<1, 2> along = point.tangential_part(direction);
-        double             slip  = -direction * point.projection_motion,
-               size              = std::abs(slip);
+        double slip = point.along_tangents(along) * point.apart_at_start -
+                      direction * point.projection_motion;
+        double size = std::abs(slip);
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           for (unsigned int c = 0; c < 3; ++c)
             {

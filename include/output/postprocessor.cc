@@ -7,15 +7,16 @@
 
 #include "contact/obstacle_forces.h"
 #include "contact/probes.h"
+#include "contact/turned_glue.h"
 #include "output/body_results.h"
 
 namespace Contact
 {
   template<int dim>
-  Postprocessor<dim>::Postprocessor(const Parameters::All     &parameters,
-                                    const ContactModel<dim>   &model,
-                                    const IncrementState<dim> &state,
-                                    Report<dim>               &report)
+  Postprocessor<dim>::Postprocessor(const Parameters::All   &parameters,
+                                    const ContactModel<dim> &model,
+                                    IncrementState<dim>     &state,
+                                    Report<dim>             &report)
     : parameters(parameters)
     , model(model)
     , state(state)
@@ -120,7 +121,8 @@ namespace Contact
   template<int dim>
   void Postprocessor<dim>::record_increment()
   {
-    IncrementRecord &record = report.increment();
+    const TurnedGlue<dim> glue(model, state.solution);
+    IncrementRecord      &record = report.increment();
     if (model.interface)
       {
         const StatusCount count = model.interface->count();
@@ -143,7 +145,7 @@ namespace Contact
     for (const auto &[name, definition] : parameters.probes.definitions())
       if (!is_stress(definition.quantity) &&
           definition.quantity != Parameters::Quantity::plastic_strain)
-        record.probes[name] = probe(definition);
+        record.probes[name] = probe(name, definition);
   }
 
 
@@ -198,8 +200,9 @@ namespace Contact
   void Postprocessor<dim>::write_increment(const unsigned int k,
                                            const bool         is_complete)
   {
-    const auto &output  = parameters.output;
-    const bool  is_last = is_complete && k == parameters.solution.n_increments;
+    const TurnedGlue<dim> glue(model, state.solution);
+    const auto           &output = parameters.output;
+    const bool is_last = is_complete && k == parameters.solution.n_increments;
     if (is_last && model.interface)
       {
         compare_with_theory();
@@ -271,9 +274,10 @@ namespace Contact
     const RunSummary &summary = report.summary;
     LevelRecord       record;
     {
-      TimerOutput::Scope scope(report.timer, "output");
+      TimerOutput::Scope    scope(report.timer, "output");
+      const TurnedGlue<dim> glue(model, state.solution);
       for (const auto &[name, definition] : parameters.probes.definitions())
-        record.probes[name] = probe(definition);
+        record.probes[name] = probe(name, definition);
     }
     record.errors          = errors;
     record.n_cells         = model.mesh->triangulation.n_global_active_cells();
@@ -303,15 +307,33 @@ namespace Contact
 
 
 
-  // The difference between two points, if there are two.
+  // The difference between two points, if there are two. In the plane a
+  // rotation is the one of its full turns that is closest to the last
+  // increment.
   template<int dim>
   double
-  Postprocessor<dim>::probe(const Parameters::Probes::Definition &definition)
+  Postprocessor<dim>::probe(const std::string                    &name,
+                            const Parameters::Probes::Definition &definition)
   {
-    const double first = value(definition.quantity, definition.places[0]);
-    return definition.places.size() == 1
-             ? first
-             : first - value(definition.quantity, definition.places[1]);
+    double result = value(definition.quantity, definition.places[0]);
+    if (definition.places.size() > 1)
+      result -= value(definition.quantity, definition.places[1]);
+    if (dim == 3 || definition.quantity != Parameters::Quantity::rotation_z)
+      return result;
+    const auto &increments = report.summary.increments;
+    const auto  last =
+      std::find_if(increments.rbegin(),
+                   increments.rend(),
+                   [&](const auto &record) {
+                     return record.converged &&
+                            record.level == report.increment().level &&
+                            record.probes.count(name) > 0;
+                   });
+    const double turn = 2 * numbers::PI;
+    return last == increments.rend()
+             ? result
+             : result +
+                 turn * std::round((last->probes.at(name) - result) / turn);
   }
 
 

@@ -25,10 +25,10 @@ namespace Contact
   class Postprocessor
   {
   public:
-    Postprocessor(const Parameters::All     &parameters,
-                  const ContactModel<dim>   &model,
-                  const IncrementState<dim> &state,
-                  Report<dim>               &report);
+    Postprocessor(const Parameters::All   &parameters,
+                  const ContactModel<dim> &model,
+                  IncrementState<dim>     &state,
+                  Report<dim>             &report);
 
     /// Check that the points of all probes exist, and carry what is asked for.
     /// Throws InputError. Collective.
@@ -64,15 +64,16 @@ namespace Contact
 
   private:
     ContactResults results(const ContactPair<dim> &contact_pair) const;
-    double         probe(const Parameters::Probes::Definition &definition);
+    double         probe(const std::string                    &name,
+                         const Parameters::Probes::Definition &definition);
     double value(const Parameters::Quantity quantity, const std::string &point);
     void   compare_with_theory();
     void   report_probes();
 
-    const Parameters::All     &parameters;
-    const ContactModel<dim>   &model;
-    const IncrementState<dim> &state;
-    Report<dim>               &report;
+    const Parameters::All   &parameters;
+    const ContactModel<dim> &model;
+    IncrementState<dim>     &state; // which glue is turned in for a time
+    Report<dim>             &report;
 
     std::unique_ptr<StressRecovery<dim>> recovery; // as it is asked for
     std::vector<SymmetricTensor<2, 3>>   stresses; // likewise

@@ -151,12 +151,10 @@ namespace Contact
 
     template<int dim>
     bool is_held(const ContactPoint<dim>   &point,
+                 const unsigned int         n_nodes,
                  const Discretization<dim> &discretization)
     {
-      return !is_free_along(point,
-                            point.n_slave_nodes,
-                            point.normal,
-                            discretization);
+      return !is_free_along(point, n_nodes, point.normal, discretization);
     }
 
 
@@ -180,16 +178,22 @@ namespace Contact
           };
           if (std::any_of(points.begin(), points.end(), faces))
             continue;
-          if (entries[z].master.empty() &&
-              std::all_of(points.begin(),
+          // Also of no points: those were held.
+          if (std::all_of(points.begin(),
                           points.end(),
                           [&](const ContactPoint<dim> &point) {
-                            return is_held(point, interface.discretization);
+                            return is_held(point,
+                                           point.n_nodes,
+                                           interface.discretization);
                           }))
             notes.push_back("supports hold all of the slave '" +
                             entries[z].slave +
-                            "' along the normals of its obstacle: no pressure "
-                            "can act there, whatever the gaps are");
+                            "', and what it faces, along the normals: no "
+                            "pressure can act there, whatever the gaps are" +
+                            (interface.pairs[z]->tied
+                               ? ", and nothing is glued. Exchange slave and "
+                                 "master, or take the mortar discretization"
+                               : ""));
           else
             notes.push_back(
               "no point of the slave '" + entries[z].slave + "' faces its " +
@@ -381,7 +385,10 @@ namespace Contact
                  interface.points_of(contact_pair))
               if (const double gap =
                     interface.state(point, solution, solution).gap;
-                  is_held(point, interface.discretization) && -gap > depth &&
+                  is_held(point,
+                          point.n_slave_nodes,
+                          interface.discretization) &&
+                  -gap > depth &&
                   -gap > digits * contact_pair.edge_length(point))
                 {
                   depth   = -gap;
@@ -414,12 +421,17 @@ namespace Contact
 
 
 
-    void add_note_on_idleness(const RunSummary         &summary,
-                              const bool                is_tied,
-                              const GhostedVector      &solution,
-                              std::vector<std::string> &notes)
+    template<int dim>
+    void add_note_on_idleness(const RunSummary            &summary,
+                              const ContactInterface<dim> &interface,
+                              const GhostedVector         &solution,
+                              std::vector<std::string>    &notes)
     {
-      bool is_loaded = !solution.all_zero(), touches = false;
+      bool touches   = false;
+      bool is_loaded = !solution.all_zero();
+      for (const auto &contact_pair : interface.pairs)
+        is_loaded = is_loaded || (contact_pair->obstacle &&
+                                  contact_pair->obstacle->travel());
       for (const IncrementRecord &increment : summary.increments)
         {
           if (!increment.converged)
@@ -430,7 +442,7 @@ namespace Contact
         }
       if (!is_loaded)
         notes.push_back("nothing is loaded: nothing moves and no force acts");
-      else if (!touches && !is_tied)
+      else if (!touches && !interface.is_tied())
         notes.push_back(
           "nothing touches: no increment has a pressure of "
           "contact. Check gaps, groups and the direction of loads");
@@ -464,7 +476,7 @@ namespace Contact
                                            const RunSummary        &summary)
   {
     std::vector<std::string> notes;
-    add_note_on_idleness(summary, model.interface->is_tied(), solution, notes);
+    add_note_on_idleness(summary, *model.interface, solution, notes);
     add_notes_on_roundness(parameters, *model.interface, solution, notes);
     add_notes_on_held_nodes(parameters, *model.interface, solution, notes);
     add_notes_on_free_motions(model, notes);

@@ -118,8 +118,11 @@ namespace Contact
    * is a note if it is deeper, by more than half of the largest displacement of
    * the two surfaces, than it was undeformed, and a violation where no force
    * acts: in the whole contact pair, of overlaps that polygons or the mesh have
-   * to begin with as well. A node that goes through the other body in an
-   * increment is a violation, see find_crossing().
+   * to begin with as well. Where no force acts, half of what the bodies deform
+   * by without their rigid motions is enough for a note, and at the end of a
+   * run for a violation: a way until they touch must not hide it. A node that
+   * goes through the other body in an increment is a violation, see
+   * find_crossing().
    */
   template<int dim>
   class ContactCheck
@@ -133,7 +136,8 @@ namespace Contact
                  const Parameters::Solution  &parameters,
                  const GhostedVector         &solution,
                  const GhostedVector         &u_start,
-                 const double                 moved);
+                 const double                 moved,
+                 const bool                   ends_run);
 
     /// Let the slack know of bounds by a fixed point, and of the round-off of a
     /// sum over all points.
@@ -212,6 +216,7 @@ namespace Contact
     const Parameters::Solution  &parameters;
     const GhostedVector         &solution, &u_start;
     const double                 moved;
+    const bool                   ends_run;
 
     // By point.
     std::vector<ContactState<dim>> states;

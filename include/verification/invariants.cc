@@ -126,7 +126,8 @@ namespace Contact
                                         parameters,
                                         solution,
                                         start.displacement,
-                                        moved);
+                                        moved,
+                                        /*ends_run=*/load_factor >= 1);
         contact.widen(slack);
         end.pressures = GhostedVector(discretization.distribution);
         if (std::any_of(interface->pairs.begin(),

@@ -1,0 +1,93 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "verification/rigid_fit.h"
+
+#include <deal.II/base/mpi.h>
+
+namespace Contact
+{
+  namespace
+  {
+    /// Call @p visit with the body of each corner of a cell, with its place and
+    /// its displacement: as often as it is in cells.
+    template<int dim, typename Visit>
+    void for_corners(const Discretization<dim> &discretization,
+                     const GhostedVector       &u,
+                     const Visit               &visit)
+    {
+      for (const auto &cell :
+           discretization.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int v : cell->vertex_indices())
+            {
+              const auto &dofs =
+                discretization.vertex_dofs[cell->vertex_index(v)];
+              Tensor<1, dim> way;
+              for (unsigned int i = 0; i < dim; ++i)
+                way[i] = u[dofs[i]];
+              visit(cell->material_id(), cell->vertex(v), way);
+            }
+    }
+
+    template<int rank, int dim>
+    void sum_over_ranks(Tensor<rank, dim> &tensor, const MPI_Comm communicator)
+    {
+      tensor = Utilities::MPI::sum(tensor, communicator);
+    }
+  } // namespace
+
+
+
+  template<int dim>
+  std::map<types::material_id, RigidFit<dim>>
+  fit_rigid_motions(const Discretization<dim> &discretization,
+                    const GhostedVector       &u)
+  {
+    std::map<types::material_id, RigidFit<dim>>  fits;
+    std::map<types::material_id, Tensor<2, dim>> correlations;
+    std::map<types::material_id, double>         n;
+    const auto communicator = discretization.communicator;
+    for (const auto &body : discretization.mesh.bodies)
+      {
+        fits[body.second];
+        correlations[body.second];
+        n[body.second] = 0;
+      }
+    for_corners(discretization, u, [&](const auto body, auto &X, auto &way) {
+      n[body] += 1;
+      fits[body].centre_X += X;
+      fits[body].centre += X + way;
+    });
+    for (auto &[body, fit] : fits)
+      {
+        const double all = Utilities::MPI::sum(n[body], communicator);
+        sum_over_ranks(fit.centre_X, communicator);
+        sum_over_ranks(fit.centre, communicator);
+        fit.centre_X /= all;
+        fit.centre /= all;
+        if (discretization.axisymmetric)
+          fit.centre[0] = fit.centre_X[0];
+      }
+    if (discretization.axisymmetric)
+      return fits;
+
+    for_corners(discretization, u, [&](const auto body, auto &X, auto &way) {
+      correlations[body] +=
+        outer_product(X + way - fits[body].centre, X - fits[body].centre_X);
+    });
+    for (auto &[body, fit] : fits)
+      {
+        sum_over_ranks(correlations[body], communicator);
+        fit.R = project_onto_orthogonal_tensors(correlations[body]);
+      }
+    return fits;
+  }
+
+  template std::map<types::material_id, RigidFit<2>>
+  fit_rigid_motions(const Discretization<2> &, const GhostedVector &);
+  template std::map<types::material_id, RigidFit<3>>
+  fit_rigid_motions(const Discretization<3> &, const GhostedVector &);
+} // namespace Contact
