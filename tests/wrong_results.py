@@ -34,8 +34,8 @@ Proves that
   of a surface that meets a symmetry line or a wall at a slant;
 - two layers clamped in one wall share a load as beam theory has it, without a
   pressure in the wall;
-- a circle that passes between two nodes unseen is a violation, of any radius, and
-  so is a body that goes through a foil whose both sides are the master;
+- a circle that passes between two nodes unseen is a violation, of any radius and
+  whatever its way until it touched, and so is a body that goes through a foil whose both sides are the master;
 - a history that turns back inside an increment is noted;
 - a press fit of polygons that leave more open than it overlaps is a violation, and
   one of elements of degree 2 that are off their circle by as much is noted;
@@ -880,6 +880,25 @@ def between_nodes():
                   len(summary["increments"][0]["violations"]) > 0, said[:300])
 
 
+def approached():
+    """A circle comes down between two nodes of a block, or slides there."""
+    for edges, status_wanted in ((6, 1), (60, 0)):
+        mesh = Mesh()
+        mesh.block("B", edges, 3, box(-3, -3, 3, 0), {"bottom": "Base", "top": "Top"})
+        mesh.write("approached")
+        for path, way in ("0.5, 3, 2", "y: -1.05*t"), ("-3.5, 1.95, 2", "x: 4*t"):
+            status, said, summary = run("approached", {
+                "Mesh/File": "approached.msh", **solids("B: 1000", "B: 0.3"),
+                "Contact/Slave": "Top", "Contact/Obstacle": f"circle: {path}",
+                "Contact/Obstacle motion": way, "Solution/Increments": 4,
+                "Boundary conditions/Displacement x": "Base: 0",
+                "Boundary conditions/Displacement y": "Base: 0"})
+            check(f"{edges} edges, {way}: exit status {status_wanted}, not idle",
+                  status == status_wanted and "nothing is loaded" not in said and
+                  (summary["contact"]["normal_force"] > 0) == (status == 0),
+                  said[:300])
+
+
 def foil():
     """A block pressed on a clamped foil far thinner than it sags: with both sides
     as master, points behind it see the far one."""
@@ -1248,7 +1267,7 @@ def off_the_end():
 for scene in (carried, overlap, cantilever, halves, teeth, own_master, round_off,
               lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered,
               in_a_corner, concave_corner, too_coarse, roles, tied, flank, groove,
-              slide, pinned, clamped, between_nodes, foil, turning, coarse_fit, flat_ends, glued_apart, idle,
+              slide, pinned, clamped, between_nodes, approached, foil, turning, coarse_fit, flat_ends, glued_apart, idle,
               held_nodes, left_free, round_and_apart, through_zero, nominal_loads, normal_supports,
               along_edges, off_the_end):
     print(scene.__name__)

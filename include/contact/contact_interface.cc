@@ -341,7 +341,9 @@ namespace Contact
     if (const double overlap = contact_pair(point).interference->added())
       for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
         state.gap -= overlap * point.C[a];
-    state.slip = point.without_held(point.tangential_part(dr));
+    state.slip =
+      point.without(point.held_slips,
+                    point.without(point.void_slips, point.tangential_part(dr)));
     // Without multipliers in the vector the question is for the gap alone.
     if (solution.size() > discretization.dof_handler.n_dofs())
       for (unsigned int k = 0; k < point.n_multipliers; ++k)
@@ -358,8 +360,9 @@ namespace Contact
       state.slip += point.springs * (state.lambda_t - point.shear_at_start) /
                     point.augmentation_parameter;
     state.p_trial = state.lambda_n - point.augmentation_parameter * state.gap;
-    state.q_trial = point.without_held(
-      state.lambda_t - point.augmentation_parameter * state.slip);
+    state.q_trial =
+      point.without(point.held_slips,
+                    state.lambda_t - point.augmentation_parameter * state.slip);
     return state;
   }
 

@@ -234,16 +234,17 @@ namespace Contact
     /// orthonormal.
     std::vector<Tensor<1, dim>> directions_of_slip() const;
 
-    /// A slip or shear without its part along #void_slips and #held_slips.
-    Tensor<1, dim - 1> without_held(const Tensor<1, dim - 1> &slip) const
+    /// A slip or shear without its part in directions along the tangents, which
+    /// are orthonormal.
+    Tensor<1, dim - 1> without(const std::vector<Tensor<1, dim>> &directions,
+                               const Tensor<1, dim - 1>          &slip) const
     {
       Tensor<1, dim - 1> rest = slip;
-      for (const auto *without : {&this->void_slips, &held_slips})
-        for (const Tensor<1, dim> &across : *without)
-          {
-            const Tensor<1, dim - 1> held = this->tangential_part(across);
-            rest -= (rest * held) * held;
-          }
+      for (const Tensor<1, dim> &direction : directions)
+        {
+          const Tensor<1, dim - 1> along = this->tangential_part(direction);
+          rest -= (rest * along) * along;
+        }
       return rest;
     }
 

@@ -116,7 +116,9 @@ namespace Contact
         std::vector<Tensor<1, dim - 1>> free;
         for (const Tensor<1, dim - 1> &slip : free_slips(point, discretization))
           {
-            const Tensor<1, dim - 1> direction = point.without_held(slip);
+            const Tensor<1, dim - 1> direction =
+              point.without(point.held_slips,
+                            point.without(point.void_slips, slip));
             add_orthonormal(direction - point.springs * direction, free);
           }
         return free;
