@@ -198,8 +198,8 @@ def punch(angles, rule, degree):
            for i, c in enumerate(AXES)},
         "Contact/Slave": "Punch_z0", "Contact/Master": "Block_z1",
         "Contact/Discretization": rule, "Contact/Friction coefficient": 0.3,
-        "Solution/Increments": 2, "Solution/Newton tolerance": 1e-11,
-        "Solution/Geometry tolerance": 1e-10, "Output/Profile": "true",
+        "Solution/Increments": 2, "Solution/Newton tolerance": 1e-12,
+        "Solution/Geometry tolerance": 1e-11, "Output/Profile": "true",
         "Probes/Probes": "; ".join(
             f"R{c}: reaction {c}, Punch_z1; u{c}: displacement {c}, Punch_000"
             for c in AXES) + "; Mises: von Mises, Punch_000"}
