@@ -5,7 +5,8 @@
 Proves that what a rigid rotation may not change stays:
 
 - pressures and shears of a press fit, whose surfaces an interference keeps apart,
-  between two bodies and on an obstacle that turns with the body;
+  between two bodies and on an obstacle that turns with the body, also behind a
+  restart;
 - pressure and shear of glued surfaces, in probes, the summary and the profile;
 
 and that the rotation of a rigid boundary goes on beyond half a turn, and the moment
@@ -14,10 +15,15 @@ of an obstacle is that of the forces on the body, across an interference as well
 Usage: turned_scenes.py CONTACT PARAMETERS MESHES
 """
 
+import json
 import math
+import pathlib
+import shutil
+import subprocess
 import sys
+import time
 
-from block_scenes import Mesh, box, check, failures, rows, run
+from block_scenes import Mesh, box, check, contact, failures, rows, run
 
 SOLIDS = {"Solids/Young's modulus": "A: 1000, B: 1000",
           "Solids/Poisson's ratio": "A: 0.3, B: 0.3"}
@@ -88,6 +94,27 @@ def on_an_obstacle():
         found.append(values(summary))
     worst = difference(*found)
     check(f"  pressure, shear, energy, moment as before: {worst:.1e}", worst < 1e-6)
+
+    # The case that turns, in more increments, to have the time to end it.
+    command = [str(contact), "on_an_obstacle.prm", "--quiet", "--set",
+               "Solution/Increments=64", "--set", "Output/VTU=true"]
+    results = pathlib.Path("output/on_an_obstacle")
+    found = []
+    for ends in (False, True):
+        shutil.rmtree(results)
+        with subprocess.Popen(command, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL) as process:
+            while (ends and process.poll() is None and
+                   not (results / "bodies_0045.vtu").exists()):
+                time.sleep(0.002)
+            if ends:
+                process.terminate()
+        if process.returncode != 0:
+            subprocess.run([*command, "--restart"], capture_output=True, check=False)
+        found.append(values(json.loads((results / "summary.json").read_text())))
+    worst = difference(*found)
+    check(f"  the same after a restart, exit status {process.returncode} before: "
+          f"{worst:.1e}", worst < 1e-6)
 
 
 def glue():

@@ -183,7 +183,12 @@ namespace Contact
     archive &report.summary.increments;
     archive &report.files();
     if (Archive::is_loading::value)
-      pairing.pair(state.solution);
+      {
+        const double reached = report.increment().load_factor;
+        if (model.interface)
+          model.interface->move_obstacles(reached, reached, state.solution);
+        pairing.pair(state.solution);
+      }
     if (model.interface)
       serialize_contact(archive, *model.interface, state.solution);
   }
