@@ -271,6 +271,12 @@ namespace Contact
     catch (const NotConverged &failure)
       {
         summary.message = failure.what();
+        if (!summary.levels.empty())
+          summary.message +=
+            "; the mesh before, of " +
+            std::to_string(summary.levels.back().n_displacements) +
+            " unknowns, has converged: its probes are the last ones of 'levels' "
+            "in summary.json";
         summary.may_try_again =
           dynamic_cast<const SolverStalls *>(&failure) == nullptr;
       }
