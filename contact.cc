@@ -94,6 +94,7 @@
 #include "base/all_ranks.h"
 #include "base/errors.h"
 #include "base/interruption.h"
+#include "contact/contact_crossing.h"
 #include "contact/surface_transfer.h"
 #include "output/accuracy.h"
 #include "output/application.h"
@@ -142,6 +143,7 @@ namespace Contact
     void        solve_increment(const LoadSteps::Step &step);
     bool        is_continuable(const LoadSteps::Step &step) const;
     void        check_turns() const;
+    void        check_ways() const;
     bool        has_coarser_start(const LoadSteps::Step &step) const;
     void        start_from_coarser_level(const unsigned int increment);
     bool        try_again(LoadSteps             &steps,
@@ -597,6 +599,7 @@ namespace Contact
       {
         model.interface->place_obstacles(state.solution, /*keeps_place=*/true);
         check_turns();
+        check_ways();
       }
 
     // No equation determines the place of a body that has lost its contact: it
@@ -640,6 +643,25 @@ namespace Contact
       throw NotConverged("an obstacle turns by more than " +
                          std::string(dim == 2 ? "90" : "20") +
                          " degrees within the increment");
+  }
+
+
+
+  // @sect4{ContactProblem::check_ways}
+  //
+  // Behind an obstacle that has gone through the slave within the increment all
+  // conditions of contact may hold, on its other side.
+  template<int dim>
+  void ContactProblem<dim>::check_ways() const
+  {
+    for (const auto &contact_pair : model.interface->pairs)
+      if (contact_pair->obstacle && !contact_pair->tied)
+        if (const auto crossing =
+              find_crossing(*contact_pair, state.start, state.solution))
+          throw NotConverged(
+            "an obstacle goes through its slave at X = (" + brief(crossing->X) +
+            ") mm within the increment: the node is " + brief(crossing->depth) +
+            " mm behind the side that it was in front of");
   }
 
 

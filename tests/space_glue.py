@@ -5,7 +5,8 @@ meshes do not match.
 
 Proves that displacements are linear as the supports prescribe it
 
-- where supports hold all nodes of a slave that is coarser than its master;
+- where supports hold all nodes of a slave that is coarser than its master, and in
+  the plane its ends;
 - of three blocks that are glued on three surfaces, two of which have a slave in
   common, and of the same blocks with friction, all of it sticking;
 
@@ -14,9 +15,10 @@ and that a slave is noted whose points are all held, and so glue nothing.
 Usage: space_glue.py CONTACT PARAMETERS MESHES
 """
 
+import itertools
 import sys
 
-from block_scenes import check, failures, rows, run
+from block_scenes import Mesh, box, check, failures, rows, run
 from volume_scenes import Volumes
 
 SOLIDS = {"Solids/Kinematics": "small strain", "Solution/Increments": 1,
@@ -29,7 +31,7 @@ def solids(bodies, poisson):
             "Solids/Poisson's ratio": ", ".join(f"{b}: {poisson}" for b in bodies)}
 
 
-def box(low, high):
+def cuboid(low, high):
     return lambda *at: tuple(a + s * (b - a) for a, b, s in zip(low, high, at))
 
 
@@ -46,8 +48,8 @@ def worst_node(name, exact):
 
 def held_rim():
     mesh = Volumes()
-    mesh.block("L", (1, 1, 1), box((0, 0, -1), (4, 4, 0)))
-    mesh.block("U", (2, 2, 1), box((0, 0, 0), (4, 4, 1)))
+    mesh.block("L", (1, 1, 1), cuboid((0, 0, -1), (4, 4, 0)))
+    mesh.block("U", (2, 2, 1), cuboid((0, 0, 0), (4, 4, 1)))
     mesh.write("held_rim")
     gradient = ((1e-3, 2e-3, -1e-3), (5e-4, -2e-3, 1.5e-3), (1e-3, -5e-4, 3e-3))
     faces = [f"{body}_{side}" for body, ends in (("L", "z0"), ("U", "z1"))
@@ -67,12 +69,41 @@ def held_rim():
         check(f"  displacements are linear: {off:.1e}", off < 1e-9)
 
 
+def held_ends():
+    """The same in the plane."""
+    mesh = Mesh()
+    mesh.block("A", 5, 2, box(0, 0, 4, 1), {
+        "bottom": "A_b", "left": "A_l", "right": "A_r", "top": "A_t"})
+    mesh.block("B", 7, 3, box(0, 1, 4, 2), {
+        "bottom": "B_b", "left": "B_l", "right": "B_r", "top": "B_t"})
+    mesh.write("held_ends")
+    gradient = ((1e-3, 3e-3), (5e-4, -2e-3))
+    ways = {f"Boundary conditions/Displacement formula {d}": "; ".join(
+        f"{side}: t*(({a})*x+({b})*y)"
+        for side in ("A_b", "A_l", "A_r", "B_l", "B_r", "B_t"))
+        for d, (a, b) in zip("xy", gradient)}
+    for degree, slave, master in itertools.product((1, 2), ("A_t", "B_b"),
+                                                   ("B_b", "A_t")):
+        if slave == master:
+            continue
+        status, said, _ = run("held_ends", {
+            "Mesh/File": "held_ends.msh", **solids("AB", 0.3), **ways,
+            "Element/Degree": degree, "Contact/Slave": slave,
+            "Contact/Master": master, "Contact/Tied": "true"})
+        check(f"glue between held ends, slave {slave}, degree {degree}",
+              status == 0, said[-300:])
+        off = max(abs(node[f"displacement_{d}_mm"] - a * node["X_mm"] -
+                      b * node["Y_mm"]) for node in rows("held_ends", "nodes.csv")
+                  for d, (a, b) in zip("xy", gradient))
+        check(f"  displacements are linear: {off:.1e} mm", off < 1e-11)
+
+
 def three_blocks(law):
     """Block L carries B and C side by side, which have a surface in common."""
     mesh = Volumes()
-    mesh.block("L", (2, 2, 1), box((0, 0, 0), (4, 2, 1)))
-    mesh.block("B", (2, 3, 1), box((0, 0, 1), (2, 2, 2)))
-    mesh.block("C", (2, 2, 2), box((2, 0, 1), (4, 2, 2)))
+    mesh.block("L", (2, 2, 1), cuboid((0, 0, 0), (4, 2, 1)))
+    mesh.block("B", (2, 3, 1), cuboid((0, 0, 1), (2, 2, 2)))
+    mesh.block("C", (2, 2, 2), cuboid((2, 0, 1), (4, 2, 2)))
     mesh.write("three_blocks")
     poisson = 0.3
     contact = {}
@@ -107,8 +138,8 @@ def three_blocks(law):
 
 def no_point_is_left():
     mesh = Volumes()
-    mesh.block("L", (4, 1, 1), box((0, 0, -1), (4, 1, 0)))
-    mesh.block("U", (4, 2, 1), box((0, 0, 0), (4, 1, 1)))
+    mesh.block("L", (4, 1, 1), cuboid((0, 0, -1), (4, 1, 0)))
+    mesh.block("U", (4, 2, 1), cuboid((0, 0, 0), (4, 1, 1)))
     mesh.write("no_point")
     walls = ", ".join(f"{body}_{side}: 0" for body in "LU"
                       for side in ("x0", "x1", "y0", "y1"))
@@ -123,6 +154,7 @@ def no_point_is_left():
 
 
 held_rim()
+held_ends()
 three_blocks({"Tied": "true"})
 three_blocks({"Friction coefficient": 0.5})
 no_point_is_left()

@@ -9,7 +9,8 @@ Proves that what a rigid rotation may not change stays:
   restart;
 - pressure and shear of glued surfaces, in probes, the summary and the profile;
 
-and that the rotation of a rigid boundary goes on beyond half a turn, and the moment
+and that the rotation of a rigid boundary goes on beyond half a turn, in space as
+well, and the moment
 of an obstacle is that of the forces on the body, across an interference as well.
 
 Usage: turned_scenes.py CONTACT PARAMETERS MESHES
@@ -24,6 +25,7 @@ import sys
 import time
 
 from block_scenes import Mesh, box, check, contact, failures, rows, run
+from volume_scenes import Volumes
 
 SOLIDS = {"Solids/Young's modulus": "A: 1000, B: 1000",
           "Solids/Poisson's ratio": "A: 0.3, B: 0.3"}
@@ -162,6 +164,27 @@ def beyond_half_a_turn():
     check(f"  is that in all increments: {max(off):.1e}", max(off) < 1e-9)
 
 
+def in_space():
+    mesh = Volumes()
+    mesh.block("B", (1, 1, 3), lambda r, s, t: (r, s, 4 * t))
+    mesh.write("in_space")
+    status, said, summary = run("in_space", {
+        "Mesh/File": "in_space.msh", "Solids/Young's modulus": "B: 1000",
+        "Solids/Poisson's ratio": "B: 0.3",
+        "Boundary conditions/Rigid": "B_z0: B_000, B_z1: B_001",
+        **{f"Boundary conditions/Displacement {d}": "B_z0: 0" for d in "xyz"},
+        **{f"Boundary conditions/Rotation {d}": f"B_z0: {5 if d == 'z' else 0}"
+           for d in "xyz"},
+        "Solution/Increments": 10, "Probes/Probes":
+            "low: rotation z, B_z0; high: rotation z, B_z1; "
+            "twist: rotation z, B_z1, B_z0"})
+    check("a bar turned by 5 rad at one end", status == 0, said[-300:])
+    off = [abs(i["probes"][end] - 5 * i["load_factor"])
+           for i in summary["increments"] for end in ("low", "high")]
+    off += [abs(i["probes"]["twist"]) for i in summary["increments"]]
+    check(f"  both ends are, in all increments: {max(off):.1e}", max(off) < 1e-7)
+
+
 def moment_over_an_interference():
     mesh = Mesh()
     mesh.block("B", 4, 2, box(-1, 0, 1, 1), {"bottom": "Sole", "top": "Head"})
@@ -189,7 +212,7 @@ def moment_over_an_interference():
           abs(left) < 1e-6 * abs(found["m"]))
 
 
-for scene in (press_fit, on_an_obstacle, glue, beyond_half_a_turn,
+for scene in (press_fit, on_an_obstacle, glue, beyond_half_a_turn, in_space,
               moment_over_an_interference):
     print(scene.__name__)
     scene()

@@ -34,6 +34,8 @@ Proves that
   of a surface that meets a symmetry line or a wall at a slant;
 - two layers clamped in one wall share a load as beam theory has it, without a
   pressure in the wall;
+- an obstacle that would go through its slave within an increment is cut off, and
+  pushes;
 - a circle that passes between two nodes unseen is a violation, of any radius and
   whatever its way until it touched, and so is a body that goes through a foil whose both sides are the master;
 - a history that turns back inside an increment is noted;
@@ -899,6 +901,49 @@ def approached():
                   said[:300])
 
 
+def through():
+    """A plate and a circle are pushed into a block by more than they are thick, and
+    a sphere in space."""
+    mesh = Mesh()
+    mesh.block("B", 12, 6, box(-3, 0, 3, 3), {"bottom": "Sole", "top": "Head"})
+    mesh.write("through")
+    held = {f"Boundary conditions/Displacement {d}": "Head: 0" for d in "xy"}
+    plate = ("profile: 0, -0.5, 0.05, 8, -0.5, 0.05, 8, 0, 0.05, -8, 0, 0.05, "
+             "-8, -0.5, 0.05, 0, -0.5, 0.05")
+    forces = []
+    for increments in (1, 2, 10):
+        status, said, summary = run("through", {
+            "Mesh/File": "through.msh", **solids("B: 1000", "B: 0.3",
+                                                 "large displacement"), **held,
+            "Contact/Slave": "Sole", "Contact/Obstacle": plate,
+            "Contact/Obstacle motion": "y: 0.63*t", "Solution/Increments": increments,
+            "Probes/Probes": "F: obstacle force y, Contact"})
+        check(f"a plate, {increments} increments", status == 0, said[-300:])
+        forces.append(summary["probes"][0]["value"])
+    worst = max(abs(force / forces[-1] - 1) for force in forces)
+    check(f"  pushes all the same: {worst:.1e}", forces[0] > 0 and worst < 1e-6)
+
+    volumes = Volumes()
+    volumes.block("B", (6, 6, 3), lambda r, s, t: (4 * r - 2, 4 * s - 2, 2 * t))
+    volumes.write("through_space")
+    for what, entries in (
+            ("circle", {"Mesh/File": "through.msh", "Contact/Slave": "Sole", **held,
+                        "Contact/Obstacle": "circle: 0, -0.45, 0.45",
+                        "Contact/Obstacle motion": "y: table(0 0, 0.5 0.1, 1 1.4)"}),
+            ("sphere", {"Mesh/File": "through_space.msh", "Contact/Slave": "B_z0",
+                        **{f"Boundary conditions/Displacement {d}": "B_z1: 0"
+                           for d in "xyz"},
+                        "Contact/Obstacle": "sphere: 0, 0, -0.45, 0.45",
+                        "Contact/Obstacle motion":
+                            "z: table(0 0, 0.5 0.1, 1 1.4)"})):
+        status, said, summary = run("through", {
+            **entries, **solids("B: 1000", "B: 0.3", "large displacement"),
+            "Solution/Increments": 2, "Solution/Max cut-backs": 3})
+        check(f"a {what} pushes, or its way ends",
+              summary["contact"]["normal_force"] > 0 if status == 0 else status == 3,
+              said[-300:])
+
+
 def foil():
     """A block pressed on a clamped foil far thinner than it sags: with both sides
     as master, points behind it see the far one."""
@@ -1267,7 +1312,7 @@ def off_the_end():
 for scene in (carried, overlap, cantilever, halves, teeth, own_master, round_off,
               lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered,
               in_a_corner, concave_corner, too_coarse, roles, tied, flank, groove,
-              slide, pinned, clamped, between_nodes, approached, foil, turning, coarse_fit, flat_ends, glued_apart, idle,
+              slide, pinned, clamped, between_nodes, approached, through, foil, turning, coarse_fit, flat_ends, glued_apart, idle,
               held_nodes, left_free, round_and_apart, through_zero, nominal_loads, normal_supports,
               along_edges, off_the_end):
     print(scene.__name__)

@@ -195,26 +195,96 @@ namespace Contact
               }
         }
     }
+
+
+
+    void look_at_bodies(const ContactPair<2>              &contact_pair,
+                        const GhostedVector               &from,
+                        const GhostedVector               &to,
+                        std::optional<ContactCrossing<2>> &deepest)
+    {
+      const Surface<2> &slave = contact_pair.slave;
+      look(slave, *contact_pair.master, false, from, to, deepest);
+      look(*contact_pair.master, slave, true, from, to, deepest);
+    }
+
+    void look_at_bodies(const ContactPair<3> &,
+                        const GhostedVector &,
+                        const GhostedVector &,
+                        std::optional<ContactCrossing<3>> &)
+    {
+    }
+
+
+
+    /// Whether a straight path, against an obstacle that stands still, leads
+    /// through it.
+    template<int dim>
+    bool goes_through(const Obstacle<dim> &obstacle,
+                      const Point<dim>    &from,
+                      const Point<dim>    &to)
+    {
+      const unsigned int n    = 32;
+      auto               last = obstacle.closest_point(from);
+      for (unsigned int k = 1; k <= n; ++k)
+        {
+          const Point<dim> x     = from + double(k) / n * (to - from);
+          const auto       next  = obstacle.closest_point(x);
+          const double     depth = -(next.normal * (x - next.x));
+          if (depth > 0 && (last.normal * next.normal < 0 ||
+                            (next.radius > 0 && depth > next.radius / 2)))
+            return true;
+          last = next;
+        }
+      return false;
+    }
+
+
+
+    template<int dim>
+    void look_at_obstacle(const ContactPair<dim>              &contact_pair,
+                          const GhostedVector                 &from,
+                          const GhostedVector                 &to,
+                          std::optional<ContactCrossing<dim>> &deepest)
+    {
+      const Obstacle<dim> &obstacle = *contact_pair.obstacle;
+      const Surface<dim>  &slave    = contact_pair.slave;
+      for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+        {
+          const Point<dim> start = obstacle.carried(slave.position(i, from));
+          const Point<dim> end   = slave.position(i, to);
+          const auto       in    = obstacle.closest_point(start);
+          const auto       out   = obstacle.closest_point(end);
+          const double     depth = in.normal * (in.x - end);
+          if (depth > (deepest ? deepest->depth : 0.) &&
+              in.normal * out.normal < 0 && goes_through(obstacle, start, end))
+            deepest = {false, slave.nodes[i].X, depth};
+        }
+    }
   } // namespace
 
 
 
-  std::optional<ContactCrossing<2>>
-  find_crossing(const ContactPair<2> &contact_pair,
-                const GhostedVector  &from,
-                const GhostedVector  &to)
+  template<int dim>
+  std::optional<ContactCrossing<dim>>
+  find_crossing(const ContactPair<dim> &contact_pair,
+                const GhostedVector    &from,
+                const GhostedVector    &to)
   {
-    std::optional<ContactCrossing<2>> deepest;
+    std::optional<ContactCrossing<dim>> deepest;
     if (contact_pair.master)
-      {
-        look(contact_pair.slave,
-             *contact_pair.master,
-             false,
-             from,
-             to,
-             deepest);
-        look(*contact_pair.master, contact_pair.slave, true, from, to, deepest);
-      }
+      look_at_bodies(contact_pair, from, to, deepest);
+    else
+      look_at_obstacle(contact_pair, from, to, deepest);
     return deepest;
   }
+
+  template std::optional<ContactCrossing<2>>
+  find_crossing(const ContactPair<2> &,
+                const GhostedVector &,
+                const GhostedVector &);
+  template std::optional<ContactCrossing<3>>
+  find_crossing(const ContactPair<3> &,
+                const GhostedVector &,
+                const GhostedVector &);
 } // namespace Contact

@@ -33,19 +33,17 @@ namespace Contact
    * these as polygons through their nodes. A node that goes round a tip does
    * not count: the two edges there have a common vertex. Returns the deepest
    * one.
+   *
+   * Of an obstacle the path is that against its material. It goes through where
+   * the closest side is the opposite one from one place to the next, or the
+   * place half of the radius deep. In space nothing is looked for between two
+   * bodies.
    */
-  std::optional<ContactCrossing<2>>
-  find_crossing(const ContactPair<2> &contact_pair,
-                const GhostedVector  &from,
-                const GhostedVector  &to);
-
-  /// In space nothing is looked for.
-  inline std::optional<ContactCrossing<3>> find_crossing(const ContactPair<3> &,
-                                                         const GhostedVector &,
-                                                         const GhostedVector &)
-  {
-    return {};
-  }
+  template<int dim>
+  std::optional<ContactCrossing<dim>>
+  find_crossing(const ContactPair<dim> &contact_pair,
+                const GhostedVector    &from,
+                const GhostedVector    &to);
 } // namespace Contact
 
 #endif

@@ -25,7 +25,15 @@ namespace Contact
     const bool changed = pair_all(points, u.zero(), {});
     for (ContactPoint<dim> &point : points)
       {
-        point.void_slips.clear(); // of symmetry, which the glue need not have
+        // Supports that hold the node in all directions are a wall and no plane
+        // of symmetry, across which there would be no shear.
+        if (point.facing &&
+            !is_free_along(point, 1, point.normal, discretization))
+          {
+            point.void_slips.clear();
+            point.tangential_row_is_void =
+              tangential_row_is_void(point, discretization);
+          }
         if (!free_motions.empty())
           point.motions = {{-point.normal, 0}};
       }

@@ -216,6 +216,14 @@ namespace Contact
 
 
   template<int dim>
+  Point<dim> MovingObstacle<dim>::carried(const Point<dim> &x) const
+  {
+    return end.at(start.back(x));
+  }
+
+
+
+  template<int dim>
   typename Obstacle<dim>::Motion MovingObstacle<dim>::motion() const
   {
     return {reached.shift - start.shift,

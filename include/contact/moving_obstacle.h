@@ -35,7 +35,8 @@ namespace Contact
                    const Parameters::Contact           &parameters);
 
     typename Obstacle<dim>::ClosestPoint
-    closest_point(const Point<dim> &x) const override;
+               closest_point(const Point<dim> &x) const override;
+    Point<dim> carried(const Point<dim> &x) const override;
 
     Point<dim> centre() const override
     {

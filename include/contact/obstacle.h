@@ -135,6 +135,13 @@ namespace Contact
       return 0;
     }
 
+    /// Where this increment carries what is at @p x at its start and does not
+    /// move against the material.
+    virtual Point<dim> carried(const Point<dim> &x) const
+    {
+      return x;
+    }
+
     /// The way of the material at @p x since the beginning [mm].
     virtual Tensor<1, dim> way(const Point<dim> & /*x*/) const
     {

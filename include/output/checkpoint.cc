@@ -203,7 +203,7 @@ namespace Contact
     if (!mesh_checksum)
       mesh_checksum = checksum(parameters.mesh.file);
     std::ostringstream key;
-    key << "contact restart 4, ranks "
+    key << "contact restart 5, ranks "
         << Utilities::MPI::n_mpi_processes(model.discretization->communicator)
         << ", unknowns " << state.solution.size() << ", mesh " << *mesh_checksum
         << '\n'

@@ -142,10 +142,11 @@ namespace Contact
                                 parameters.solution.has_moving_bound()));
           }
       }
+    record_rotations();
     for (const auto &[name, definition] : parameters.probes.definitions())
       if (!is_stress(definition.quantity) &&
           definition.quantity != Parameters::Quantity::plastic_strain)
-        record.probes[name] = probe(name, definition);
+        record.probes[name] = probe(definition);
   }
 
 
@@ -277,7 +278,7 @@ namespace Contact
       TimerOutput::Scope    scope(report.timer, "output");
       const TurnedGlue<dim> glue(model, state.solution);
       for (const auto &[name, definition] : parameters.probes.definitions())
-        record.probes[name] = probe(name, definition);
+        record.probes[name] = probe(definition);
     }
     record.errors          = errors;
     record.n_cells         = model.mesh->triangulation.n_global_active_cells();
@@ -307,33 +308,79 @@ namespace Contact
 
 
 
-  // The difference between two points, if there are two. In the plane a
-  // rotation is the one of its full turns that is closest to the last
-  // increment.
+  namespace
+  {
+    bool is_rotation(const Parameters::Quantity quantity)
+    {
+      using Parameters::Quantity;
+      return quantity == Quantity::rotation_x ||
+             quantity == Quantity::rotation_y ||
+             quantity == Quantity::rotation_z;
+    }
+
+
+
+    /// Of the vectors of rotation that differ from @p rotation by full turns
+    /// the one that is closest to @p last.
+    Tensor<1, 3> continued(const Tensor<1, 3> &rotation,
+                           const Tensor<1, 3> &last)
+    {
+      const double       turn  = 2 * numbers::PI;
+      const double       small = 1e-8;
+      const Tensor<1, 3> along = rotation.norm() > small ? rotation : last;
+      if (along.norm() <= small)
+        return rotation;
+      const Tensor<1, 3> axis = along / along.norm();
+      return rotation +
+             turn * std::round((last - rotation) * axis / turn) * axis;
+    }
+  } // namespace
+
+
+
+  // A state tells the rotation of a rigid boundary but for full turns.
+  template<int dim>
+  void Postprocessor<dim>::record_rotations()
+  {
+    using Parameters::Quantity;
+    const std::array<Quantity, 3> components{
+      {Quantity::rotation_x, Quantity::rotation_y, Quantity::rotation_z}};
+    IncrementRecord &record     = report.increment();
+    const auto      &increments = report.summary.increments;
+    for (const auto &named : parameters.probes.definitions())
+      if (is_rotation(named.second.quantity))
+        for (const std::string &boundary : named.second.places)
+          {
+            Tensor<1, 3> rotation, last;
+            for (unsigned int k = 0; k < 3; ++k)
+              rotation[k] = rigid_value(components[k],
+                                        boundary,
+                                        model,
+                                        state.solution,
+                                        state.load_factor);
+            const auto before =
+              std::find_if(std::next(increments.rbegin()),
+                           increments.rend(),
+                           [&](auto &of) {
+                             return of.converged && of.level == record.level;
+                           });
+            if (before != increments.rend())
+              last = before->rotations.at(boundary);
+            record.rotations[boundary] = continued(rotation, last);
+          }
+  }
+
+
+
+  // The difference between two points, if there are two.
   template<int dim>
   double
-  Postprocessor<dim>::probe(const std::string                    &name,
-                            const Parameters::Probes::Definition &definition)
+  Postprocessor<dim>::probe(const Parameters::Probes::Definition &definition)
   {
-    double result = value(definition.quantity, definition.places[0]);
-    if (definition.places.size() > 1)
-      result -= value(definition.quantity, definition.places[1]);
-    if (dim == 3 || definition.quantity != Parameters::Quantity::rotation_z)
-      return result;
-    const auto &increments = report.summary.increments;
-    const auto  last =
-      std::find_if(increments.rbegin(),
-                   increments.rend(),
-                   [&](const auto &record) {
-                     return record.converged &&
-                            record.level == report.increment().level &&
-                            record.probes.count(name) > 0;
-                   });
-    const double turn = 2 * numbers::PI;
-    return last == increments.rend()
-             ? result
-             : result +
-                 turn * std::round((last->probes.at(name) - result) / turn);
+    const double first = value(definition.quantity, definition.places[0]);
+    return definition.places.size() == 1
+             ? first
+             : first - value(definition.quantity, definition.places[1]);
   }
 
 
@@ -345,6 +392,10 @@ namespace Contact
     if (is_force(quantity))
       return resultant(quantity, point, model)
         .value(state.solution, state.load_factor);
+    if (is_rotation(quantity))
+      return report.increment().rotations.at(
+        point)[static_cast<int>(quantity) -
+               static_cast<int>(Parameters::Quantity::rotation_x)];
     if (is_of_rigid(quantity))
       return rigid_value(quantity,
                          point,

@@ -64,8 +64,8 @@ namespace Contact
 
   private:
     ContactResults results(const ContactPair<dim> &contact_pair) const;
-    double         probe(const std::string                    &name,
-                         const Parameters::Probes::Definition &definition);
+    void           record_rotations();
+    double         probe(const Parameters::Probes::Definition &definition);
     double value(const Parameters::Quantity quantity, const std::string &point);
     void   compare_with_theory();
     void   report_probes();

@@ -11,6 +11,7 @@
 #include "base/string_utilities.h"
 #include "parameters/formula.h"
 #include "solvers/rigid_body_modes.h"
+#include "verification/rigid_fit.h"
 
 namespace Contact
 {
@@ -324,8 +325,8 @@ namespace Contact
                                 const GhostedVector         &solution,
                                 std::vector<std::string>    &notes)
     {
-      const double moved = interface.largest_change(solution, solution.zero());
-      const auto   entries = parameters.pairs();
+      const auto fits = fit_rigid_motions(interface.discretization, solution);
+      const auto entries = parameters.pairs();
       for (unsigned int z = 0; z < entries.size(); ++z)
         {
           const ContactPair<dim> &contact_pair = *interface.pairs[z];
@@ -340,20 +341,27 @@ namespace Contact
                 if (!master.empty())
                   master[point.master_facet] = true;
               }
+          double moved =
+            largest_deformation(contact_pair.slave, fits, solution);
+          if (!master.empty())
+            moved = std::max(moved,
+                             largest_deformation(*contact_pair.master,
+                                                 fits,
+                                                 solution));
           const bool   keeps_parabolas = parameters.mesh.mid_side_nodes;
           const double off =
             out_of_round(contact_pair.slave, slave, keeps_parabolas) +
             (master.empty()
                ? 0
                : out_of_round(*contact_pair.master, master, keeps_parabolas));
-          if (off > 0.05 * moved)
+          if (moved > 0 && off > 0.05 * moved)
             notes.push_back(
               "the elements of '" + entries[z].slave +
               (master.empty() ? "" : "' and '" + entries[z].master) +
               "' are up to about " + brief(off) +
               " mm off their circles where they touch, " +
               brief(100 * off / moved) +
-              " % of the largest displacement of the surfaces: where the meshes "
+              " % of what the surfaces deform by: where the meshes "
               "do not match, gaps and overlaps of this size are the meshes', and "
               "pressures follow them. " +
               (keeps_parabolas

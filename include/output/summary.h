@@ -6,6 +6,7 @@
 #ifndef contact_summary_h
 #define contact_summary_h
 
+#include <deal.II/base/tensor.h>
 #include <deal.II/base/timer.h>
 
 #include <iosfwd>
@@ -79,6 +80,10 @@ namespace Contact
     std::map<std::string, double> invariants, works;
     std::vector<std::string>      violations;
 
+    /// The rotations of rigid boundaries that probes ask for, with full turns
+    /// [rad].
+    std::map<std::string, Tensor<1, 3>> rotations;
+
     /// The probes that need no stresses by name; and what contact exerts by
     /// contact pair, see ContactResults.
     std::map<std::string, double>                        probes;
@@ -96,7 +101,7 @@ namespace Contact
       archive &level &load_factor &newton_iterations &linear_iterations
         &friction_iterations &geometry_iterations &active &stick &slip
           &halved_steps &cycles &hold_work &converged &message &invariants
-            &works &violations &probes &contact &reactions &bodies;
+            &works &violations &probes &contact &reactions &bodies &rotations;
     }
   };
 

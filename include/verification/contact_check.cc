@@ -118,7 +118,8 @@ namespace Contact
         if (!contact_pair->tied)
           {
             check_depth(*contact_pair, found);
-            check_crossing(*contact_pair, found);
+            if (contact_pair->master) // obstacles: see solve_increment()
+              check_crossing(*contact_pair, found);
           }
       }
     check_normal(slack, found);
@@ -157,20 +158,11 @@ namespace Contact
     double     way = 0, deformed = 0;
     const auto fits    = fit_rigid_motions(discretization, solution);
     const auto look_at = [&](const Surface<dim> &surface) {
-      for (const SurfaceFacet<dim> &facet : surface.facets)
-        for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-          {
-            const SurfaceNode<dim> &node = surface.nodes[facet.nodes[a]];
-            Tensor<1, dim>          u;
-            for (unsigned int i = 0; i < dim; ++i)
-              {
-                u[i] = solution[node.dofs[i]];
-                way  = std::max(way, std::abs(u[i]));
-              }
-            deformed =
-              std::max(deformed,
-                       fits.at(facet.body).deformation(node.X, u).norm());
-          }
+      for (const SurfaceNode<dim> &node : surface.nodes)
+        for (const auto dof : node.dofs)
+          way = std::max(way, std::abs(solution[dof]));
+      deformed =
+        std::max(deformed, largest_deformation(surface, fits, solution));
     };
     look_at(contact_pair.slave);
     if (contact_pair.master)

@@ -42,9 +42,8 @@ namespace Contact
 
 
   template<int dim>
-  std::map<types::material_id, RigidFit<dim>>
-  fit_rigid_motions(const Discretization<dim> &discretization,
-                    const GhostedVector       &u)
+  RigidFits<dim> fit_rigid_motions(const Discretization<dim> &discretization,
+                                   const GhostedVector       &u)
   {
     std::map<types::material_id, RigidFit<dim>>  fits;
     std::map<types::material_id, Tensor<2, dim>> correlations;
@@ -86,8 +85,33 @@ namespace Contact
     return fits;
   }
 
-  template std::map<types::material_id, RigidFit<2>>
-  fit_rigid_motions(const Discretization<2> &, const GhostedVector &);
-  template std::map<types::material_id, RigidFit<3>>
-  fit_rigid_motions(const Discretization<3> &, const GhostedVector &);
+  template<int dim>
+  double largest_deformation(const Surface<dim>   &surface,
+                             const RigidFits<dim> &fits,
+                             const GhostedVector  &u)
+  {
+    double largest = 0;
+    for (const SurfaceFacet<dim> &facet : surface.facets)
+      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+        {
+          const unsigned int node = facet.nodes[a];
+          const Point<dim>  &X    = surface.nodes[node].X;
+          largest                 = std::max(largest,
+                             fits.at(facet.body)
+                               .deformation(X, surface.position(node, u) - X)
+                               .norm());
+        }
+    return largest;
+  }
+
+  template RigidFits<2> fit_rigid_motions(const Discretization<2> &,
+                                          const GhostedVector &);
+  template RigidFits<3> fit_rigid_motions(const Discretization<3> &,
+                                          const GhostedVector &);
+  template double       largest_deformation(const Surface<2> &,
+                                            const RigidFits<2> &,
+                                            const GhostedVector &);
+  template double       largest_deformation(const Surface<3> &,
+                                            const RigidFits<3> &,
+                                            const GhostedVector &);
 } // namespace Contact

@@ -8,8 +8,7 @@
 
 #include <map>
 
-#include "base/ghosted_vector.h"
-#include "solid/discretization.h"
+#include "contact/surface.h"
 
 namespace Contact
 {
@@ -33,11 +32,19 @@ namespace Contact
     }
   };
 
+  template<int dim>
+  using RigidFits = std::map<types::material_id, RigidFit<dim>>;
+
   /// Those of all bodies, by their number. Collective.
   template<int dim>
-  std::map<types::material_id, RigidFit<dim>>
-  fit_rigid_motions(const Discretization<dim> &discretization,
-                    const GhostedVector       &u);
+  RigidFits<dim> fit_rigid_motions(const Discretization<dim> &discretization,
+                                   const GhostedVector       &u);
+
+  /// The largest deformation of a surface by the displacement @p u [mm].
+  template<int dim>
+  double largest_deformation(const Surface<dim>   &surface,
+                             const RigidFits<dim> &fits,
+                             const GhostedVector  &u);
 } // namespace Contact
 
 #endif
