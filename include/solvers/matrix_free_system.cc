@@ -108,8 +108,7 @@ namespace Contact
       mesh.n_global_levels() == 1 &&
       Utilities::MPI::n_mpi_processes(discretization.communicator) > 1;
     return (n >= least || is_solved_by_each_rank) &&
-           !is_too_deep(discretization.mesh) &&
-           n * coarse_part < least &&
+           !is_too_deep(discretization.mesh) && n * coarse_part < least &&
            refusal(discretization, elasticity).empty();
   }
 
