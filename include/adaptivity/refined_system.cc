@@ -153,9 +153,9 @@ namespace Contact
 
 
 
-  // Where the tangent is not definite, as where small cells at a corner are
-  // strained beyond what the material bears, sweeps may lead away: then those
-  // before count.
+  // Sweeps may lead away if the tangent is not definite, as of small cells at a
+  // corner that are strained beyond what the material bears: then those before
+  // count.
   GhostedVector RefinedSystem::relax(GhostedVector     &rhs,
                                      const unsigned int n_sweeps) const
   {

@@ -135,8 +135,8 @@ namespace Contact
       return 0;
     }
 
-    /// Where this increment carries what is at @p x at its start and does not
-    /// move against the material.
+    /// The place to which this increment carries a point that is at @p x at its
+    /// start and does not move against the material.
     virtual Point<dim> carried(const Point<dim> &x) const
     {
       return x;

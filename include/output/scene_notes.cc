@@ -373,8 +373,8 @@ namespace Contact
 
 
 
-    // What a support holds along the normal of an obstacle takes no part in
-    // contact: it goes where the support says.
+    // A node that a support holds along the normal of an obstacle takes no part
+    // in contact: it goes where the support says.
     template<int dim>
     void add_notes_on_held_nodes(const Parameters::All       &parameters,
                                  const ContactInterface<dim> &interface,
