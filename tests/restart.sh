@@ -124,11 +124,12 @@ interrupted() {
   compare "$directory"
 }
 
+# everything SIGNAL...
 everything() {
   name=$(basename "$case" .prm)
   rm -rf whole
   run whole
-  for signal in TERM KILL; do
+  for signal in "$@"; do
     echo "$name, $signal${launcher:+, two processes}:"
     interrupted $signal
   done
@@ -136,7 +137,7 @@ everything() {
 
 launcher=
 case=$parameters/ssnp154_d.prm
-everything
+everything TERM KILL
 
 # The results of the fifth increment meet a full disk.
 echo "$name, full disk:"
@@ -182,7 +183,7 @@ end
 PRM
 case=levels.prm
 agreement=1e-8
-everything
+everything TERM KILL
 cat >newton.prm <<PRM
 include levels.prm
 subsection Solution
@@ -191,11 +192,11 @@ end
 PRM
 case=newton.prm
 agreement=1e-10
-everything
+everything KILL
 
 # Two processes may share one core, where each waits for the other.
 sed -i 's/Levels = 2/Levels = 1/' levels.prm
 launcher="mpirun -np 2"
-everything
+everything TERM
 
 [ "$failures" -eq 0 ]

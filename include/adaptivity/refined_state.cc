@@ -80,11 +80,9 @@ namespace Contact
                                       const SurfaceStates &duals_on_surfaces,
                                       std::vector<GhostedVector> &duals)
   {
-    if (linearization.moving_geometry && model.interface->has_interference())
-      {
-        model.interface->pair(state.start);
-        model.interface->begin_increment(state.start_factor, state.start);
-      }
+    if (linearization.moving_geometry)
+      model.interface->pair_and_begin_increment(state.start_factor,
+                                                state.start);
     model.interface->move_obstacles(state.start_factor, state.load_factor);
     PairingMode mode;
     mode.with_derivatives = linearization.moving_geometry;

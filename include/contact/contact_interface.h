@@ -162,8 +162,10 @@ namespace Contact
     /// move_obstacles().
     void begin_increment(const double from, const GhostedVector &solution);
 
-    /// Whether a pair has an interference that turns with it.
-    bool has_interference() const;
+    /// The same in the configuration @p start, which the points are paired in
+    /// first if they remember more than shears: an interference turns with them.
+    void pair_and_begin_increment(const double         from,
+                                  const GhostedVector &start);
 
     /// An increment moves the obstacles from where they are at one load factor
     /// and in @p start to another, and changes the interferences and the forces

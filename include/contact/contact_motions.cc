@@ -99,16 +99,6 @@ namespace Contact
 
 
 
-  template<int dim>
-  bool ContactInterface<dim>::has_interference() const
-  {
-    return std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) {
-      return bool(pair->interference->at);
-    });
-  }
-
-
-
   // The normals are those of the last pairing: before obstacles turn.
   template<int dim>
   void ContactInterface<dim>::begin_increment(const double         from,
@@ -122,6 +112,21 @@ namespace Contact
         if (interference.at)
           point.apart_at_start = interference.at(Point<1>(from)) * point.normal;
       }
+  }
+
+
+
+  template<int dim>
+  void
+  ContactInterface<dim>::pair_and_begin_increment(const double         from,
+                                                  const GhostedVector &start)
+  {
+    if (std::none_of(pairs.begin(), pairs.end(), [](const auto &contact_pair) {
+          return bool(contact_pair->interference->at);
+        }))
+      return;
+    pair(start);
+    begin_increment(from, start);
   }
 
 

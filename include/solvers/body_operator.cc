@@ -4,35 +4,37 @@
  * --------------------------------------------------------------------- */
 
 // Debian's deal.II is compiled for processors without vector units of several
-// numbers, and hides its vectors for them. Here they are let in, by the name of
-// their width: the library's own templates have the width 1 and stay what they
-// are. The compiler has to be told of a processor that has such units.
+// numbers, and hides its vectors for them. Where the compiler is told of a
+// processor that has such units, they are let in here, by the name of their
+// width: the library's own templates have the width 1 and stay what they are.
 #include <deal.II/base/config.h>
-#undef DEAL_II_VECTORIZATION_WIDTH_IN_BITS
 #if defined(__AVX512F__)
+#  undef DEAL_II_VECTORIZATION_WIDTH_IN_BITS
 #  define DEAL_II_VECTORIZATION_WIDTH_IN_BITS 512
 #elif defined(__AVX__)
+#  undef DEAL_II_VECTORIZATION_WIDTH_IN_BITS
 #  define DEAL_II_VECTORIZATION_WIDTH_IN_BITS 256
-#else
-#  define DEAL_II_VECTORIZATION_WIDTH_IN_BITS 0
 #endif
 
+#ifdef __AVX__
 // The two files of templates have the same include guard in deal.II 9.4.
-#define FE_EVAL_FACTORY_DEGREE_MAX 2 // of the elements here
+#  define FE_EVAL_FACTORY_DEGREE_MAX 2 // of the elements here
 // clang-format off
-#include <deal.II/matrix_free/evaluation_template_factory.templates.h>
-#undef dealii_matrix_free_evaluation_template_factory_templates_h
-#include <deal.II/matrix_free/evaluation_template_face_factory.templates.h>
+#  include <deal.II/matrix_free/evaluation_template_factory.templates.h>
+#  undef dealii_matrix_free_evaluation_template_factory_templates_h
+#  include <deal.II/matrix_free/evaluation_template_face_factory.templates.h>
+#  include <deal.II/matrix_free/evaluation_template_factory_hanging_nodes.templates.h>
+#  include <deal.II/matrix_free/mapping_info.templates.h>
+#  include <deal.II/matrix_free/matrix_free.templates.h>
+#  include <deal.II/matrix_free/shape_info.templates.h>
 // clang-format on
+#endif
 
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
-#include <deal.II/matrix_free/evaluation_template_factory_hanging_nodes.templates.h>
 #include <deal.II/matrix_free/fe_evaluation.h>
-#include <deal.II/matrix_free/mapping_info.templates.h>
-#include <deal.II/matrix_free/matrix_free.templates.h>
-#include <deal.II/matrix_free/shape_info.templates.h>
+#include <deal.II/matrix_free/matrix_free.h>
 
 #include "solvers/body_operator.h"
 

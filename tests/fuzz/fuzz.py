@@ -23,8 +23,8 @@ import scenes
 import space_scenes
 
 # How many of each kind, in full and quickly.
-NUMBERS = {"scenes": (300, 25), "space": (200, 5), "damaged": (500, 60),
-           "damaged_space": (300, 15)}
+NUMBERS = {"scenes": (300, 12), "space": (200, 4), "damaged": (500, 30),
+           "damaged_space": (300, 8)}
 
 
 def main():

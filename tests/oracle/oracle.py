@@ -4,9 +4,10 @@
 
     oracle.py [--space] [--count N] [--seed S] [--kind K,...] [--keep DIRECTORY]
               [--jobs N] [--variants SHARE] [--strict] CONTACT
+    oracle.py --scenes "KIND SEED, ..." [...] CONTACT
 
 Scene k is of the kind k modulo their number; with its seed it is always the
-same. Exit status 1 if a result with exit status 0 is wrong, or a run crashed,
+same. With --scenes these alone. Exit status 1 if a result with exit status 0 is wrong, or a run crashed,
 hung or took too much memory; with --strict also if a scene that has to converge
 at default settings does not."""
 import argparse
@@ -154,6 +155,7 @@ def main():
     parser.add_argument("--count", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--kind")
+    parser.add_argument("--scenes")
     parser.add_argument("--space", action="store_true")
     parser.add_argument("--keep", default="output/oracle", type=pathlib.Path)
     parser.add_argument("--jobs", type=int, default=1)
@@ -166,6 +168,10 @@ def main():
              list(SPACE if options.space else KINDS))
     todo = [(kinds[k % len(kinds)], options.seed + k // len(kinds))
             for k in range(options.count)]
+    if options.scenes:
+        todo = [(kind, int(seed)) for kind, seed in
+                (scene.split() for scene in options.scenes.split(","))]
+        kinds = list(dict.fromkeys(kind for kind, _ in todo))
     outcomes = []
     with tempfile.TemporaryDirectory() as place, \
             concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
