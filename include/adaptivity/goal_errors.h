@@ -24,7 +24,7 @@ namespace Contact
    *
    * In a converged state under its statuses the problem is smooth. The identity
    * that the estimate rests on, and by what its two factors e and z are
-   * approximated, is in include/README.md, "Errors of probes".
+   * approximated, is in include/adaptivity/README.md, "Errors of probes".
    *
    * The error that the mesh refined once leaves is taken from the order q of
    * the functional: errors fall by 2^-q from mesh to mesh, and the change is
