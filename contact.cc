@@ -51,7 +51,7 @@
 // slave node each (nodal and mortar discretization), the active ones can be
 // eliminated instead, in the manner of step-42: CondensedSystem, symmetric and
 // positive definite (but for friction by Newton's method), for conjugate
-// gradients with algebraic multigrid, many unknowns and several processes.
+// gradients with multigrid, many unknowns and several processes.
 // There the active set of step-41 and step-42 is searched from step to step,
 // which is cheap because a level starts where the one before ended; in space
 // within a step, too.

@@ -10,6 +10,7 @@ Proves that
 - Newton's method ends quadratically in increments in which points yield;
 - the tube is the same in other units, on two processes and restarted, rubber too;
 - no increment dissipates less than nothing, and the energy balance holds;
+- a hardening curve may begin with no plastic strain and the yield stress;
 - a yield stress of an elastic body changes nothing but a line of the result;
 - under a cylinder von Mises' stress is the largest where Hertz' pressure has it
   (p0 = 1.794 Y at first yield, 0.704 a deep, nu = 0.3; the stresses on the axis
@@ -96,6 +97,13 @@ found = probes(run("units", tube, "Refinement/Levels=2", "Mesh/Scale=1e-3",
 scaled = {name: value * (1e-3 if name[0] == "u" else 1e6)
           for name, value in base.items()}
 check("other units", difference(found, scaled) < 1e-6, difference(found, scaled))
+
+# A curve may begin with the yield stress.
+curves = [probes(run(f"curve_{len(points)}", tube, "Refinement/Levels=1",
+                     f"Solids/Hardening curve=Tube: {points}",
+                     "Probes/References=", "Probes/Tolerances=")[0])
+          for points in ("0.01, 300", "0, 240, 0.01, 300")]
+check("a curve that begins with the yield stress", curves[0] == curves[1], curves)
 
 # A disk that is full at the third increment, and the rest from there.
 rubber = cases / "rubber_tube.prm"

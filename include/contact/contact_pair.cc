@@ -10,6 +10,8 @@
 
 #include "base/errors.h"
 #include "contact/corner_points.h"
+#include "contact/face_mortar.h"
+#include "contact/mortar.h"
 #include "contact/moving_obstacle.h"
 #include "contact/surface_checks.h"
 #include "parameters/formula.h"
@@ -195,6 +197,11 @@ namespace Contact
             excluded.count(i) == 0)
           on_axis.insert(i);
   }
+
+
+
+  template<int dim>
+  ContactPair<dim>::~ContactPair() = default;
 
 
 

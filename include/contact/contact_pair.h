@@ -13,15 +13,18 @@
 
 #include "contact/contact_points.h"
 #include "contact/corner_sides.h"
-#include "contact/face_mortar.h"
 #include "contact/free_motion.h"
-#include "contact/mortar.h"
 #include "contact/obstacle.h"
 #include "solid/elasticity.h"
 
 namespace Contact
 {
   using namespace dealii;
+
+  template<int dim>
+  class MortarDiscretization;
+
+
 
   /**
    * Two surfaces that may touch, and what all points between them have in
@@ -47,6 +50,7 @@ namespace Contact
     ContactPair(const Discretization<dim> &discretization,
                 const Elasticity<dim>     &elasticity,
                 const Parameters::Contact &parameters);
+    ~ContactPair();
 
     const Discretization<dim> &discretization;
 

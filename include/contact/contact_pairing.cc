@@ -9,6 +9,8 @@
 
 #include "contact/contact_pair.h"
 #include "contact/corner_points.h"
+#include "contact/face_mortar.h"
+#include "contact/mortar.h"
 
 namespace Contact
 {

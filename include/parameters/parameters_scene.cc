@@ -191,7 +191,8 @@ namespace Contact
                         "'body: plastic strain, stress, plastic strain, ...' "
                         "[-, MPa], separated by ';'; the yield stress, linear "
                         "in between and behind the last one constant. At no "
-                        "plastic strain it is Yield stress.");
+                        "plastic strain it is Yield stress; that pair may be "
+                        "left out.");
       prm.add_parameter("Thermal strain",
                         thermal_strain,
                         "'body: formula' [-], separated by ';'; the strain in "

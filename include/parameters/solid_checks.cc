@@ -232,7 +232,11 @@ namespace Contact
       const auto &curve  = hardening_curve.at(body);
       double      strain = 0;
       bool        grows  = curve.size() % 2 == 0;
-      for (unsigned int k = 0; grows && k < curve.size(); k += 2)
+      const bool  begins_with_yield_stress =
+        curve.size() > 1 && curve[0] == 0 && curve[1] == stress;
+      for (unsigned int k = begins_with_yield_stress ? 2 : 0;
+           grows && k < curve.size();
+           k += 2)
         {
           grows  = curve[k] > strain && curve[k + 1] >= stress;
           strain = curve[k];
@@ -244,7 +248,8 @@ namespace Contact
                            "and a stress that does not fall.",
                          {C, Y},
                          "set pairs 'plastic strain, stress' beyond 0 and the "
-                         "yield stress");
+                         "yield stress; 0 and the yield stress itself may come "
+                         "first");
     }
   } // namespace Parameters
 } // namespace Contact

@@ -42,8 +42,9 @@ namespace Contact
         {
           hardening.curve = {{0., hardening.initial}};
           for (unsigned int k = 0; k < curve->second.size(); k += 2)
-            hardening.curve.emplace_back(curve->second[k],
-                                         curve->second[k + 1]);
+            if (curve->second[k] > 0)
+              hardening.curve.emplace_back(curve->second[k],
+                                           curve->second[k + 1]);
         }
       return hardening;
     }

@@ -269,8 +269,9 @@ namespace Contact
       {
         const std::string entry =
           std::string("Boundary conditions/Tied ") + "xyz"[c];
-        for (const auto &[name, partner] : boundary.tied[c])
+        for (const auto &[group, partner] : boundary.tied[c])
           {
+            const std::string &name = group;
             const auto leader = vertex_dofs[mesh.point(partner, entry)][c];
             const auto tie    = [&](const types::global_dof_index dof,
                                  const PlaceOfNode &,

@@ -383,7 +383,6 @@ namespace Contact
 
 
 
-  // Not found in space: a piece that can turn about an axis or a point.
   template<>
   std::vector<TurningPiece> turning_pieces(const Discretization<3> &,
                                            const Elasticity<3> &,

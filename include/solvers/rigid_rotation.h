@@ -70,6 +70,24 @@ namespace Contact
                         const std::vector<TurningPiece> &pieces,
                         GhostedVector                   &u);
 
+  // Pieces in space that can turn about an axis or a point are not found.
+  template<>
+  std::vector<TurningPiece> turning_pieces(const Discretization<2> &,
+                                           const Elasticity<2> &,
+                                           const ContactInterface<2> &);
+  template<>
+  std::vector<TurningPiece> turning_pieces(const Discretization<3> &,
+                                           const Elasticity<3> &,
+                                           const ContactInterface<3> &);
+  template<>
+  void remove_rotations(const Discretization<2> &,
+                        const std::vector<TurningPiece> &,
+                        GhostedVector &);
+  template<>
+  void remove_rotations(const Discretization<3> &,
+                        const std::vector<TurningPiece> &,
+                        GhostedVector &);
+
   /**
    * Check that no piece that supports and glue leave free turns further than
    * small strain can mean. There a rotation by omega lengthens a body by
