@@ -50,6 +50,8 @@ SHORT = {
         './run parameters/ssnp154_a.prm --set "Mesh/File=$PWD/meshes/ssnp154.msh"',
     "mpirun -np 2 build/contact parameters/nested_friction.prm":
         'mpirun -np 2 build/contact parameters/nested_friction.prm ' + COARSE,
+    "./run parameters/ssnp154_[a-h].prm --quiet":
+        "./run parameters/ssnp154_[ah].prm --quiet",
     "./run benchmark": "REPETITIONS=1 ./run benchmark",
     "./run effects": "./run effects tied --repetitions 1",
     "./run estimates": "./run estimates verification/hertz",
