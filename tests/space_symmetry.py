@@ -9,6 +9,9 @@ Proves that
   has the pressures and shears of the whole scene: the nodal discretization within
   1e-4 of the largest pressure; the mortar discretization, whose integrals are over
   projections that are not symmetric, within 1e-3, and less on a finer mesh;
+- surfaces that meet a plane of symmetry at a slant of 25 and 45 degrees pass a
+  uniform pressure, frictionless, glued and with friction, and a block that is dragged
+  along the contour of the slant is held back by mu times the force normal to it;
 - sides of slave and master that look the other way, and are reached through the own
   body alone, change nothing: a block pressed on a plate has the forces, and the
   symmetry, of the surfaces that touch, whichever of both is the slave;
@@ -22,6 +25,7 @@ places, which may or may not be why.
 Usage: space_symmetry.py CONTACT PARAMETERS MESHES
 """
 
+import math
 import sys
 
 from block_scenes import check, failures, rows, run
@@ -157,7 +161,79 @@ def skins():
               abs(all_sides["z"] / alone["z"] - 1) < 1e-3, (alone, all_sides))
 
 
+def slope(degrees, wider=0):
+    """Two blocks, between them a plane that rises along x from the plane x = 0."""
+    def height(x):
+        return x * math.tan(math.radians(degrees))
+    mesh = Volumes()
+    mesh.block("Low", (3, 3, 2), lambda r, s, t: (
+        r, s * (1 + 2 * wider) - wider, -1 + t * (1 + height(r))))
+    mesh.block("Up", (2, 2, 2), lambda r, s, t: (
+        r, s, height(r) + t * (2 - height(r))))
+    mesh.write("slope")
+
+
+SLOPE = {"Mesh/File": "slope.msh",
+         "Solids/Young's modulus": "Low: 1000, Up: 1000",
+         "Solids/Poisson's ratio": "Low: 0.3, Up: 0.3",
+         "Solids/Kinematics": "small strain",
+         "Contact/Slave": "Up_z0", "Contact/Master": "Low_z1"}
+
+
+def slanted_patch():
+    """The same pressure on all sides: its dilatation is (1 - 2 nu) p / E."""
+    pressure = 10
+    for degrees, kind in ((45, "frictionless"), (45, "glued"), (45, "friction"),
+                          (25, "frictionless")):
+        slope(degrees)
+        entries = SLOPE | {
+            "Boundary conditions/Displacement x": "Low_x0: 0, Up_x0: 0",
+            "Boundary conditions/Displacement y": "Low_y0: 0, Up_y0: 0",
+            "Boundary conditions/Displacement z": "Low_z0: 0, Up_z1: -0.012",
+            "Boundary conditions/Pressure": "; ".join(
+                f"{side}: {pressure}"
+                for side in ("Low_x1", "Up_x1", "Low_y1", "Up_y1")),
+            "Output/Profile": "true"}
+        if kind == "glued":
+            entries["Contact/Tied"] = "true"
+        if kind == "friction":
+            entries["Contact/Friction coefficient"] = 0.3
+        status, said, _ = run("slope", entries)
+        check(f"slant of {degrees} degrees, {kind}: converges", status == 0, said)
+        if status == 0:
+            worst = max(abs(r["pressure_MPa"] / pressure - 1)
+                        for r in rows("slope") if r["surface"] == "slave")
+            check("  uniform pressure", worst < 1e-8, worst)
+
+
+def dragged_along_slope():
+    friction, degrees = 0.3, 45
+    slope(degrees, wider=0.4)
+    for rule in ("mortar", "nodal"):
+        status, said, summary = run("slope", SLOPE | {
+            "Boundary conditions/Displacement x":
+                "Low_x0: 0, Up_x0: 0",
+            "Boundary conditions/Displacement y": "Low_z0: 0, Up_z1: 0.2",
+            "Boundary conditions/Displacement z": "Low_z0: 0, Up_z1: -0.001",
+            "Boundary conditions/Histories":
+                "Displacement z: min(1, 2*t); Displacement y: max(0, 2*t - 1)",
+            "Contact/Discretization": rule,
+            "Contact/Friction coefficient": friction, "Solution/Increments": 4,
+            "Probes/Probes": "y: reaction y, Up_z1; z: reaction z, Low_z0"})
+        check(f"dragged along a slope, {rule}: converges", status == 0, said)
+        if status != 0:
+            continue
+        force = {p["name"]: p["value"] for p in summary["probes"]}
+        ratio = abs(force["y"] / force["z"])
+        expected = friction / math.cos(math.radians(degrees))
+        # A little of the slip is up the slope.
+        check("  mu times the normal force", abs(ratio / expected - 1) < 5e-3,
+              (ratio, expected))
+
+
 symmetric_halves()
+slanted_patch()
+dragged_along_slope()
 skins()
 wide_stamp()
 sys.exit(bool(failures))

@@ -369,7 +369,9 @@ namespace Contact
    * normal is along the plane: the facets around it are those of one side only,
    * and their mean with their images is. The plane is one that supports hold
    * the slave node across, and a node of the master alike that is in the same
-   * place within @p tolerance [mm]. Not of a surface that lies in the plane.
+   * place within @p tolerance [mm]. Not of a surface that lies in the plane;
+   * one that meets it at a slant has its own normal, too, with an edge between
+   * it and its image, and no slip up the slant.
    * The tangents, and the springs of the rim.
    */
   void make_symmetric(ContactPoint<3>         &point,

@@ -126,13 +126,18 @@ namespace Contact
     const bool     is_known = is_reaction(quantity)
                                 ? unknowns.n_elements() > 0
                                 : is_on_contact(unknowns, model.interface.get());
-    if (Utilities::MPI::max(static_cast<int>(is_known),
-                            model.discretization->communicator) == 0)
+    const auto     on_any_process = [&](const bool holds) {
+      return Utilities::MPI::max(static_cast<int>(holds),
+                                 model.discretization->communicator) > 0;
+    };
+    const bool has_unknowns = on_any_process(unknowns.n_elements() > 0);
+    if (!on_any_process(is_known))
       throw InputError(
         "there is no " + Choice<Quantity>(quantity).name() +
           " at the boundary '" + boundary + "': " +
           (is_reaction(quantity) ? "no support holds it in this direction"
-                                 : "it is part of no slave and no master"),
+           : has_unknowns        ? "it is part of no slave and no master"
+                                 : "supports hold all of it in this direction"),
         "Probes/Probes, '" + probe + "'",
         is_reaction(quantity)
           ? "name a boundary of 'Boundary conditions/Displacement', or ask for a "
@@ -145,26 +150,38 @@ namespace Contact
     const std::map<std::string, double>                        &values,
     const std::map<std::string, std::map<std::string, double>> &reactions)
   {
-    const double             noticed = 1e-3;
+    const double             noticed = 1e-3, round_off = 1e-9;
+    const std::string        prefix = "reaction ";
     std::vector<std::string> notes;
     for (const auto &[name, definition] : probes.definitions())
       {
+        const std::string quantity =
+          Choice<Quantity>(definition.quantity).name();
         const auto value = values.find(name);
         const auto group = reactions.find(definition.places[0]);
-        if (!is_reaction(definition.quantity) || value == values.end() ||
-            definition.places.size() > 1 || group == reactions.end())
+        if (quantity.compare(0, prefix.size(), prefix) != 0 ||
+            value == values.end() || definition.places.size() > 1 ||
+            group == reactions.end())
           continue;
-        const auto of_supports = group->second.find(
-          std::string(1, "xyz"[Parameters::component_of(definition.quantity)]));
-        if (of_supports == group->second.end() ||
-            std::abs(value->second - of_supports->second) <=
-              noticed * std::max(std::abs(value->second),
-                                 std::abs(of_supports->second)))
+        const std::string component   = quantity.substr(prefix.size());
+        const auto        of_supports = group->second.find(component);
+        if (of_supports == group->second.end())
           continue;
+        // Of all forces, or all moments, of the group.
+        double largest = std::abs(value->second);
+        for (const auto &[other, reaction] : group->second)
+          if (other.size() == component.size())
+            largest = std::max(largest, std::abs(reaction));
+        const double difference = std::abs(value->second - of_supports->second);
+        if (difference <= round_off * largest ||
+            difference <= noticed * std::max(std::abs(value->second),
+                                             std::abs(of_supports->second)))
+          continue;
+        const std::string unit = component.size() > 1 ? " N mm" : " N";
         notes.push_back(
-          "the probe '" + name + "' is " + brief(value->second) +
-          " N, of which supports exert " + brief(of_supports->second) +
-          " N and contact the rest: it acts on nodes that they hold; the supports "
+          "the probe '" + name + "' is " + brief(value->second) + unit +
+          ", of which supports exert " + brief(of_supports->second) + unit +
+          " and contact the rest: it acts on nodes that they hold; the supports "
           "alone are in summary.json, increments/reactions");
       }
     return notes;

@@ -168,9 +168,8 @@ namespace Contact
                       const GhostedVector     &u,
                       const double             tolerance)
   {
-    const double sine   = 0.9;
-    Tensor<1, 3> normal = point.normal;
-    point.void_slips.clear();
+    const double sine = 0.9, smooth = Surface<3>::sine_of_smooth_slant();
+    std::vector<Tensor<1, 3>> planes, slanted;
     for (const Tensor<1, 3> &across :
          directions_of_supports(point.dofs[0], discretization))
       {
@@ -187,13 +186,19 @@ namespace Contact
                              discretization.are_held_alike(point.dofs[0],
                                                            point.dofs[a],
                                                            across));
-        if (is_symmetric && std::abs(point.normal * across) < sine)
-          add_orthonormal(across, point.void_slips);
+        const double slant = std::abs(point.normal * across);
+        if (is_symmetric && slant < sine)
+          add_orthonormal(across, slant < smooth ? planes : slanted);
       }
-    for (const Tensor<1, 3> &across : point.void_slips)
+    Tensor<1, 3> normal = point.normal;
+    for (const Tensor<1, 3> &across : planes)
       normal -= (normal * across) * across;
     if (normal.norm() > 0)
       point.normal = normal / normal.norm();
+    point.void_slips = planes;
+    for (const Tensor<1, 3> &across : slanted)
+      add_orthonormal(across - (point.normal * across) * point.normal,
+                      point.void_slips);
     set_tangents(point);
 
     std::vector<Tensor<1, 2>> basis;

@@ -267,6 +267,13 @@ namespace Contact
      */
     static constexpr double feature_angle = 35;
 
+    /// The sine of the largest angle between a normal and a plane of symmetry
+    /// at which the surface has no corner with its mirror image.
+    static double sine_of_smooth_slant()
+    {
+      return std::sin(numbers::PI / 360 * feature_angle);
+    }
+
     /// Throws InputError if there is no facet.
     Surface(const Discretization<dim>          &discretization,
             const std::set<types::boundary_id> &boundary_ids,

@@ -55,19 +55,19 @@ namespace Contact
 
 
 
-  // A surface that lies in the plane has its own normal.
+  // A surface that lies in the plane or meets it at a slant has its own normal.
   FacetNormals<3> SymmetryPlanes::facet_normals(const Surface<3>    &surface,
                                                 const GhostedVector &u) const
   {
     FacetNormals<3> normals = surface.facet_normals(u);
-    const double    sine    = 0.9;
+    const double    smooth  = Surface<3>::sine_of_smooth_slant();
     for (unsigned int e = 0; e < surface.facets.size() && !planes.empty(); ++e)
       for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
         for (const Plane &plane : planes)
           {
             Tensor<1, 3> &normal = normals[e][a];
             const double  across = normal * plane.across;
-            if (std::abs(across) < sine &&
+            if (std::abs(across) < smooth &&
                 is_on(plane, surface.nodes[surface.facets[e].nodes[a]]))
               {
                 normal -= across * plane.across;
