@@ -163,7 +163,8 @@ namespace Contact
     void begin_increment(const double from, const GhostedVector &solution);
 
     /// The same in the configuration @p start, which the points are paired in
-    /// first if they remember more than shears: an interference turns with them.
+    /// first if they remember more than shears: an interference turns with
+    /// them.
     void pair_and_begin_increment(const double         from,
                                   const GhostedVector &start);
 

@@ -26,7 +26,7 @@ namespace Contact
     /// All of them, and the name of the case: the stem of its file.
     struct All
     {
-      // Compiled once: a test takes a fifth less time.
+      // Their maps are compiled once, not in every file.
       All();
       All(const All &);
       All(All &&);

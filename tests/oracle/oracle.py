@@ -7,9 +7,9 @@
     oracle.py --scenes "KIND SEED, ..." [...] CONTACT
 
 Scene k is of the kind k modulo their number; with its seed it is always the
-same. With --scenes these alone. Exit status 1 if a result with exit status 0 is wrong, or a run crashed,
-hung or took too much memory; with --strict also if a scene that has to converge
-at default settings does not."""
+same. With --scenes these alone. Exit status 1 if a result with exit status 0 is
+wrong, or a run crashed, hung or took too much memory; with --strict also if a
+scene that has to converge at default settings does not."""
 import argparse
 import concurrent.futures
 import os
