@@ -11,6 +11,7 @@ Proves that
   place would; the moment that this needs of a beam turns it as far again;
 - a punch that an eccentric force tilts has the forces of one that is moved so,
   and a block in space that is refined adaptively is the same on two processes;
+- a moment that supports and contact share is noted, and what it is of supports;
 - what contradicts it is refused.
 
 Usage: rigid.py CONTACT PARAMETERS MESHES
@@ -218,6 +219,22 @@ def punch():
               near(moved, {"N": F, "M": F * at}, 1e-6) and found["turn"] > 0,
               f"{worst} {found} {moved} {said[:300]} {said_then[:300]}")
 
+    # The ground is rigid and held: its body exerts nothing on it, what holds it
+    # has the force and the moment of contact, about its point.
+    status, said, summary = run("punch", {
+        **scene, BC + "Displacement x": "Ground: 0, Head: 0",
+        BC + "Displacement y": "Ground: 0", BC + "Rotation z": "Ground: 0",
+        BC + "Rigid": "Head: P, Ground: O", "Mesh/Points": "P: -3, 4; O: -6, 0",
+        BC + "Force y": f"Head: {F}", BC + "Moment z": f"Head: {F * at}",
+        "Probes/Probes": "N: reaction y, Ground; M: reaction moment z, Ground"})
+    found = values(summary) if status == 0 else {}
+    held = summary["increments"][-1]["reactions"]["Ground"] if found else {}
+    check("forces that a support and contact share are noted",
+          near(found, {"N": 0, "M": 0}, 1e-6) and
+          near(held, {"y": -F, "moment z": -F * (at + 3)}, 1e-6) and
+          all(f"the probe '{probe}' is" in said for probe in "NM"),
+          f"{found} {held} {said}")
+
     for more, reason in (
             ({BC + "Tied y": "Head: Q"}, "contradict each other"),
             ({BC + "Moment z": "Head: 1", BC + "Rotation z": "Head: 1"},
@@ -227,7 +244,10 @@ def punch():
             ({BC + "Moment z": "Sole: 1"}, "not in Boundary conditions/Rigid"),
             ({BC + "Moment x": "Head: 1"}, "the mesh is plane"),
             ({BC + "Rigid": "Sole: P"}, "is on a rigid boundary"),
-            ({"Probes/Probes": "r: rotation z, Base"}, "no rigid boundary")):
+            ({"Probes/Probes": "r: rotation z, Base"}, "no rigid boundary"),
+            ({"Probes/Probes": "c: contact force y, Ground",
+              BC + "Displacement y": "Ground: 0, Head: -0.01"},
+             "supports hold all of it in this direction")):
         status, said, _ = run("refused", {**scene, **more})
         check(f"{more} is refused", status == 2 and reason in said, said[:300])
 
