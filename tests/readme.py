@@ -58,7 +58,7 @@ SHORT = {
     "./run requests": "./run requests verification/nested_spheres_quadratic",
     "./run effectivity": "./run effectivity ring",
     "./run yardstick":
-        "./run yardstick CHOLMOD --repetitions 1 --refinements 2",
+        "./run yardstick CHOLMOD --repetitions 1 --refinements 1",
     "./run scaling": "./run scaling 2000",
     "./run scaling space": "./run scaling space --levels 0 --ranks ''",
     "./run scaling processes":
@@ -70,7 +70,8 @@ SHORT = {
     "cmake --install build --strip --prefix ~/.local":
         "cmake --install build --strip --prefix $SCRATCH",
     "tests/fuzz/scenes.py --number 600 build/contact":
-        "tests/fuzz/scenes.py --number 1 --output $SCRATCH build/contact",
+        "tests/fuzz/scenes.py --first 5 --number 1 --output $SCRATCH "
+        "build/contact",
     "tests/fuzz/damaged.py --number 500 build/contact":
         "tests/fuzz/damaged.py --number 4 --output $SCRATCH build/contact",
     "tests/fuzz/damaged.py --json --number 220 build/contact":

@@ -25,7 +25,7 @@ run() {
   directory=$1
   shift
   $launcher "$contact" "$case" --quiet --set "Output/Directory=$directory" \
-    --set Solution/Increments=8 --set Probes/References= \
+    --set Solution/Increments=6 --set Probes/References= \
     --set Probes/Tolerances= --set "Solution/Newton tolerance=1e-11" \
     "$@" >"$directory.log" 2>&1
 }

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import sys
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
@@ -33,7 +34,7 @@ DIVERGING = ["3b4cc0", "7b9ff9", "c0d4f5", "f2f2f2", "f2cbb7", "ee8468",
 BANDS = 12
 # Drawn larger, then averaged: edges get smooth, without the seams that samples
 # within a pixel leave between the triangles of a cell.
-SIZE, FINER = (1000, 700), 3
+SIZE, FINER = (1000, 700), 1 if "--coarse" in sys.argv else 3
 STATUS = {0: ("open", "808080"), 1: ("slip", "d08000"), 2: ("stick", "2060b0")}
 TEXT = (0.1, 0.1, 0.1)
 
