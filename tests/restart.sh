@@ -165,10 +165,13 @@ run full || status=$?
 # Other parameters are not gone on with.
 echo "other parameters:"
 send KILL other
+find other -type f -exec cksum {} + | sort >before
 status=0
 run other --restart --set "Contact/Friction coefficient=0.2" || status=$?
 [ "$status" -eq 2 ] && grep -q 'other parameters' other.log ||
   fail "other parameters: exit status $status"
+find other -type f -exec cksum {} + | sort >after
+cmp before after || fail "other parameters: results were touched"
 echo "  refused"
 
 case=$parameters/nested_friction.prm

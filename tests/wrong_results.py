@@ -60,7 +60,8 @@ Proves that
   pairing and nothing with the next, are not called converged; the mortar
   discretization has a solution there;
 - a body on a corner of its polygon that each pairing moves on is not called
-  converged before it has come to rest, whatever the solver.
+  converged before it has come to rest, whatever the solver;
+- the width of contact has the edge that closes a surface.
 
 Usage: wrong_results.py CONTACT PARAMETERS MESHES
 """
@@ -69,7 +70,7 @@ import itertools
 import math
 import sys
 
-from block_scenes import Mesh, box, check, failures, rows, run
+from block_scenes import Mesh, box, check, failures, ring, rows, run
 from volume_scenes import Volumes
 
 
@@ -1309,7 +1310,52 @@ def off_the_end():
               max(moments) < (1e-3 if converges else 1e-9))
 
 
-for scene in (carried, overlap, cantilever, halves, teeth, own_master, round_off,
+def closed():
+    """A tube in a rigid hole that is smaller: all of it is in contact, where its
+    surface closes as well. Between two walls, one where it closes, the other
+    opposite: both as wide."""
+    mesh = Mesh()
+    mesh.block("Tube", 24, 3, ring(1.5, 2.5), {"bottom": "In", "top": "Out"},
+               closed=True)
+    mesh.write("closed")
+    for degree, rule in ((1, "mortar"), (2, "mortar"), (2, "Gauss")):
+        tube = {"Mesh/File": "closed.msh", "Element/Degree": degree,
+                "Mesh/Arcs": "Out: 0, 0, 2.5; In: 0, 0, 1.5",
+                "Solids/Young's modulus": "Tube: 1000",
+                "Solids/Poisson's ratio": "Tube: 0.3",
+                "Solids/Kinematics": "small strain"}
+        status, said, summary = run("closed", {
+            **tube, "Contact/Slave": "Out", "Contact/Friction coefficient": 0.2,
+            "Contact/Obstacle": "circle: 0, 0, -2.5",
+            "Contact/Discretization": rule, "Contact/Interference": 0.01,
+            "Output/Profile": "true"})
+        width = summary["contact"]["width"] if status == 0 else 0
+        # Of polygons with an edge, or two halves of a parabola, a cell.
+        n = 24 * degree
+        polygon = 2 * n * 2.5 * math.sin(math.pi / n)
+        check(f"closed, degree {degree}, {rule}: the whole circumference",
+              abs(width / polygon - 1) < 1e-4, f"{width} {polygon} {said[-300:]}")
+
+        walls = {**tube, "Boundary conditions/Displacement x": "In: 0",
+                 "Boundary conditions/Displacement y": "In: 0"}
+        first = rows("closed")[0]
+        X, Y = first["X_mm"] / 2.5, first["Y_mm"] / 2.5
+        for name, side in (("here", 1), ("opposite", -1)):
+            walls |= {f"Contact {name}/Slave": "Out",
+                      f"Contact {name}/Discretization": rule,
+                      f"Contact {name}/Obstacle":
+                          f"half plane: {side * 2.45 * X!r}, {side * 2.45 * Y!r},"
+                          f" {-side * X!r}, {-side * Y!r}"}
+        status, said, summary = run("walls", walls)
+        here, opposite = (
+            summary[f"contact {name}"]["width"] if status == 0 else 0
+            for name in ("here", "opposite"))
+        check(f"closed, degree {degree}, {rule}: as wide at both walls",
+              here > 0 and abs(opposite / here - 1) < 1e-6,
+              f"{here} {opposite}")
+
+
+for scene in (carried, closed, overlap, cantilever, halves, teeth, own_master, round_off,
               lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered,
               in_a_corner, concave_corner, too_coarse, roles, tied, flank, groove,
               slide, pinned, clamped, between_nodes, approached, through, foil, turning, coarse_fit, flat_ends, glued_apart, idle,

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace Contact
@@ -80,33 +79,60 @@ namespace Contact
 
 
 
-    /// The sum over all patches, each from its first to its last end. The
-    /// samples are those of one chain of edges, from @p begin to @p end.
-    double patch_lengths(const Samples &samples,
-                         const double   begin,
-                         const double   end,
-                         const Inside   inside)
+    /// The edges of a surface that hang together: the arc length goes on from
+    /// one such chain to the next, over what is no surface.
+    struct Chain
     {
-      const int  n  = samples.size();
+      Samples samples;
+      double  begin = 0, end = 0; // [mm]
+      bool    is_closed = false;  // the end is the beginning
+    };
+
+
+
+    /// The sum over all patches, each from its first to its last end.
+    double patch_lengths(const Chain &chain, const Inside inside)
+    {
+      // Of a loop four turns, so that each sample of the two in the middle has
+      // neighbors.
+      Samples   samples;
+      const int n       = chain.samples.size();
+      const int n_turns = chain.is_closed ? 4 : 1;
+      for (int turn = 0; turn < n_turns; ++turn)
+        for (Sample sample : chain.samples)
+          {
+            sample.s += turn * (chain.end - chain.begin);
+            samples.push_back(sample);
+          }
       const auto at = [&](const int i) {
-        return 0 <= i && i < n ? &samples[i] : nullptr;
+        return 0 <= i && i < n_turns * n ? &samples[i] : nullptr;
       };
       const auto end_at = [&](const int i, const int outwards) {
         const Sample *next = at(i + outwards);
         if (next == nullptr)
-          return outwards > 0 ? end : begin;
+          return outwards > 0 ? chain.end : chain.begin;
         return inside == &Sample::touches || !next->touches
                  ? end_of_contact(at(i - outwards), samples[i], *next)
                  : end_of_stick(samples[i], *next, at(i + 2 * outwards));
       };
 
+      // A turn begins where a patch does not go on.
+      int begin = 0;
+      if (chain.is_closed && n > 0)
+        {
+          begin = n;
+          while (begin < 2 * n && samples[begin].*inside)
+            ++begin;
+          if (begin == 2 * n)
+            return chain.end - chain.begin;
+        }
       double sum = 0;
-      for (int i = 0; i < n; ++i)
+      for (int i = begin; i < begin + n; ++i)
         {
           if (!(samples[i].*inside))
             continue;
           const int first = i;
-          while (i + 1 < n && samples[i + 1].*inside)
+          while (i + 1 < begin + n && samples[i + 1].*inside)
             ++i;
           sum += end_at(i, +1) - end_at(first, -1);
         }
@@ -115,8 +141,27 @@ namespace Contact
 
 
 
-    /// The edges of a surface that hang together: the arc length goes on from
-    /// one such chain to the next, over what is no surface.
+    /// The arc lengths of the nodes of an edge. That which closes a loop ends
+    /// behind all others, not where the loop begins.
+    std::vector<double> s_of_edge(const Surface<2>          &slave,
+                                  const SurfaceFacet<2>     &edge,
+                                  const std::vector<double> &s_of_node)
+    {
+      std::vector<double> s;
+      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+        s.push_back(s_of_node[edge.nodes[a]]);
+      if (s[1] < s[0])
+        {
+          const unsigned int last = slave.degree == 2 ? 2 : 0;
+          s[1] = s[last] + slave.nodes[edge.nodes[last]].X.distance(
+                             slave.nodes[edge.nodes[1]].X);
+        }
+      return s;
+    }
+
+
+
+    /// The number of the chain of each edge.
     std::vector<unsigned int> chain_of_edges(const Surface<2> &surface)
     {
       std::vector<unsigned int> chains;
@@ -128,32 +173,24 @@ namespace Contact
 
 
 
-    /// The patches of all chains together.
-    void add_widths(const Surface<2>           &slave,
-                    const std::vector<double>  &s_of_node,
-                    const std::vector<Samples> &samples,
-                    ContactResults             &results)
+    /// All of them, still without samples.
+    std::vector<Chain> make_chains(const Surface<2>                &slave,
+                                   const std::vector<unsigned int> &chain_of,
+                                   const std::vector<double>       &s_of_node)
     {
-      const auto chains = chain_of_edges(slave);
-      for (unsigned int chain = 0; chain < samples.size(); ++chain)
+      std::vector<Chain> chains;
+      for (unsigned int e = 0; e < chain_of.size(); ++e)
         {
-          Samples of_chain = samples[chain];
-          std::sort(of_chain.begin(),
-                    of_chain.end(),
-                    [](const Sample &a, const Sample &b) { return a.s < b.s; });
-          double begin = std::numeric_limits<double>::max(), end = 0;
-          for (unsigned int e = 0; e < chains.size(); ++e)
-            if (chains[e] == chain)
-              for (unsigned int a = 0; a < 2; ++a)
-                {
-                  begin = std::min(begin, s_of_node[slave.facets[e].nodes[a]]);
-                  end   = std::max(end, s_of_node[slave.facets[e].nodes[a]]);
-                }
-          results.width +=
-            patch_lengths(of_chain, begin, end, &Sample::touches);
-          results.stick_width +=
-            patch_lengths(of_chain, begin, end, &Sample::sticks);
+          const auto s = s_of_edge(slave, slave.facets[e], s_of_node);
+          if (chain_of[e] == chains.size())
+            {
+              chains.emplace_back();
+              chains.back().begin = s[0];
+            }
+          chains.back().end       = s[1];
+          chains.back().is_closed = !slave.facets[e].ends_surface;
         }
+      return chains;
     }
 
 
@@ -231,9 +268,9 @@ namespace Contact
       X.push_back(node.X);
     const auto s_of_node = slave.arc_length(X);
 
-    const auto           chains = chain_of_edges(slave);
-    ContactResults       results;
-    std::vector<Samples> by_chain(chains.back() + 1);
+    const auto     chain_of = chain_of_edges(slave);
+    auto           chains   = make_chains(slave, chain_of, s_of_node);
+    ContactResults results;
     for (const ContactPoint<2> &point : interface.points_of(contact_pair))
       {
         const ContactState<2> now = interface.state(point, solution, u_start);
@@ -242,12 +279,13 @@ namespace Contact
             add_force(interface, point, now, moving_bound, results);
             continue;
           }
-        Samples        &samples = by_chain[chains[point.slave_facet]];
+        Samples        &samples = chains[chain_of[point.slave_facet]].samples;
         const EdgeShape shape(slave.degree, point.slave_xi);
-        double          s = 0;
-        for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-          s += shape.value[a] *
-               s_of_node[slave.facets[point.slave_facet].nodes[a]];
+        const auto      s_of_nodes =
+          s_of_edge(slave, slave.facets[point.slave_facet], s_of_node);
+        double s = 0;
+        for (unsigned int a = 0; a < s_of_nodes.size(); ++a)
+          s += shape.value[a] * s_of_nodes[a];
         if (!point.facing || point.status.kind == Status::open)
           {
             samples.push_back({s, false, false, false, 0, 0});
@@ -267,7 +305,15 @@ namespace Contact
            traction.p,
            std::abs(now.slip[0])});
       }
-    add_widths(slave, s_of_node, by_chain, results);
+    // The patches of all chains together.
+    for (Chain &chain : chains)
+      {
+        std::sort(chain.samples.begin(),
+                  chain.samples.end(),
+                  [](const Sample &a, const Sample &b) { return a.s < b.s; });
+        results.width += patch_lengths(chain, &Sample::touches);
+        results.stick_width += patch_lengths(chain, &Sample::sticks);
+      }
     return results;
   }
 

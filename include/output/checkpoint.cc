@@ -165,6 +165,7 @@ namespace Contact
       serialize(archive, steps, start);
     });
     invariants->restore(start);
+    report.files().remove_series();
     report.files().write_series();
     report.screen << "Restart behind the load factor "
                   << report.increment().load_factor << std::endl;

@@ -6,6 +6,7 @@
 #include "output/report.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -46,11 +47,18 @@ namespace Contact
     this->discretization = &discretization;
     result_files = std::make_unique<ResultFiles<dim>>(parameters.directory(),
                                                       discretization);
-    if (!parameters.restart)
-      result_files->remove_increments();
+    // What a run is to go on from stays as it is: it may be that of another.
+    const bool goes_on =
+      std::filesystem::exists(result_files->directory / "restart.bin") &&
+      parameters.restart;
     // A scene that can not be set up has its message already.
     if (summary.message.empty())
       summary.message = "the run has not ended";
+    if (goes_on)
+      return;
+    result_files->remove_series();
+    if (!parameters.restart)
+      result_files->remove_increments();
     write_summary();
   }
 
@@ -70,6 +78,7 @@ namespace Contact
   {
     result_files = std::make_unique<ResultFiles<dim>>(parameters.directory(),
                                                       discretization);
+    result_files->remove_series();
     result_files->remove_increments();
   }
 

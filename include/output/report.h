@@ -48,7 +48,8 @@ namespace Contact
     }
 
     /// From here on the results of an earlier run are replaced; until this one
-    /// ends, its summary says that it has not converged.
+    /// ends, its summary says that it has not converged. One that is to go on
+    /// replaces them only once it has found that it can.
     void open_files(const Discretization<dim> &discretization);
 
     bool has_files() const

@@ -135,12 +135,15 @@ namespace Contact
     , discretization(discretization)
   {
     create_output_directory(directory);
+  }
 
-    // Files of an earlier run would look as if they were of this one.
-    if (rank() == 0)
-      for (const std::string name :
-           {"bodies.pvd", "contact.pvd", "profile.csv", "nodes.csv"})
-        std::filesystem::remove(directory / name);
+
+
+  // Files of an earlier run would look as if they were of this one.
+  template<int dim>
+  void ResultFiles<dim>::remove_series() const
+  {
+    remove("(bodies|contact).pvd|(profile|nodes).csv");
   }
 
 

@@ -31,10 +31,12 @@ namespace Contact
   class ResultFiles
   {
   public:
-    /// Create the directory, and remove the series and the profile of an
-    /// earlier run. Throws InputError if nothing can be written there.
+    /// Create the directory. Throws InputError if nothing can be written there.
     ResultFiles(const std::filesystem::path &directory,
                 const Discretization<dim>   &discretization);
+
+    /// Remove the series and the tables of an earlier run.
+    void remove_series() const;
 
     /// Remove the increments of an earlier run that is not gone on with, and
     /// what it left to go on from.
