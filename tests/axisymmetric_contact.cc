@@ -48,7 +48,7 @@ namespace
   // point of its own.
   void check_weights(const unsigned int degree, const std::string &rule)
   {
-    ContactModel model(two_cylinders(degree, rule));
+    TwoBodies model(two_cylinders(degree, rule));
     model.interface.pair(model.solution);
     double       sum = 0, smallest = 1e9;
     unsigned int n_on_axis = 0;
@@ -232,4 +232,5 @@ int main()
 
   headline("tubes");
   check_tubes();
+  return 0;
 }

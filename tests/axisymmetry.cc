@@ -245,4 +245,5 @@ int main()
 
   headline("errors");
   check_errors();
+  return 0;
 }

@@ -228,4 +228,5 @@ int main()
   check("and the next is not", bordered.factorize(Rows(system.matrix).values));
   umfpack.factorize(system.matrix);
   compare(system, bordered, umfpack);
+  return 0;
 }

@@ -15,7 +15,7 @@
 namespace Tests
 {
   /// A contact discretization, an element, the strains, and friction.
-  struct Case
+  struct CheckedCase
   {
     std::string  rule;
     unsigned int degree;
@@ -26,7 +26,7 @@ namespace Tests
 
 
   /// The headline of a case.
-  inline std::string named(const Case &c)
+  inline std::string named(const CheckedCase &c)
   {
     return c.rule + ", degree " + std::to_string(c.degree) + ", " +
            c.kinematics + (c.friction > 0 ? ", friction" : "");
@@ -36,7 +36,7 @@ namespace Tests
 
   /// A block with a convex lower side on a flat block: pressed down and dragged
   /// along, then lifted again and dragged back.
-  inline Parameters::All make_case(const Case &c)
+  inline Parameters::All make_case(const CheckedCase &c)
   {
     MeshText mesh;
     mesh.block("lower", 7, 2, rectangle({-1.5, -1}, {1.5, 0}));
@@ -67,10 +67,10 @@ namespace Tests
 
   /// A state, solved for, and its check. The residual is below 1e-12 of the
   /// largest force.
-  struct Checked : public ContactModel
+  struct Checked : public TwoBodies
   {
     explicit Checked(const Parameters::All &parameters)
-      : ContactModel(parameters)
+      : TwoBodies(parameters)
       , parameters(parameters)
       , invariants(discretization, *elasticity, &interface, parameters.solution)
     {
@@ -81,11 +81,11 @@ namespace Tests
     bool solve(const double load)
     {
       load_factor = load;
-      return ContactModel::solve(load,
-                                 parameters.contact.discretization !=
-                                   Parameters::ContactDiscretization::mortar,
-                                 /*pairs_anew=*/true,
-                                 force) > 0;
+      return TwoBodies::solve(load,
+                              parameters.contact.discretization !=
+                                Parameters::ContactDiscretization::mortar,
+                              /*pairs_anew=*/true,
+                              force) > 0;
     }
 
     Invariants check()

@@ -29,10 +29,10 @@ namespace
 
 
   /// Two increments, the second with a history, by both systems.
-  void compare(const std::string &name, const Case &c)
+  void compare(const std::string &name, const CondensedCase &c)
   {
     const Parameters::All parameters = make_case(c);
-    ContactModel          saddle(parameters);
+    TwoBodies             saddle(parameters);
     CondensedModel        condensed(parameters);
     bool                  converged = true;
     for (const double load_factor : {0.6, 1.})
@@ -84,7 +84,7 @@ namespace
     for (const unsigned int degree : {1, 2})
       for (const double friction : {0., 0.08})
         {
-          Case c{rule, degree};
+          CondensedCase c{rule, degree};
           c.coulomb = friction;
           c.lower   = rectangle({0.37, -1}, {1.71, 0});
           c.rise    = 0.005;
@@ -103,7 +103,7 @@ namespace
     for (const unsigned int degree : {1, 2})
       for (const double friction : {0., 0.08})
         {
-          Case c{rule, degree};
+          CondensedCase c{rule, degree};
           c.coulomb  = friction;
           c.lower    = rectangle({0, -1}, {1.2, 0});
           c.symmetry = true;
@@ -127,7 +127,7 @@ namespace
           const std::string name =
             "degree " + std::to_string(degree) +
             (friction > 0 ? ", Coulomb" : ", no friction");
-          Case c{rule, degree};
+          CondensedCase c{rule, degree};
           c.coulomb       = friction;
           c.lower         = rectangle({-0.25, -1}, {1.2, 0});
           c.symmetry      = true;
@@ -158,4 +158,5 @@ int main()
       symmetry_line(rule);
       beyond_the_line(rule);
     }
+  return 0;
 }

@@ -15,7 +15,7 @@ namespace Tests
   inline const double youngs_modulus = 1000;
 
   /// A block with a convex bottom, pressed onto one with other nodes.
-  struct Case
+  struct CondensedCase
   {
     std::string  rule;
     unsigned int degree;
@@ -40,7 +40,7 @@ namespace Tests
 
 
 
-  inline Parameters::All make_case(const Case &c)
+  inline Parameters::All make_case(const CondensedCase &c)
   {
     MeshText mesh;
     mesh.block("lower", 9, 2, c.lower);

@@ -83,7 +83,7 @@ namespace
     headline("the same solution, " + rule + " rule, degree " +
              std::to_string(degree) + ", " + kinematics);
     const Parameters::All parameters = sliding_block(rule, degree, kinematics);
-    ContactModel          saddle(parameters);
+    TwoBodies             saddle(parameters);
     CondensedModel        condensed(parameters, "CHOLMOD", true);
     bool                  converged = true;
     for (const double load_factor : {0.5, 1.})
@@ -157,4 +157,5 @@ int main()
           same_as_with_multipliers(rule, degree, kinematics);
       solvers(rule);
     }
+  return 0;
 }

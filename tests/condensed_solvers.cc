@@ -44,7 +44,7 @@ namespace
 
 
   /// In the middle of an increment, with friction and moving supports.
-  void matrices_and_solvers(const Case &c)
+  void matrices_and_solvers(const CondensedCase &c)
   {
     headline(c.rule + " rule, degree " + std::to_string(c.degree) + ", " +
              c.kinematics);
@@ -92,7 +92,7 @@ namespace
 
 
   // Other statuses on the same system: what is kept of the matrix serves.
-  void other_decisions(const Case &c)
+  void other_decisions(const CondensedCase &c)
   {
     const Parameters::All parameters = make_case(c);
     CondensedModel        model(parameters);
@@ -242,4 +242,5 @@ int main()
     for (const unsigned int degree : {1, 2})
       for (const bool shear : {false, true})
         tied(rule, degree, shear);
+  return 0;
 }

@@ -24,10 +24,10 @@ namespace
   // their points feel is set directly: the multipliers are 1, and the pressure
   // is in how a point weights them; the bodies have moved by 1 along x in this
   // increment, and the slip is in the length of the tangent.
-  struct Model : public ContactModel
+  struct Model : public TwoBodies
   {
     Model(const unsigned int degree, const std::string &rule)
-      : ContactModel(parameters(degree, rule))
+      : TwoBodies(parameters(degree, rule))
     {
       interface.pair(solution);
       for (unsigned int k = 0; k < interface.n_multipliers(); ++k)
@@ -284,4 +284,5 @@ int main()
   headline("special cases");
   Model model(1, "nodal");
   check_special_cases(model);
+  return 0;
 }

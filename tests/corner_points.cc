@@ -56,7 +56,7 @@ namespace
   void check_signs(const unsigned int degree, const std::string &rule)
   {
     headline("signs, degree " + std::to_string(degree) + ", rule " + rule);
-    ContactModel model(make_case(degree, rule, 0.3));
+    TwoBodies    model(make_case(degree, rule, 0.3));
     const double up = 0.1, sideways = 0.2;
     for (const auto &node : model.interface.pairs[0]->master->nodes)
       {
@@ -116,10 +116,10 @@ namespace
   {
     headline("pressed and dragged, degree " + std::to_string(degree) +
              ", rule " + rule + ", friction " + two_digits(friction));
-    ContactModel exchanged(make_case(degree, "nodal", friction, true));
+    TwoBodies exchanged(make_case(degree, "nodal", friction, true));
     check("exchanged converges", exchanged.solve(1, true) > 0);
-    const auto   parameters = make_case(degree, rule, friction);
-    ContactModel model(parameters);
+    const auto parameters = make_case(degree, rule, friction);
+    TwoBodies  model(parameters);
     check("converges", model.solve(1, true) > 0);
 
     const ContactPoint<2> &corner = model.interface.points().back();
@@ -202,7 +202,7 @@ namespace
     parameters.boundary.displacement[0] = {{"low bottom", 0}, {"up top", 0}};
     parameters.boundary.displacement[1] = {{"low bottom", 0},
                                            {"up top", -0.01}};
-    ContactModel model(parameters);
+    TwoBodies    model(parameters);
     unsigned int n = 0;
     for (const ContactPoint<2> &point : model.interface.points())
       n += point.is_master_corner;
@@ -239,12 +239,12 @@ namespace
     parameters.boundary.displacement[0] = {{"low bottom", 0}, {"up top", 0}};
     parameters.boundary.displacement[1] = {{"low bottom", 0},
                                            {"up top", -0.01}};
-    const ContactModel plain(parameters);
+    const TwoBodies plain(parameters);
     check("no corner points", !plain.interface.pairs[0]->has_corner_points());
     check("though there could be", plain.interface.pairs[0]->lacks_ends());
 
     parameters.contact.ends_are_corners = true;
-    ContactModel          model(parameters);
+    TwoBodies             model(parameters);
     const ContactPair<2> &contact_pair = *model.interface.pairs[0];
     check("both ends", contact_pair.sees_ends() && !contact_pair.lacks_ends());
     check("converges", model.solve(1, true) > 0);
@@ -288,11 +288,12 @@ int main()
 
   headline("the Gauss rule, and no corner");
   check("none with the Gauss rule",
-        !ContactModel(make_case(1, "Gauss", 0))
+        !TwoBodies(make_case(1, "Gauss", 0))
            .interface.pairs[0]
            ->has_corner_points());
   check("none of a flat master",
-        !ContactModel(make_case(1, "mortar", 0, true))
+        !TwoBodies(make_case(1, "mortar", 0, true))
            .interface.pairs[0]
            ->has_corner_points());
+  return 0;
 }

@@ -376,4 +376,5 @@ int main()
       behind(degree);
       over_a_vertex(degree);
     }
+  return 0;
 }

@@ -309,4 +309,5 @@ int main()
       linear_displacement(2, "serendipity", kinematics);
       linear_displacement(2, "free", kinematics);
     }
+  return 0;
 }

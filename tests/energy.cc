@@ -248,4 +248,5 @@ int main()
       projection(degree);
       volume_ratio(degree);
     }
+  return 0;
 }

@@ -122,4 +122,5 @@ int main()
   check_levels();
   check_finer_mesh();
   check_table();
+  return 0;
 }

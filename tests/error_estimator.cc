@@ -90,7 +90,7 @@ namespace
                                            {"upper left", 0}};
     parameters.boundary.displacement[1] = {{"lower bottom", 0},
                                            {"upper top", -0.1}};
-    Tests::ContactModel     model(parameters);
+    Tests::TwoBodies        model(parameters);
     const StressRecovery<2> recovery(model.discretization);
     const std::string       name = "uniform pressure, degree " +
                              std::to_string(degree) + ", " + kinematics + ", " +
@@ -243,4 +243,5 @@ int main()
       print_effectivities("triangles", degree, all, square);
       print_effectivities("both", degree, some, bent);
     }
+  return 0;
 }

@@ -148,7 +148,7 @@ namespace
     for (const std::string side : {"upper top", "upper left", "upper right"})
       parameters.boundary.displacement[0][side] =
         parameters.boundary.displacement[1][side] = 0;
-    Tests::ContactModel     model(parameters);
+    Tests::TwoBodies        model(parameters);
     const StressRecovery<2> recovery(model.discretization);
 
     // Without lateral strain the stresses are -E u_y,y and E/2 u_x,y.
@@ -210,7 +210,7 @@ namespace
     parameters.contact.slave          = "upper bottom";
     parameters.contact.master         = "lower top";
     parameters.contact.discretization = "nodal";
-    Tests::ContactModel model(parameters);
+    Tests::TwoBodies model(parameters);
     for (unsigned int k = 0; k < model.interface.n_multipliers(); ++k)
       model.solution[model.interface.normal_index(k)] = 1;
 
@@ -281,4 +281,5 @@ int main()
       check_contact_edges(degree, rule);
   check_wide_master();
   check_tie();
+  return 0;
 }

@@ -150,4 +150,5 @@ int main()
       print_effectivities("cubes", degree, cube);
       print_effectivities("hexahedra", degree, bent);
     }
+  return 0;
 }

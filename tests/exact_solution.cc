@@ -53,9 +53,8 @@ namespace
 
 
   // The solution that has the exact values at all nodes, times a factor.
-  void interpolate(const ExactSolution &exact,
-                   const double         factor,
-                   ContactModel        &model)
+  void
+  interpolate(const ExactSolution &exact, const double factor, TwoBodies &model)
   {
     const auto X = model.support_points();
     const auto c = model.components();
@@ -79,7 +78,7 @@ namespace
 
 
   std::map<std::string, double> errors(const ExactSolution &exact,
-                                       const ContactModel  &model)
+                                       const TwoBodies     &model)
   {
     return solution_errors(exact,
                            model.discretization,
@@ -99,9 +98,9 @@ namespace
     std::array<std::map<std::string, double>, 2> found;
     for (const unsigned int i : {0, 1})
       {
-        const auto   parameters = rings(degree, 4 * (i + 1), false);
-        ContactModel model(parameters);
-        const auto   exact = exact_solution(parameters, model);
+        const auto parameters = rings(degree, 4 * (i + 1), false);
+        TwoBodies  model(parameters);
+        const auto exact = exact_solution(parameters, model);
         interpolate(exact, 1, model);
         found[i] = errors(exact, model);
       }
@@ -144,7 +143,7 @@ namespace
   // with shear along the slave.
   void check_fields_of_the_space(const unsigned int degree)
   {
-    ContactModel model(blocks(degree));
+    TwoBodies model(blocks(degree));
 
     Tensor<2, 2> gradient;
     gradient[0][0] = 0.01;
@@ -186,7 +185,7 @@ namespace
   // the displacement x^2/2 along x, against 1, and the strain 1.
   void check_integrals()
   {
-    ContactModel  model(blocks(2));
+    TwoBodies     model(blocks(2));
     ExactSolution field, exact;
     field.pressure     = [](const Point<2> &) { return 0.; };
     field.displacement = [](const Point<2> &X, const types::material_id) {
@@ -219,9 +218,9 @@ namespace
   // slave or not: pressure, displacement and stress are those of its material.
   void check_inner_body(const bool swapped)
   {
-    const auto         parameters = rings(1, 2, swapped);
-    const ContactModel model(parameters);
-    const auto         exact = exact_solution(parameters, model);
+    const auto      parameters = rings(1, 2, swapped);
+    const TwoBodies model(parameters);
+    const auto      exact = exact_solution(parameters, model);
 
     const ConcentricCylinders
                cylinders(20, 50, 100, {1000, 0.3}, {2000, 0.25}, 100, 20);
@@ -270,4 +269,5 @@ int main()
   headline("inner body");
   for (const bool swapped : {false, true})
     check_inner_body(swapped);
+  return 0;
 }

@@ -49,7 +49,7 @@ namespace
   void check_hertz_force()
   {
     auto                   parameters = bulge(true, 1000, 0);
-    const ContactModel     model(parameters);
+    const TwoBodies        model(parameters);
     const HertzLineContact hertz{5, 100, 1000, 0.3, 1000, 0.3};
     ContactResults         results;
     results.normal_force = 400;
@@ -73,7 +73,7 @@ namespace
 
     auto with_friction                     = bulge(true, 1000, 0.5);
     with_friction.probes.frictional_theory = false;
-    const ContactModel frictional(with_friction);
+    const TwoBodies frictional(with_friction);
     check("no theory of friction",
           !exact_solution(with_friction, frictional, results).shear);
 
@@ -89,7 +89,7 @@ namespace
 
   // The shear of the exact solution as it acts along x on the upper body.
   double shear_on_upper_body(const ExactSolution &exact,
-                             const ContactModel  &model,
+                             const TwoBodies     &model,
                              const bool           upper_is_slave,
                              const double         x)
   {
@@ -114,7 +114,7 @@ namespace
   {
     const double friction   = 0.5;
     auto         parameters = bulge(upper_is_slave, 1000, friction);
-    ContactModel model(parameters);
+    TwoBodies    model(parameters);
     auto        &interface = model.interface;
     interface.pair(model.solution);
     change_points(interface, [&](ContactPoint<2> &point) {
@@ -155,8 +155,8 @@ namespace
   // away from the axis, be it above or below, slave or master.
   void check_half_planes(const bool upper_is_slave, const double young_upper)
   {
-    const auto   parameters = bulge(upper_is_slave, young_upper, 0.1);
-    ContactModel model(parameters);
+    const auto parameters = bulge(upper_is_slave, young_upper, 0.1);
+    TwoBodies  model(parameters);
     model.interface.pair(model.solution);
     const auto   exact = exact_solution(parameters, model);
     const double right =
@@ -190,4 +190,5 @@ int main()
   check_half_planes(true, 500);
   check_half_planes(false, 500);
   check_half_planes(false, 2000);
+  return 0;
 }

@@ -106,4 +106,5 @@ int main()
                   ? "ok"
                   : "FAILED")
             << std::endl;
+  return 0;
 }

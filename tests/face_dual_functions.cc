@@ -90,4 +90,5 @@ int main()
   check("hanging, one heir is on the facet", {{1, .5}, {7, .5}});
   check("hanging, both heirs are beyond the facet", {{7, .5}, {9, .5}});
   check("hanging, unequal parts", {{7, .75}, {9, .25}});
+  return 0;
 }

@@ -36,7 +36,7 @@ namespace
 
 
   /// The current position of the node of every unknown.
-  std::vector<Point<2>> current_positions(const ContactModel &model)
+  std::vector<Point<2>> current_positions(const TwoBodies &model)
   {
     const DoFHandler<2>        &dof_handler = model.discretization.dof_handler;
     const std::vector<Point<2>> X           = model.support_points();
@@ -61,7 +61,7 @@ namespace
 
 
   /// The sum of the nodal forces on those unknowns that @p counts wants.
-  Wrench sum(const ContactModel                            &model,
+  Wrench sum(const TwoBodies                               &model,
              const GhostedVector                           &forces,
              const std::function<bool(const unsigned int)> &counts)
   {
@@ -80,7 +80,7 @@ namespace
 
 
   /// The reactions of the supports; the forces elsewhere have to vanish.
-  GhostedVector reactions(const ContactModel &model, const double magnitude)
+  GhostedVector reactions(const TwoBodies &model, const double magnitude)
   {
     GhostedVector reactions = model.elasticity->forces(model.solution, 1);
     reactions -= model.contact_forces();
@@ -162,9 +162,9 @@ namespace
 
 
 
-  // As ContactModel::solve(), but the tangent of the mortar discretization
+  // As TwoBodies::solve(), but the tangent of the mortar discretization
   // keeps the pairing; that is repeated in each step, and moves less and less.
-  bool solve(ContactModel &model, const Rule &rule, const double load_factor)
+  bool solve(TwoBodies &model, const Rule &rule, const double load_factor)
   {
     if (rule.name != "mortar")
       return model.solve(load_factor, true) > 0;
@@ -212,7 +212,7 @@ namespace
 
 
 
-  void print_contact(const ContactModel &model)
+  void print_contact(const TwoBodies &model)
   {
     double largest_gap = 0;
     for (const ContactPoint<2> &point : model.interface.points())
@@ -238,7 +238,7 @@ namespace
     Parameters::All parameters                       = make_case(degree, rule);
     parameters.boundary.displacement[0]["upper top"] = 0.03;
     parameters.boundary.displacement[1]["upper top"] = -0.08;
-    ContactModel model(parameters);
+    TwoBodies model(parameters);
     check("converges", solve(model, rule, 0.5) && solve(model, rule, 1));
     print_contact(model);
 
@@ -300,7 +300,7 @@ namespace
     parameters.boundary.displacement[0]["lower left"] = 0;
     parameters.boundary.displacement[0]["upper left"] = 0;
     parameters.boundary.force[1]["upper top left"]    = -force;
-    ContactModel model(parameters);
+    TwoBodies model(parameters);
     check("converges", solve(model, rule, 0.5) && solve(model, rule, 1));
     print_contact(model);
 
@@ -328,4 +328,5 @@ int main()
         drag(degree, rule);
         load(degree, rule);
       }
+  return 0;
 }

@@ -256,4 +256,5 @@ int main()
   check_boundary();
   check_probes();
   check_file();
+  return 0;
 }

@@ -40,4 +40,5 @@ int main()
   print_law("frictionless", FrictionLaw{});
   print_law("Tresca", FrictionLaw{4., 0.});
   print_law("Coulomb", FrictionLaw{0., 0.25});
+  return 0;
 }

@@ -82,7 +82,7 @@ namespace
   /// With multipliers and without, in two increments.
   void compare(const std::string &name, const Parameters::All &parameters)
   {
-    ContactModel   saddle(parameters);
+    TwoBodies      saddle(parameters);
     CondensedModel condensed(parameters);
     bool           converged = true;
     for (const double load_factor : {0.6, 1.})
@@ -326,4 +326,5 @@ int main()
     }
   twice();
   over_constrained();
+  return 0;
 }

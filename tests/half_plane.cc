@@ -200,4 +200,5 @@ int main()
             std::abs(weak.stick_half_width() / weak.half_width() - closed),
             0.0005);
     }
+  return 0;
 }

@@ -56,4 +56,5 @@ int main()
   for (const double x : {-0.6 * a, 0., 0.6 * a, a, 1.5 * a})
     std::cout << ' ' << hertz.pressure(x) / hertz.max_pressure();
   std::cout << std::endl;
+  return 0;
 }

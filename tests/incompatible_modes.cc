@@ -162,4 +162,5 @@ int main()
   rings.solids.symmetry = "axisymmetric";
   check_bodies<2>("rings", rings);
   check_bodies<3>("space", space());
+  return 0;
 }

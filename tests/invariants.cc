@@ -18,7 +18,7 @@ namespace
 {
   // Proves that eight increments of loading and unloading violate nothing, and
   // how well the balances hold.
-  void check_converged(const Case &c)
+  void check_converged(const CheckedCase &c)
   {
     headline(named(c));
     Checked      model(make_case(c));
@@ -192,4 +192,5 @@ int main()
   for (const std::string rule : {"nodal", "mortar"})
     check_converged({rule, 1, "large displacement", 0.3});
   check_by_hand();
+  return 0;
 }

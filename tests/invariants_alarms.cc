@@ -86,7 +86,7 @@ namespace
   // Proves that wrong states raise the right alarms.
   void check_alarms(const std::string &rule)
   {
-    const Case c{rule, 1, "large displacement", 0.2};
+    const CheckedCase c{rule, 1, "large displacement", 0.2};
     headline("wrong states, " + named(c));
     Checked model(make_case(c));
     // Until there are points of all kinds.
@@ -236,4 +236,5 @@ int main()
     check_alarms(rule);
   check_repetition();
   check_holds();
+  return 0;
 }

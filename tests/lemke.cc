@@ -140,4 +140,5 @@ int main()
 
   for (const double mu : {0., 0.3, 1., 5.})
     friction(mu);
+  return 0;
 }

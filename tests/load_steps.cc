@@ -192,4 +192,5 @@ int main()
   check_guard();
   check_runaway();
   check_relaxation();
+  return 0;
 }

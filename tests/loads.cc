@@ -298,4 +298,5 @@ int main()
     for (const unsigned int degree : {1, 2})
       for (const bool round : {false, true})
         check_spread_force(name, degree, round, split);
+  return 0;
 }

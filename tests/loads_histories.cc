@@ -189,4 +189,5 @@ int main()
 {
   check_histories_of_loads();
   check_histories_of_supports();
+  return 0;
 }

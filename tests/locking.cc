@@ -196,4 +196,5 @@ int main()
             check("projected or not is the same", same);
         }
     }
+  return 0;
 }

@@ -330,4 +330,5 @@ int main()
   curve.curve     = {{0, 10}, {0.02, 18}, {0.1, 20}, {0.15, 30}};
   cyclic("curve and kinematic", curve);
   steps();
+  return 0;
 }

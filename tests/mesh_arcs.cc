@@ -116,4 +116,5 @@ void test_arcs()
 int main()
 {
   test_arcs();
+  return 0;
 }

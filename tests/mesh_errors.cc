@@ -166,4 +166,5 @@ int main()
 {
   test_file_errors();
   test_group_errors();
+  return 0;
 }

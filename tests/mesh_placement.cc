@@ -185,4 +185,5 @@ int main()
   check_placement();
   check_scales();
   check_errors();
+  return 0;
 }

@@ -144,4 +144,5 @@ int main()
   test_formats();
   test_second_order();
   test_order();
+  return 0;
 }

@@ -475,4 +475,5 @@ int main()
   test_surfaces();
   test_placement();
   test_errors();
+  return 0;
 }

@@ -177,7 +177,7 @@ namespace
     Parameters::All parameters =
       make_strips(degree, uneven_slave, uneven_master, 0.1);
     parameters.contact.friction_coefficient = 0.3;
-    ContactModel        model(parameters);
+    TwoBodies           model(parameters);
     const GhostedVector bent = model.displacement(bend);
     Random              random;
     for (unsigned int i = 0; i < model.n_dofs(); ++i)
@@ -234,4 +234,5 @@ int main()
       turned(degree);
       tangent(degree);
     }
+  return 0;
 }

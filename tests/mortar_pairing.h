@@ -18,13 +18,6 @@ namespace Tests
   using Line = std::vector<double>; // the vertices along a surface
   using Move = std::function<Point<2>(const Point<2> &)>;
 
-  inline Point<2> stay(const Point<2> &X)
-  {
-    return X;
-  }
-
-
-
   /// Two strips, the slave above the line y = 0 and the master below it.
   inline Parameters::All make_strips(const unsigned int degree,
                                      const Line        &slave,

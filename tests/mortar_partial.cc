@@ -177,4 +177,5 @@ int main()
       partial_bent(degree);
       without_a_node(degree);
     }
+  return 0;
 }

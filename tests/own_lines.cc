@@ -25,7 +25,7 @@ namespace
         parameters.contact.master = master;
         try
           {
-            ContactModel model(parameters);
+            TwoBodies model(parameters);
             std::cout << "  accepted" << std::endl;
           }
         catch (const InputError &error)
@@ -99,4 +99,5 @@ $EndElements
 int main()
 {
   own_lines();
+  return 0;
 }

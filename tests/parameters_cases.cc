@@ -153,4 +153,5 @@ int main()
   compare("A as short JSON of ParameterHandler",
           printed(a, ParameterHandler::ShortJSON),
           a);
+  return 0;
 }

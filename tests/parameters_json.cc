@@ -195,4 +195,5 @@ int main()
   test_json_include();
   test_json_syntax();
   test_json_entries();
+  return 0;
 }

@@ -396,4 +396,5 @@ int main()
   test_probes();
   test_overrides();
   test_print();
+  return 0;
 }

@@ -79,4 +79,5 @@ int main()
                " points: inexact");
       not_matching("Gauss", n_points);
     }
+  return 0;
 }

@@ -15,7 +15,7 @@ namespace Tests
   inline const double youngs_modulus = 1000, shortening = 0.01;
 
   // The blocks that are pressed.
-  struct Case
+  struct PatchCase
   {
     unsigned int degree;
     double       poisson;
@@ -31,7 +31,7 @@ namespace Tests
 
   // Both blocks together are 2 high, held on their left sides, and their right
   // sides are free.
-  inline Parameters::All make_case(const Case &c)
+  inline Parameters::All make_case(const PatchCase &c)
   {
     MeshText mesh;
     mesh.block("lower", c.n_lower, 2, c.lower);
@@ -75,9 +75,9 @@ namespace Tests
 
 
   /// The largest deviation from a uniform stress along @p axis.
-  inline double deviation_of_stress(const ContactModel &model,
-                                    const double        poisson,
-                                    const unsigned int  axis = 1)
+  inline double deviation_of_stress(const TwoBodies   &model,
+                                    const double       poisson,
+                                    const unsigned int axis = 1)
   {
     const double          pressure = exact_pressure(poisson);
     SymmetricTensor<2, 3> exact;
@@ -96,8 +96,8 @@ namespace Tests
                       const double           poisson,
                       const unsigned int     axis = 1)
   {
-    ContactModel model(parameters);
-    Result       result{};
+    TwoBodies model(parameters);
+    Result    result{};
     result.converged      = model.solve(1, false) > 0;
     result.deviation      = deviation_of_stress(model, poisson, axis);
     result.all_in_contact = true;

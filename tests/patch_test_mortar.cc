@@ -52,7 +52,7 @@ namespace
 
 
   /// All degrees, lateral strains and slaves of a case.
-  void mortar(Case                                          c,
+  void mortar(PatchCase                                     c,
               const std::function<void(Parameters::All &)> &change,
               const unsigned int                            axis = 1)
   {
@@ -90,7 +90,7 @@ namespace
                                                                     {1, 1}};
     for (const auto &[n_lower, n_upper] : ratios)
       {
-        Case c{};
+        PatchCase c{};
         c.n_lower = n_lower;
         c.n_upper = n_upper;
         headline("mortar rule, " + std::to_string(n_lower) + " against " +
@@ -109,7 +109,7 @@ namespace
   void mortar_turned()
   {
     headline("mortar rule, vertical interface");
-    Case c{};
+    PatchCase c{};
     c.n_lower = 3;
     c.n_upper = 7;
     c.lower   = [](const double s, const double t) {
@@ -137,7 +137,7 @@ namespace
     headline("mortar rule, an end of the slave held");
     for (const unsigned int n_upper : {1, 4})
       {
-        Case c{};
+        PatchCase c{};
         c.n_lower = 3;
         c.n_upper = n_upper;
         for (const std::string end : {"left", "right"})
@@ -175,12 +175,12 @@ namespace
 
 
   // Meshes that do not match on an interface that rises from left to right.
-  Case inclined(const double       slope,
-                const double       poisson,
-                const unsigned int degree,
-                const bool         lower_is_slave)
+  PatchCase inclined(const double       slope,
+                     const double       poisson,
+                     const unsigned int degree,
+                     const bool         lower_is_slave)
   {
-    Case c{};
+    PatchCase c{};
     c.degree         = degree;
     c.poisson        = poisson;
     c.rule           = "mortar";
@@ -206,7 +206,7 @@ namespace
     Parameters::All parameters =
       make_case(inclined(slope, poisson, degree, lower_is_slave));
     parameters.contact.friction_coefficient = 1;
-    ContactModel model(parameters);
+    TwoBodies model(parameters);
     check("converges", model.solve(1, false) > 0);
     check_small("stress", deviation_of_stress(model, poisson), 1e-10);
 
@@ -254,8 +254,8 @@ namespace
       for (const std::string end : {" left", " right"})
         parameters.contact.excluded_points.push_back(parameters.contact.slave +
                                                      end);
-    ContactModel model(parameters);
-    const bool   converged = model.solve(1, false) > 0;
+    TwoBodies  model(parameters);
+    const bool converged = model.solve(1, false) > 0;
 
     const double pressure =
       youngs_modulus * shortening / 2 / ((1 + poisson) * (1 - 2 * poisson));
@@ -288,7 +288,7 @@ namespace
              std::string(width_of_lower < 2 ? "lower" : "upper") +
              " body narrower, degree " + std::to_string(degree) + ", slave " +
              (lower_is_slave ? "below" : "above"));
-    Case c{};
+    PatchCase c{};
     c.degree         = degree;
     c.poisson        = 0.3;
     c.rule           = "mortar";
@@ -296,7 +296,7 @@ namespace
     c.n_upper        = 5;
     c.lower_is_slave = lower_is_slave;
     c.lower          = rectangle({0, -1}, {width_of_lower, 0});
-    ContactModel model(make_case(c));
+    TwoBodies model(make_case(c));
     check("converges", model.solve(1, false) > 0);
 
     double       length = 0, coefficients = 0, force = 0, moment = 0;
@@ -373,4 +373,5 @@ int main()
   headline("mortar rule, inclined without friction: failed");
   for (const unsigned int degree : {1, 2})
     mortar_from_all_sides(degree, true, true);
+  return 0;
 }

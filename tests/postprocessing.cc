@@ -257,4 +257,5 @@ int main()
   check_probes();
   check_summary();
   check_unwritable();
+  return 0;
 }

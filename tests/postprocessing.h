@@ -46,19 +46,12 @@ namespace Tests
 
 
 
-  inline Point<2> stay(const Point<2> &X)
-  {
-    return X;
-  }
-
-
-
   /// A model in a given configuration, paired.
-  struct PlacedModel : public ContactModel
+  struct PlacedModel : public TwoBodies
   {
     PlacedModel(const Parameters::All                           &parameters,
                 const std::function<Point<2>(const Point<2> &)> &position)
-      : ContactModel(parameters)
+      : TwoBodies(parameters)
     {
       const GhostedVector u = displacement(position);
       std::copy(u.begin(), u.end(), solution.begin());
@@ -70,7 +63,7 @@ namespace Tests
 
   /// The profiles of slave and master.
   inline std::array<Rows, 2>
-  profiles(const ContactModel                 &model,
+  profiles(const TwoBodies                    &model,
            const Stresses                     &stresses,
            const std::optional<ExactSolution> &exact = {})
   {

@@ -42,7 +42,7 @@ namespace
                                            {"upper left", 0}};
     parameters.boundary.displacement[1] = {{"lower bottom", 0},
                                            {"upper top", -0.02}};
-    ContactModel model(parameters);
+    TwoBodies model(parameters);
     check("converged", model.solve(1, false) > 0);
     const StressRecovery<2> recovery(model.discretization);
 
@@ -178,4 +178,5 @@ int main()
       check_hertz_axis(degree);
       check_rotation(degree);
     }
+  return 0;
 }

@@ -212,4 +212,5 @@ int main()
   parabola(0.05);
   for (const unsigned int degree : {1, 2})
     corner(degree);
+  return 0;
 }

@@ -374,4 +374,5 @@ int main()
   marking();
   slave_like_master();
   triangles();
+  return 0;
 }

@@ -74,4 +74,5 @@ int main()
 {
   eliminate_chain(10);
   eliminate_chain(1000);
+  return 0;
 }

@@ -83,4 +83,5 @@ int main()
 {
   for (const unsigned int degree : {1, 2})
     compare(degree);
+  return 0;
 }

@@ -154,4 +154,5 @@ int main()
   check_patch(linear, /*low_is_slave=*/true, /*n_levels=*/2);
   check_patch(serendipity, /*low_is_slave=*/false, /*n_levels=*/2);
   check_patch(quadratic, /*low_is_slave=*/true, /*n_levels=*/2);
+  return 0;
 }

@@ -437,4 +437,5 @@ int main()
             convergence({rule, degree, kinematics});
           }
       }
+  return 0;
 }

@@ -263,4 +263,5 @@ int main()
       hold(degree, kinematics);
   hold_a_piece();
   push();
+  return 0;
 }

@@ -206,4 +206,5 @@ int main()
   check_triangles();
   check_cauchy();
   check_von_mises();
+  return 0;
 }

@@ -274,4 +274,5 @@ int main()
         linear_state(degree, rule);
         end_of_contact(degree, rule);
       }
+  return 0;
 }

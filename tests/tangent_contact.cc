@@ -24,7 +24,7 @@ namespace
 
 
 
-  ContactModel
+  TwoBodies
   make_model(const unsigned int degree, const std::string &rule, const Law &law)
   {
     // The slave's nodes and Gauss points lie within the edges of the master.
@@ -39,14 +39,14 @@ namespace
     parameters.contact.n_gauss_points       = 2;
     parameters.contact.tresca_limit         = law.tresca;
     parameters.contact.friction_coefficient = law.coulomb;
-    return ContactModel(parameters);
+    return TwoBodies(parameters);
   }
 
 
 
   struct System
   {
-    explicit System(const ContactModel &model)
+    explicit System(const TwoBodies &model)
       : rhs(model.solution.size())
     {
       DynamicSparsityPattern couplings(rhs.size(), rhs.size());
@@ -78,7 +78,7 @@ namespace
 
   /// The displacements of both surfaces and the multipliers: all others take
   /// no part.
-  std::set<types::global_dof_index> unknowns_of(const ContactModel &model)
+  std::set<types::global_dof_index> unknowns_of(const TwoBodies &model)
   {
     std::set<types::global_dof_index> unknowns;
     const auto                        add = [&](const Surface<2> &surface) {
@@ -98,7 +98,7 @@ namespace
 
   /// All turned by a finite angle and all nodes moved a little, the slave moved
   /// against the master by @p gap; the start of the increment elsewhere.
-  void randomize(ContactModel &model, const double gap)
+  void randomize(TwoBodies &model, const double gap)
   {
     Random               random;
     const Tensor<2, 2>   R         = rotation(0.6);
@@ -136,7 +136,7 @@ namespace
 
 
 
-  Result compare(ContactModel &model, const ContactLinearization &linearization)
+  Result compare(TwoBodies &model, const ContactLinearization &linearization)
   {
     ContactInterface<2> &interface       = model.interface;
     const bool           moving_geometry = linearization.moving_geometry;
@@ -179,7 +179,7 @@ namespace
 
   /// The tangent with all points that face the master doing the same, whatever
   /// the state says.
-  void check_decision(ContactModel         &model,
+  void check_decision(TwoBodies            &model,
                       const std::string    &name,
                       const PointStatus<2> &status)
   {
@@ -222,7 +222,7 @@ namespace
   {
     headline("degree " + std::to_string(degree) + ", " + rule + " rule, " +
              law.name);
-    ContactModel model = make_model(degree, rule, law);
+    TwoBodies model = make_model(degree, rule, law);
     randomize(model, -0.08);
 
     model.interface.pair(model.solution);
@@ -270,7 +270,7 @@ namespace
     parameters.contact.discretization       = "mortar";
     parameters.contact.tresca_limit         = law.tresca;
     parameters.contact.friction_coefficient = law.coulomb;
-    ContactModel model(parameters);
+    TwoBodies model(parameters);
     randomize(model, -0.08);
 
     model.interface.pair(model.solution);
@@ -308,7 +308,7 @@ namespace
     parameters.contact.master               = "lower top";
     parameters.contact.discretization       = "nodal";
     parameters.contact.friction_coefficient = 0.4;
-    ContactModel model(parameters);
+    TwoBodies model(parameters);
     randomize(model, 1);
 
     model.interface.pair(model.solution);
@@ -340,7 +340,7 @@ namespace
     parameters.contact.master               = "lower top";
     parameters.contact.discretization       = rule;
     parameters.contact.friction_coefficient = 0.4;
-    ContactModel model(parameters);
+    TwoBodies model(parameters);
     randomize(model, -0.08);
 
     model.interface.pair(model.solution);
@@ -387,7 +387,7 @@ namespace
                                               {"angle", "90*(t - 1)"}};
         parameters.contact.obstacle_centre = {1, -0.5};
       }
-    ContactModel model(parameters);
+    TwoBodies model(parameters);
     check("moves", model.interface.move_obstacles(0.4, 1) == moves);
     randomize(model, -0.08);
 
@@ -443,4 +443,5 @@ int main()
                            moves);
           }
       }
+  return 0;
 }

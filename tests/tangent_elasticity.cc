@@ -120,4 +120,5 @@ int main()
       compare(2, "serendipity", kinematics);
       compare(2, "free", kinematics);
     }
+  return 0;
 }

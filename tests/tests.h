@@ -117,6 +117,14 @@ namespace Tests
 
 
 
+  /// The motion of a body that does not move.
+  inline Point<2> stay(const Point<2> &X)
+  {
+    return X;
+  }
+
+
+
   /// A place in the plane for every place in the unit square.
   using Chart = std::function<Point<2>(const double s, const double t)>;
 
@@ -331,9 +339,9 @@ namespace Tests
 
 
   /// Two bodies in contact.
-  struct ContactModel : public Bodies
+  struct TwoBodies : public Bodies
   {
-    explicit ContactModel(const Parameters::All &parameters)
+    explicit TwoBodies(const Parameters::All &parameters)
       : Bodies(parameters)
       , interface(discretization, *elasticity, parameters.pairs())
       , solution(n_dofs() + interface.n_multipliers())

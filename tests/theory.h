@@ -15,7 +15,7 @@ namespace Tests
 {
   /// The theory of the first contact pair.
   inline ExactSolution exact_solution(const Parameters::All &parameters,
-                                      const ContactModel    &model,
+                                      const TwoBodies       &model,
                                       const ContactResults  &results = {})
   {
     return *make_exact_solution(parameters,

@@ -134,4 +134,5 @@ int main()
   check_new_points();
   for (const bool triangles : {false, true})
     check_mesh(triangles);
+  return 0;
 }

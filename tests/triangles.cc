@@ -57,4 +57,5 @@ int main()
                     std::abs(energy(degree, corners) / first - 1),
                     1e-12);
     }
+  return 0;
 }

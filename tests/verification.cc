@@ -283,4 +283,5 @@ int main()
   check_dundurs();
   for (const double force : {100., -360.})
     check_friction(force);
+  return 0;
 }

@@ -208,4 +208,5 @@ int main()
   check_cylinders("disk in a ring", 0, {70000, 0.33}, {210000, 0.25});
   check_cylinders("ring in a ring", 10, {210000, 0.25}, {3000, 0.4});
   check_lame();
+  return 0;
 }

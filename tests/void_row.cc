@@ -37,7 +37,7 @@ namespace
 
   void print_void_points(const std::string &name, const Parameters::All &p)
   {
-    ContactModel model(p);
+    TwoBodies model(p);
     model.pair();
     std::cout << "  " << name << ':';
     unsigned int n_void = 0;
@@ -86,7 +86,7 @@ namespace
     print_void_points("void without the node", excluded);
 
     // The tangential row of the node is there, yet without consequence.
-    ContactModel model(nodal);
+    TwoBodies model(nodal);
     check("converges", model.solve(1, true) > 0);
     bool   slips_without_direction = true;
     double multiplier = 0, largest = 0;
@@ -110,8 +110,7 @@ namespace
     frictionless.contact.friction_coefficient = 0;
     std::cout << "  multipliers with and without friction: "
               << model.interface.n_multipliers() << ", "
-              << ContactModel(frictionless).interface.n_multipliers()
-              << std::endl;
+              << TwoBodies(frictionless).interface.n_multipliers() << std::endl;
   }
 } // namespace
 
@@ -121,4 +120,5 @@ int main()
 {
   for (const unsigned int degree : {1, 2})
     check_case(degree);
+  return 0;
 }

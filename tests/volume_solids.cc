@@ -416,4 +416,5 @@ int main()
   plane_strain();
   lame();
   loads();
+  return 0;
 }

@@ -75,7 +75,7 @@ namespace
                    const double               stretch)
   {
     headline(name + ", degree " + std::to_string(degree));
-    ContactModel model(make_case(degree, pairs, poisson, stretch));
+    TwoBodies model(make_case(degree, pairs, poisson, stretch));
     check("converges", model.solve(1, false) > 0);
 
     // Free to the right, no strain across: sigma = E/(1 - nu^2) strain.
@@ -151,4 +151,5 @@ int main()
                   0,
                   shortening);
     }
+  return 0;
 }
