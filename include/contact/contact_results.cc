@@ -9,192 +9,12 @@
 #include <cmath>
 #include <sstream>
 
+#include "contact/contact_patches.h"
+
 namespace Contact
 {
   namespace
   {
-    /// A contact point as its contact pair looks from the side.
-    struct Sample
-    {
-      double s; // arc length [mm]
-      bool   touches, sticks;
-      bool   is_held; // by a support: it can not slip
-      double p;       // [MPa]
-      double slip;    // magnitude [mm]
-    };
-
-    using Samples = std::vector<Sample>;
-    using Inside  = bool Sample::*;
-
-
-
-    /// The zero of a function that is linear in s and has the values f1 and f2
-    /// at s1 and s2, but not outside of the two bounds.
-    double root(const double s1,
-                const double f1,
-                const double s2,
-                const double f2,
-                const double bound_1,
-                const double bound_2)
-    {
-      const double zero = f1 == f2 ? s1 : s1 - f1 * (s2 - s1) / (f2 - f1);
-      return std::clamp(zero,
-                        std::min(bound_1, bound_2),
-                        std::max(bound_1, bound_2));
-    }
-
-
-
-    /// p^2 falls to zero linearly.
-    double
-    end_of_contact(const Sample *before, const Sample &last, const Sample &next)
-    {
-      if (before == nullptr || !before->touches || before->p <= last.p)
-        return (last.s + next.s) / 2;
-      return root(last.s,
-                  last.p * last.p,
-                  before->s,
-                  before->p * before->p,
-                  last.s,
-                  next.s);
-    }
-
-
-
-    /// |slip|^(2/3) grows from zero linearly.
-    double
-    end_of_stick(const Sample &last, const Sample &next, const Sample *beyond)
-    {
-      if (next.is_held)
-        return next.s;
-      if (beyond == nullptr || !beyond->touches || beyond->slip <= next.slip)
-        return (last.s + next.s) / 2;
-      return root(next.s,
-                  std::pow(next.slip, 2. / 3),
-                  beyond->s,
-                  std::pow(beyond->slip, 2. / 3),
-                  last.s,
-                  next.s);
-    }
-
-
-
-    /// The edges of a surface that hang together: the arc length goes on from
-    /// one such chain to the next, over what is no surface.
-    struct Chain
-    {
-      Samples samples;
-      double  begin = 0, end = 0; // [mm]
-      bool    is_closed = false;  // the end is the beginning
-    };
-
-
-
-    /// The sum over all patches, each from its first to its last end.
-    double patch_lengths(const Chain &chain, const Inside inside)
-    {
-      // Of a loop four turns, so that each sample of the two in the middle has
-      // neighbors.
-      Samples   samples;
-      const int n       = chain.samples.size();
-      const int n_turns = chain.is_closed ? 4 : 1;
-      for (int turn = 0; turn < n_turns; ++turn)
-        for (Sample sample : chain.samples)
-          {
-            sample.s += turn * (chain.end - chain.begin);
-            samples.push_back(sample);
-          }
-      const auto at = [&](const int i) {
-        return 0 <= i && i < n_turns * n ? &samples[i] : nullptr;
-      };
-      const auto end_at = [&](const int i, const int outwards) {
-        const Sample *next = at(i + outwards);
-        if (next == nullptr)
-          return outwards > 0 ? chain.end : chain.begin;
-        return inside == &Sample::touches || !next->touches
-                 ? end_of_contact(at(i - outwards), samples[i], *next)
-                 : end_of_stick(samples[i], *next, at(i + 2 * outwards));
-      };
-
-      // A turn begins where a patch does not go on.
-      int begin = 0;
-      if (chain.is_closed && n > 0)
-        {
-          begin = n;
-          while (begin < 2 * n && samples[begin].*inside)
-            ++begin;
-          if (begin == 2 * n)
-            return chain.end - chain.begin;
-        }
-      double sum = 0;
-      for (int i = begin; i < begin + n; ++i)
-        {
-          if (!(samples[i].*inside))
-            continue;
-          const int first = i;
-          while (i + 1 < begin + n && samples[i + 1].*inside)
-            ++i;
-          sum += end_at(i, +1) - end_at(first, -1);
-        }
-      return sum;
-    }
-
-
-
-    /// The arc lengths of the nodes of an edge. That which closes a loop ends
-    /// behind all others, not where the loop begins.
-    std::vector<double> s_of_edge(const Surface<2>          &slave,
-                                  const SurfaceFacet<2>     &edge,
-                                  const std::vector<double> &s_of_node)
-    {
-      std::vector<double> s;
-      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-        s.push_back(s_of_node[edge.nodes[a]]);
-      if (s[1] < s[0])
-        {
-          const unsigned int last = slave.degree == 2 ? 2 : 0;
-          s[1] = s[last] + slave.nodes[edge.nodes[last]].X.distance(
-                             slave.nodes[edge.nodes[1]].X);
-        }
-      return s;
-    }
-
-
-
-    /// The number of the chain of each edge.
-    std::vector<unsigned int> chain_of_edges(const Surface<2> &surface)
-    {
-      std::vector<unsigned int> chains;
-      for (unsigned int e = 0; e < surface.facets.size(); ++e)
-        chains.push_back(
-          e == 0 ? 0 : chains.back() + (surface.facets[e].previous != e - 1));
-      return chains;
-    }
-
-
-
-    /// All of them, still without samples.
-    std::vector<Chain> make_chains(const Surface<2>                &slave,
-                                   const std::vector<unsigned int> &chain_of,
-                                   const std::vector<double>       &s_of_node)
-    {
-      std::vector<Chain> chains;
-      for (unsigned int e = 0; e < chain_of.size(); ++e)
-        {
-          const auto s = s_of_edge(slave, slave.facets[e], s_of_node);
-          if (chain_of[e] == chains.size())
-            {
-              chains.emplace_back();
-              chains.back().begin = s[0];
-            }
-          chains.back().end       = s[1];
-          chains.back().is_closed = !slave.facets[e].ends_surface;
-        }
-      return chains;
-    }
-
-
-
     /// Add the force of a point. Returns its traction, which at a corner of the
     /// master depends on the mesh size.
     template<int dim>
@@ -262,14 +82,7 @@ namespace Contact
                                  const GhostedVector       &u_start,
                                  const bool                 moving_bound)
   {
-    const Surface<2>     &slave = contact_pair.slave;
-    std::vector<Point<2>> X;
-    for (const SurfaceNode<2> &node : slave.nodes)
-      X.push_back(node.X);
-    const auto s_of_node = slave.arc_length(X);
-
-    const auto     chain_of = chain_of_edges(slave);
-    auto           chains   = make_chains(slave, chain_of, s_of_node);
+    ContactPatches patches(contact_pair.slave);
     ContactResults results;
     for (const ContactPoint<2> &point : interface.points_of(contact_pair))
       {
@@ -279,16 +92,10 @@ namespace Contact
             add_force(interface, point, now, moving_bound, results);
             continue;
           }
-        Samples        &samples = chains[chain_of[point.slave_facet]].samples;
-        const EdgeShape shape(slave.degree, point.slave_xi);
-        const auto      s_of_nodes =
-          s_of_edge(slave, slave.facets[point.slave_facet], s_of_node);
-        double s = 0;
-        for (unsigned int a = 0; a < s_of_nodes.size(); ++a)
-          s += shape.value[a] * s_of_nodes[a];
+        const double s = patches.arc_length(point);
         if (!point.facing || point.status.kind == Status::open)
           {
-            samples.push_back({s, false, false, false, 0, 0});
+            patches.add(point, {s, false, false, false, 0, 0});
             continue;
           }
 
@@ -297,23 +104,17 @@ namespace Contact
         results.max_pressure = std::max(results.max_pressure, traction.p);
         results.max_shear =
           std::max(results.max_shear, std::abs(traction.q[0]));
-        samples.push_back(
-          {s,
-           true,
-           point.status.kind == Status::stick,
-           point.tangential_row_is_void && !point.status.has_direction(),
-           traction.p,
-           std::abs(now.slip[0])});
+        patches.add(point,
+                    {s,
+                     true,
+                     point.status.kind == Status::stick,
+                     point.tangential_row_is_void &&
+                       !point.status.has_direction(),
+                     traction.p,
+                     std::abs(now.slip[0])});
       }
-    // The patches of all chains together.
-    for (Chain &chain : chains)
-      {
-        std::sort(chain.samples.begin(),
-                  chain.samples.end(),
-                  [](const Sample &a, const Sample &b) { return a.s < b.s; });
-        results.width += patch_lengths(chain, &Sample::touches);
-        results.stick_width += patch_lengths(chain, &Sample::sticks);
-      }
+    results.width       = patches.width();
+    results.stick_width = patches.stick_width();
     return results;
   }
 

@@ -29,16 +29,8 @@ namespace Contact
     double max_pressure = 0;
     double max_shear    = 0;
 
-    /**
-     * The lengths of all patches of contact, and of sticking, by the undeformed
-     * arc length of the slave [mm]. A patch is a row of points that touch, or
-     * stick, from its first to its last end. Between two points contact ends
-     * where p^2 vanishes, extrapolated linearly from the last two points in
-     * contact, and sticking where |slip|^(2/3) vanishes, extrapolated from the
-     * first two points that slip: where smooth bodies part, pressure begins
-     * with the power 1/2 and a relative displacement with the power 3/2 of the
-     * distance.
-     */
+    /// The lengths of all patches of contact, and of sticking, by the
+    /// undeformed arc length of the slave [mm]: see ContactPatches.
     double width       = 0;
     double stick_width = 0;
 
