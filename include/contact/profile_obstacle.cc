@@ -17,11 +17,12 @@ namespace Contact
     : first(numbers[0], numbers[1])
   {
     const auto refuse = [](const std::string &problem) {
-      throw InputError(problem,
-                       "Contact/Obstacle",
-                       "write 'profile: x, y, radius, x, y, radius, ...', with "
-                       "the body on the left, the radii of the ends of an open "
-                       "line 0, all others positive and small enough");
+      throw InputError(
+        problem,
+        "Contact/Obstacle",
+        "write 'profile: x, y, radius, x, y, radius, ...', with "
+        "the obstacle on its left, the radii of the ends of an open "
+        "line 0, all others positive and small enough");
     };
     const unsigned int    n = numbers.size() / 3;
     std::vector<Point<2>> points;
