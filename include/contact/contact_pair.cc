@@ -294,6 +294,8 @@ namespace Contact
       mark_rims(slave, multipliers, discretization, points);
     if (can_have_corner_points() && !mortar)
       corner_sides.add_points(slave, multipliers, points);
+    if (obstacle && has_point_per_multiplier())
+      corners = find_corners(slave, multipliers, points);
     n_of_slave = points.size();
     if (can_have_corner_points())
       for (ContactPoint<dim> &corner :

@@ -189,6 +189,7 @@ namespace Contact
     std::set<unsigned int>    on_axis;  // without a dual function
     std::unique_ptr<MortarDiscretization<dim>> mortar;
     CornerSides<dim>                           corner_sides;
+    std::vector<SlaveCorner>                   corners; // on an obstacle
 
     /// Of the points those of the discretization, those with the ones on an
     /// axis, and all that belong to the slave.

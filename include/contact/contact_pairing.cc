@@ -61,6 +61,8 @@ namespace Contact
                          : corner_sides.is_empty()
                            ? project(of_discretization, u, mode)
                            : pair_with_sides(points, u, mode);
+    if (!corners.empty())
+      weigh(corners, slave.facet_normals(u), of_discretization);
     if (n_of_discretization < n_without_sides)
       changed =
         project(part(n_of_discretization, n_without_sides), u, mode) || changed;

@@ -86,6 +86,9 @@ namespace Contact
         chains.back().end       = s[1];
         chains.back().is_closed = !edge.ends_surface;
         chain_of_edge.push_back(chains.size() - 1);
+        for (unsigned int a = 0; a < 2; ++a)
+          if (slave.sides_of_node(edge.nodes[a]).size() > 1)
+            chains.back().corners.push_back(s[a]);
       }
   }
 
@@ -93,8 +96,16 @@ namespace Contact
 
   double ContactPatches::arc_length(const ContactPoint<2> &point) const
   {
-    const EdgeShape shape(slave.degree, point.slave_xi);
-    const auto      s_of_nodes = s_of_edge(point.slave_facet);
+    return arc_length(point.slave_facet, point.slave_xi);
+  }
+
+
+
+  double ContactPatches::arc_length(const unsigned int edge,
+                                    const double       xi) const
+  {
+    const EdgeShape shape(slave.degree, xi);
+    const auto      s_of_nodes = s_of_edge(edge);
     double          s          = 0;
     for (unsigned int a = 0; a < s_of_nodes.size(); ++a)
       s += shape.value[a] * s_of_nodes[a];
@@ -107,6 +118,17 @@ namespace Contact
                            const PatchSample     &sample)
   {
     chains[chain_of_edge[point.slave_facet]].samples.push_back(sample);
+  }
+
+
+
+  void ContactPatches::add_corner(const ContactPoint<2> &corner, const bool end)
+  {
+    Chain &chain = chains[chain_of_edge[corner.master_facet]];
+    (end ? chain.ends : chain.corners)
+      .push_back(
+        arc_length(corner.master_facet,
+                   std::clamp(static_cast<double>(corner.master_xi), -1., 1.)));
   }
 
 
@@ -152,6 +174,31 @@ namespace Contact
 
 
 
+  double ContactPatches::cut_at_corners(const Chain       &chain,
+                                        double             end,
+                                        const PatchSample *before,
+                                        const PatchSample &last,
+                                        const PatchSample &next)
+  {
+    const double turn      = chain.end - chain.begin;
+    const double round_off = 1e-10 * turn;
+    const double outwards  = next.s > last.s ? 1 : -1;
+    const auto   cut       = [&](const double from, double at) {
+      // Samples of a loop have the arc length of one of several turns.
+      if (chain.is_closed)
+        at += turn * std::round((last.s - at) / turn);
+      if (outwards * (at - from) >= -round_off && outwards * (end - at) > 0)
+        end = at;
+    };
+    for (const double at : chain.corners)
+      cut(last.s, at);
+    for (const double at : chain.ends)
+      cut(before ? before->s : last.s, at);
+    return end;
+  }
+
+
+
   double ContactPatches::length(const Chain &chain, bool PatchSample::*inside)
   {
     std::vector<PatchSample> row = chain.samples;
@@ -177,9 +224,14 @@ namespace Contact
       const PatchSample *next = at(i + outwards);
       if (next == nullptr)
         return outwards > 0 ? chain.end : chain.begin;
-      return inside == &PatchSample::touches || !next->touches
-               ? end_of_contact(at(i - outwards), samples[i], *next)
-               : end_of_stick(samples[i], *next, at(i + 2 * outwards));
+      if (next->touches && inside == &PatchSample::sticks)
+        return end_of_stick(samples[i], *next, at(i + 2 * outwards));
+      const PatchSample *before = at(i - outwards);
+      return cut_at_corners(chain,
+                            end_of_contact(before, samples[i], *next),
+                            before,
+                            samples[i],
+                            *next);
     };
 
     // A turn begins where a patch does not go on.

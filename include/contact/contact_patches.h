@@ -36,7 +36,9 @@ namespace Contact
    * from the first two points that slip: where smooth bodies part, pressure
    * begins with the power 1/2 and a relative displacement with the power 3/2 of
    * the distance (K. L. Johnson, Contact Mechanics, 1985, sections 4.2
-   * and 7.2).
+   * and 7.2). At a corner of the slave contact ends there, unless a point
+   * beyond it touches, and so it does opposite to a corner or an end of the
+   * master.
    */
   class ContactPatches
   {
@@ -49,6 +51,11 @@ namespace Contact
     /// Take in @p sample, which is that of @p point.
     void add(const ContactPoint<2> &point, const PatchSample &sample);
 
+    /// A place of the slave that a corner of the master is opposite to: a patch
+    /// that ends in the row of points around it ends there. A point beyond the
+    /// @p end of the master touches by its neighbors alone.
+    void add_corner(const ContactPoint<2> &corner, const bool end);
+
     /// The lengths of all patches of points that touch, or that stick [mm].
     double width() const;
     double stick_width() const;
@@ -59,9 +66,12 @@ namespace Contact
     struct Chain
     {
       std::vector<PatchSample> samples;
+      std::vector<double>      corners, ends;      // where patches end [mm]
       double                   begin = 0, end = 0; // [mm]
       bool                     is_closed = false;  // the end is the beginning
     };
+
+    double arc_length(const unsigned int edge, const double xi) const;
 
     /// The arc lengths of the nodes of an edge. That which closes a loop ends
     /// behind all others, not where the loop begins.
@@ -70,6 +80,14 @@ namespace Contact
     /// The sum over all patches, each from its first to its last end [mm].
     double        length(bool PatchSample::*inside) const;
     static double length(const Chain &chain, bool PatchSample::*inside);
+
+    /// Where a patch ends that seems to do so at @p end, between its @p last
+    /// sample and the @p next one; there is another one @p before.
+    static double cut_at_corners(const Chain       &chain,
+                                 const double       end,
+                                 const PatchSample *before,
+                                 const PatchSample &last,
+                                 const PatchSample &next);
 
     const Surface<2>         &slave;
     std::vector<double>       s_of_node;

@@ -10,6 +10,8 @@
 #include <sstream>
 
 #include "contact/contact_patches.h"
+#include "contact/corner_points.h"
+#include "contact/slave_corners.h"
 
 namespace Contact
 {
@@ -32,6 +34,36 @@ namespace Contact
       results.normal_force += point.weight * traction.p;
       results.tangential_force += point.weight * traction.q[0];
       return traction;
+    }
+
+
+
+    /// Corners and ends of the master that are opposite to the slave, and no
+    /// further from it than an edge is long.
+    void add_corners_of_master(const ContactPair<2> &contact_pair,
+                               const GhostedVector  &u,
+                               ContactPatches       &patches)
+    {
+      const Surface<2> &slave  = contact_pair.slave,
+                       &master = *contact_pair.master;
+      const SurfaceSearch<2> search(slave, u);
+      const auto             normals = master.facet_normals(u);
+      for (ContactPoint<2> &corner : make_corner_points(master, true))
+        {
+          pair_corner_point(corner,
+                            master,
+                            normals,
+                            slave,
+                            search,
+                            contact_pair.discretization,
+                            u);
+          const SurfaceFacet<2> &edge = master.facets[corner.slave_facet];
+          if (corner.facing &&
+              distance(corner, u) < slave.reference_length(corner.master_facet))
+            patches.add_corner(corner,
+                               corner.slave_xi < 0 ? edge.begins_surface
+                                                   : edge.ends_surface);
+        }
     }
 
 
@@ -113,6 +145,8 @@ namespace Contact
                      traction.p,
                      std::abs(now.slip[0])});
       }
+    if (contact_pair.master)
+      add_corners_of_master(contact_pair, solution, patches);
     results.width       = patches.width();
     results.stick_width = patches.stick_width();
     return results;
@@ -153,6 +187,38 @@ namespace Contact
 
 
 
+  template<int dim>
+  unsigned int multiplier_at(const ContactInterface<dim> &interface,
+                             const ContactPair<dim>      &contact_pair,
+                             const unsigned int           node,
+                             const GhostedVector         &solution)
+  {
+    unsigned int found = contact_pair.multipliers.of_node[node];
+    if (contact_pair.has_point_per_multiplier())
+      return found;
+    for (const auto &[k, n] : contact_pair.multipliers.of_sides)
+      if (n == node && solution[interface.normal_index(k)] >
+                         solution[interface.normal_index(found)])
+        found = k;
+    return found;
+  }
+
+
+
+  template<int dim>
+  double pressure_at(const ContactInterface<dim> &interface,
+                     const ContactPair<dim>      &contact_pair,
+                     const unsigned int           node,
+                     const GhostedVector         &solution)
+  {
+    return contact_pair.has_point_per_multiplier()
+             ? interface.pressure(contact_pair.pressure_at(node), solution)
+             : solution[interface.normal_index(
+                 multiplier_at(interface, contact_pair, node, solution))];
+  }
+
+
+
   // The multipliers of a solution are the tractions. A node without a point
   // that faces the master is pushed along the normal of the corner's.
   std::vector<CornerLoad> corner_loads(const ContactInterface<2> &interface,
@@ -163,6 +229,8 @@ namespace Contact
       return {};
     MultiplierSpace numbering;
     const auto      own = make_nodal_points(contact_pair.slave, {}, numbering);
+    const auto      corners = find_corners(contact_pair.slave, numbering, own);
+    const auto      normals = contact_pair.slave.facet_normals(solution);
     std::vector<CornerLoad>                                    loads;
     std::map<types::global_dof_index, unsigned int>            node_of_dof;
     std::map<types::global_dof_index, const ContactPoint<2> *> facing;
@@ -189,7 +257,12 @@ namespace Contact
               const Tensor<1, 2> normal =
                 found == facing.end() ? -point.normal : found->second->normal;
               const Tensor<1, 2> on_node = point.C[a] * force;
-              loads[node_of_dof.at(point.dofs[a][0])].force +=
+              const unsigned int n       = node_of_dof.at(point.dofs[a][0]);
+              for (const SlaveCorner &corner : corners)
+                if (corner.node == n)
+                  loads[n].weight =
+                    corner.weight_towards(-point.normal, normals);
+              loads[n].force +=
                 Tensor<1, 2>({on_node * normal,
                               on_node[1] * normal[0] - on_node[0] * normal[1]});
             }
@@ -253,6 +326,22 @@ namespace Contact
     return text.str();
   }
 
+  template unsigned int  multiplier_at(const ContactInterface<2> &,
+                                       const ContactPair<2> &,
+                                       const unsigned int,
+                                       const GhostedVector &);
+  template unsigned int  multiplier_at(const ContactInterface<3> &,
+                                       const ContactPair<3> &,
+                                       const unsigned int,
+                                       const GhostedVector &);
+  template double        pressure_at(const ContactInterface<2> &,
+                                     const ContactPair<2> &,
+                                     const unsigned int,
+                                     const GhostedVector &);
+  template double        pressure_at(const ContactInterface<3> &,
+                                     const ContactPair<3> &,
+                                     const unsigned int,
+                                     const GhostedVector &);
   template GhostedVector contact_forces(const ContactInterface<2> &,
                                         const GhostedVector &,
                                         const GhostedVector &,

@@ -67,6 +67,18 @@ namespace Contact
 
 
 
+  double distance(const ContactPoint<2> &corner, const GhostedVector &u)
+  {
+    double sum = 0;
+    for (unsigned int a = 0; a < corner.n_nodes; ++a)
+      for (unsigned int i = 0; i < 2; ++i)
+        sum += corner.normal[i] * corner.C[a] *
+               (corner.X[a][i] + u[corner.dofs[a][i]]);
+    return sum;
+  }
+
+
+
   void pair_corner_point(
     ContactPoint<2>                              &point,
     const Surface<2>                             &master,
@@ -81,13 +93,8 @@ namespace Contact
     directions.at_end        = false;
     pair_with_master(point, directions, slave, search, discretization, u);
     const double length = slave.reference_length(point.master_facet);
-    double       gap    = 0;
-    for (unsigned int a = 0; a < point.n_nodes; ++a)
-      for (unsigned int i = 0; i < 2; ++i)
-        gap +=
-          point.normal[i] * point.C[a] * (point.X[a][i] + u[point.dofs[a][i]]);
-    point.facing =
-      point.facing && gap > -length && !is_at_end_of_face(slave, point);
+    point.facing        = point.facing && distance(point, u) > -length &&
+                   !is_at_end_of_face(slave, point);
     point.projection = Point<2>(-corner_slack * length * point.normal);
   }
 

@@ -76,6 +76,9 @@ namespace Contact
   /// twentieth of its length.
   constexpr double inclination = 5;
 
+  /// How far a corner that is paired is from the slave [mm].
+  double distance(const ContactPoint<2> &corner, const GhostedVector &u);
+
   /**
    * Pair a corner point with the slave in the configuration @p u.
    *

@@ -18,47 +18,6 @@ namespace Contact
 
 
 
-    /// Whether two edges stand for one curve, by however large an angle they
-    /// meet.
-    bool is_on_curve(const Surface<2> &surface, const unsigned int node)
-    {
-      const auto &edges = surface.facets_of_node[node];
-      return std::any_of(edges.begin(), edges.end(), [&](const auto e) {
-        return surface.facets[e].nodes[0] == node &&
-               std::abs(surface.turn_of_curves(e)) <=
-                 numbers::PI / 180 * Surface<2>::feature_angle;
-      });
-    }
-
-    bool is_on_curve(const Surface<3> &, const unsigned int)
-    {
-      return false;
-    }
-
-
-
-    /// The facets around a node, by the sides that corners part.
-    template<int dim>
-    std::vector<std::vector<unsigned int>> sides_of(const Surface<dim> &surface,
-                                                    const unsigned int  node)
-    {
-      std::vector<std::vector<unsigned int>> sides;
-      for (const unsigned int e : surface.facets_of_node[node])
-        if (std::none_of(sides.begin(), sides.end(), [&](const auto &side) {
-              return std::find(side.begin(), side.end(), e) != side.end();
-            }))
-          {
-            const auto &of_facet = surface.facets[e].nodes;
-            sides.push_back(surface.smooth_around(
-              e,
-              std::find(of_facet.begin(), of_facet.end(), node) -
-                of_facet.begin()));
-          }
-      return sides;
-    }
-
-
-
     /// The middle of a facet, between its vertices.
     template<int dim>
     Point<dim> middle(const Surface<dim>  &surface,
@@ -123,7 +82,7 @@ namespace Contact
               before.push_back(i);
             pair_side(i, keeps_facets);
           }
-        own.weight = node.weight;
+        own.weight = node.weight_towards(own.normal, normals);
         for (const unsigned int i : before)
           accept(i);
 
@@ -172,7 +131,7 @@ namespace Contact
 
       const Tensor<1, dim> &normal_of(const unsigned int i) const
       {
-        return normals[node.sides[i].facet][node.sides[i].a];
+        return node.normal_of(node.sides[i], normals);
       }
 
       /// The side that a face of the master is most opposite to.
@@ -202,7 +161,7 @@ namespace Contact
         NormalCone<dim>    cone;
         look_along(cone, normal_of(i));
         cone.reach = SurfaceSearch<dim>::overhang *
-                     slave.reference_length(node.sides[i].facet);
+                     slave.reference_length(node.sides[i].facet());
         for (unsigned int j = 0; j < node.sides.size(); ++j)
           if (j != i)
             cone.others.push_back(normal_of(j));
@@ -297,46 +256,25 @@ namespace Contact
                                     std::vector<ContactPoint<dim>> &points)
   {
     const auto normals = slave.facet_normals({});
-    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+    for (const SlaveCorner &corner : find_corners(slave, multipliers, points))
       {
-        const auto sides = sides_of(slave, i);
-        if (sides.size() < 2 || is_on_curve(slave, i) ||
-            multipliers.of_node[i] == numbers::invalid_unsigned_int)
-          continue;
-        Node node{i, multipliers.of_node[i], 0, 0, {}, {}};
-        node.weight = points[node.own].weight;
-        node.first  = points.size();
-        double sum  = 0;
-        for (const auto &facets : sides)
+        Node node{corner, static_cast<unsigned int>(points.size()), {}};
+        for (const SlaveCorner::Side &side : node.sides)
           {
-            const auto a_of = [&](const unsigned int e) {
-              const auto &of_facet = slave.facets[e].nodes;
-              return std::find(of_facet.begin(), of_facet.end(), i) -
-                     of_facet.begin();
-            };
-            Side side{facets[0], static_cast<unsigned int>(a_of(facets[0])), 0};
-            for (const unsigned int e : facets)
-              side.weight += share_of_node(slave, e, a_of(e));
-            sum += side.weight;
-            node.sides.push_back(side);
-          }
-        node.is_concave.resize(sides.size());
-        for (unsigned int s = 0; s < sides.size(); ++s)
-          {
-            Side &side = node.sides[s];
-            side.weight *= node.weight / sum;
-            for (unsigned int t = 0; t < sides.size(); ++t)
-              node.is_concave[s].push_back(
-                (middle(slave, node.sides[t].facet, {}) - slave.nodes[i].X) *
-                  normals[side.facet][side.a] >
+            std::vector<bool> is_concave;
+            for (const SlaveCorner::Side &other : node.sides)
+              is_concave.push_back(
+                (middle(slave, other.facet(), {}) - slave.nodes[node.node].X) *
+                  node.normal_of(side, normals) >
                 0);
+            node.is_concave.push_back(is_concave);
             ContactPoint<dim> point = points[node.own];
-            point.side              = s + 1;
-            point.slave_facet       = side.facet;
+            point.side              = node.is_concave.size();
+            point.slave_facet       = side.facet();
             point.slave_xi          = node_place<dim>(side.a);
             point.weight            = side.weight;
             point.multipliers[0]    = multipliers.n_multipliers++;
-            multipliers.of_sides.emplace_back(point.multipliers[0], i);
+            multipliers.of_sides.emplace_back(point.multipliers[0], node.node);
             points.push_back(point);
           }
         nodes.push_back(node);

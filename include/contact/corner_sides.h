@@ -6,9 +6,7 @@
 #ifndef contact_corner_sides_h
 #define contact_corner_sides_h
 
-#include <deal.II/base/array_view.h>
-
-#include "contact/contact_points.h"
+#include "contact/slave_corners.h"
 
 namespace Contact
 {
@@ -68,20 +66,9 @@ namespace Contact
             const unsigned int                  own,
             const Tensor<1, dim>               &normal) const;
 
-    /// A side of a node: one of its facets, the node's number in that, and the
-    /// part of the node's weight.
-    struct Side
+    struct Node : public SlaveCorner
     {
-      unsigned int facet, a;
-      double       weight;
-    };
-
-    struct Node
-    {
-      unsigned int      node;       // of the slave
-      unsigned int      own, first; // points: its own, of the first side
-      double            weight;     // of all sides
-      std::vector<Side> sides;
+      unsigned int first; // point, of the first side
 
       std::vector<std::vector<bool>> is_concave; // by two sides
     };

@@ -344,6 +344,49 @@ namespace Contact
 
 
 
+  namespace
+  {
+    bool is_on_curve(const Surface<2> &surface, const unsigned int node)
+    {
+      const auto &edges = surface.facets_of_node[node];
+      return std::any_of(edges.begin(), edges.end(), [&](const auto e) {
+        return surface.facets[e].nodes[0] == node &&
+               std::abs(surface.turn_of_curves(e)) <=
+                 numbers::PI / 180 * Surface<2>::feature_angle;
+      });
+    }
+
+    bool is_on_curve(const Surface<3> &, const unsigned int)
+    {
+      return false;
+    }
+  } // namespace
+
+
+
+  template<int dim>
+  std::vector<std::vector<unsigned int>>
+  Surface<dim>::sides_of_node(const unsigned int node) const
+  {
+    if (is_on_curve(*this, node))
+      return {facets_of_node[node]};
+    std::vector<std::vector<unsigned int>> sides;
+    for (const unsigned int e : facets_of_node[node])
+      if (std::none_of(sides.begin(), sides.end(), [&](const auto &side) {
+            return std::find(side.begin(), side.end(), e) != side.end();
+          }))
+        {
+          const auto &nodes = facets[e].nodes;
+          sides.push_back(
+            smooth_around(e,
+                          std::find(nodes.begin(), nodes.end(), node) -
+                            nodes.begin()));
+        }
+    return sides;
+  }
+
+
+
   template<int dim>
   void Surface<dim>::find_parted()
   {

@@ -292,6 +292,11 @@ namespace Contact
     /// The facets that meet at each node.
     std::vector<std::vector<unsigned int>> facets_of_node;
 
+    /// The same of one node by the sides that corners part. One side where
+    /// edges stand for one curve, by however large an angle they meet.
+    std::vector<std::vector<unsigned int>>
+    sides_of_node(const unsigned int node) const;
+
     /// A node and its part in another one.
     using Part = std::pair<unsigned int, double>;
 

@@ -175,7 +175,8 @@ namespace Contact
                          const unsigned int           n,
                          const GhostedVector         &solution)
     {
-      const unsigned int k = contact_pair.multipliers.of_node[n];
+      const unsigned int k =
+        multiplier_at(interface, contact_pair, n, solution);
       if (contact_pair.law.is_frictionless() ||
           k == numbers::invalid_unsigned_int)
         return 0;
@@ -206,7 +207,7 @@ namespace Contact
     for (const auto &[n, weight] : found.nodes)
       {
         const double of_multiplier =
-          is_normal ? interface->pressure(contact_pair.pressure_at(n), solution)
+          is_normal ? pressure_at(*interface, contact_pair, n, solution)
                     : shear_of_node(*interface, contact_pair, n, solution);
         const double of_corner =
           of_corners.empty() ? 0. : of_corners[n].traction()[is_normal ? 0 : 1];

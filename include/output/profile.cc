@@ -150,12 +150,12 @@ namespace Contact
       std::vector<unsigned int> node_of(interface.n_normal_multipliers());
       for (unsigned int n = 0; n < rows.size(); ++n)
         {
-          rows[n].pressure =
-            interface.pressure(contact_pair.pressure_at(n), solution);
-          const unsigned int k = contact_pair.multipliers.of_node[n];
+          rows[n].pressure = pressure_at(interface, contact_pair, n, solution);
+          const unsigned int k =
+            multiplier_at(interface, contact_pair, n, solution);
           if (k != numbers::invalid_unsigned_int)
             {
-              node_of[k] = n;
+              node_of[contact_pair.multipliers.of_node[n]] = n;
               Tensor<1, dim - 1> shear;
               if (!contact_pair.law.is_frictionless())
                 for (unsigned int t = 0; t < dim - 1; ++t)

@@ -1,0 +1,163 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Slave groups that go round convex corners: the sole of a block and its sides.
+
+Proves that
+
+- of a block under a uniform stress on a half plane, or half space, with friction
+  and without, pressure and shear are uniform up to the corners and edges, by
+  probe, profile and in the largest values, and so is the stress there; width and
+  area are those of the sole;
+- a block that stands on a corner has the force on both sides that meet there;
+- beyond the end of a master there is no contact: a long slave on a short master
+  touches it by no more than its width, where nodes of the slave are at its end, or
+  beside it.
+
+Usage: slave_corners.py CONTACT PARAMETERS MESHES
+"""
+
+import math
+import sys
+
+from block_scenes import Mesh, box, check, failures, rows, run
+from volume_scenes import Volumes
+
+NU, P, Q, MU = 0.3, 2, 0.5, 0.3
+SOLIDS = {"Solids/Young's modulus": "B: 1000",
+          "Solids/Poisson's ratio": f"B: {NU}",
+          "Solids/Kinematics": "small strain"}
+
+
+def value(summary, name):
+    return next(p["value"] for p in summary["probes"] if p["name"] == name)
+
+
+def sole():
+    """Sides that hold the sole's length: it sticks, under p and the shear q."""
+    mesh = Mesh()
+    mesh.block("B", 4, 4, box(0, 0, 1, 1),
+               {"bottom": "Skin", "left": "Skin", "right": "Skin", "top": "Top"})
+    mesh.block("B", 4, 4, box(0, 0, 1, 1), {"left": "Left", "right": "Right"})
+    mesh.merge()
+    mesh.elements = list(dict.fromkeys(mesh.elements))
+    mesh.write("sole")
+    across = NU / (1 - NU) * P
+    for degree in (1, 2):
+        for rule in ("mortar", "nodal", "Gauss"):
+            status, said, summary = run("sole", {
+                "Mesh/File": "sole.msh", "Mesh/Points": "C in B: 0, 0; "
+                "D in B: 1, 0", **SOLIDS, "Element/Degree": degree,
+                "Contact/Slave": "Skin",
+                "Contact/Obstacle": "half plane: 0, 0, 0, 1",
+                "Contact/Discretization": rule,
+                "Contact/Friction coefficient": MU,
+                "Boundary conditions/Pressure":
+                    f"Top: {P}; Left: {across!r}; Right: {across!r}",
+                "Boundary conditions/Traction x": f"Top: {Q}",
+                "Boundary conditions/Traction y": f"Left: {-Q}; Right: {Q}",
+                "Probes/Probes": "; ".join(
+                    f"{q}{c}: {of}, {c}" for c in "CD" for q, of in
+                    (("p", "pressure"), ("q", "shear"), ("s", "stress yy"))),
+                "Output/Profile": "true"})
+            what = f"sole, degree {degree}, {rule}"
+            check(f"{what}: converges", status == 0, said[-300:])
+            if status != 0:
+                continue
+            zone = summary["contact"]
+            worst = max([abs(value(summary, q + c) / reference - 1)
+                         for c in "CD" for q, reference in
+                         (("p", P), ("q", Q), ("s", -P))] +
+                        [abs(zone[name] / reference - 1)
+                         for name, reference in
+                         (("max_pressure", P), ("max_shear", Q),
+                          ("width", 1), ("stick_width", 1))] +
+                        [abs(row["pressure_MPa"] / P - 1)
+                         for row in rows("sole") if row["Y_mm"] == 0])
+            check(f"  uniform up to the corners: {worst:.1e}", worst < 1e-8)
+
+
+def sole_in_space():
+    """A block on a half space, all its sides but the upper one in the slave."""
+    mesh = Volumes()
+    mesh.block("B", (2, 3, 2), lambda r, s, t: (r, s, t),
+               {side: "skin" for side in ("x0", "x1", "y0", "y1", "z0")} |
+               {"z1": "top"})
+    mesh.write("sole_in_space")
+    for degree in (1, 2):
+        for rule in ("mortar", "nodal"):
+            status, said, summary = run("sole_in_space", {
+                "Mesh/File": "sole_in_space.msh", **SOLIDS,
+                "Element/Degree": degree, "Contact/Slave": "B_skin",
+                "Contact/Obstacle": "half space: 0, 0, 0, 0, 0, 1",
+                "Contact/Discretization": rule,
+                "Boundary conditions/Displacement x": "B_000: 0, B_001: 0",
+                "Boundary conditions/Displacement y": "B_000: 0, B_100: 0",
+                "Boundary conditions/Pressure": f"B_top: {P}",
+                "Probes/Probes": "; ".join(f"p{c}: pressure, B_{c}"
+                                           for c in ("000", "100", "110"))})
+            what = f"sole in space, degree {degree}, {rule}"
+            check(f"{what}: converges", status == 0, said[-300:])
+            if status != 0:
+                continue
+            worst = max([abs(probe["value"] / P - 1)
+                         for probe in summary["probes"]] +
+                        [abs(summary["contact"]["max_pressure"] / P - 1),
+                         abs(summary["contact"]["area"] - 1)])
+            check(f"  uniform up to edges and corners: {worst:.1e}",
+                  worst < 1e-8)
+
+
+def on_its_corner():
+    """Symmetric, and upright by a support: force by the lengths of both sides."""
+    mesh = Mesh()
+    c = math.sqrt(0.5)
+    mesh.block("B", 4, 4, lambda s, t: (c * (s - t), c * (s + t)),
+               {"bottom": "Skin", "left": "Skin", "top": "Top",
+                "right": "Top"})
+    mesh.write("on_its_corner")
+    for degree, share in ((1, 0.25), (2, 0.25 / 3)):
+        status, said, summary = run("on_its_corner", {
+            "Mesh/File": "on_its_corner.msh", "Mesh/Points":
+            f"C in B: 0, 0; T in B: 0, {2 * c!r}", **SOLIDS,
+            "Element/Degree": degree, "Contact/Slave": "Skin",
+            "Contact/Obstacle": "half plane: 0, 0, 0, 1",
+            "Boundary conditions/Displacement x": "C: 0, T: 0",
+            "Boundary conditions/Pressure": "Top: 0.1",
+            "Probes/Probes": "p: pressure, C"})
+        force = 0.1 * 2 * c
+        check(f"on its corner, degree {degree}: force by both sides",
+              status == 0 and
+              abs(value(summary, "p") * share / force - 1) < 1e-6,
+              f"{value(summary, 'p') * share if status == 0 else said[-300:]} "
+              f"{force}")
+
+
+def short_master():
+    """A long slave of n edges, 6 mm, pressed on a master 2 mm long."""
+    for n in (12, 11):
+        mesh = Mesh()
+        mesh.block("A", 8, 4, box(-1, -2, 1, 0), {"bottom": "Base", "top": "Head"})
+        mesh.block("B", n, 3, box(-3, 0, 3, 2), {"bottom": "Sole", "top": "Top"})
+        mesh.write("short_master")
+        for degree in (1, 2):
+            for rule in ("mortar", "nodal"):
+                status, said, summary = run("short_master", {
+                    "Mesh/File": "short_master.msh",
+                    "Mesh/Points": "Z in B: 0, 2" if n == 12 else
+                                   "Z in B: 0.27272727272727, 2",
+                    "Solids/Young's modulus": "A: 1000, B: 1000",
+                    "Solids/Poisson's ratio": "A: 0.3, B: 0.3",
+                    "Solids/Kinematics": "small strain",
+                    "Element/Degree": degree, "Contact/Slave": "Sole",
+                    "Contact/Master": "Head", "Contact/Discretization": rule,
+                    "Boundary conditions/Displacement x": "Base: 0, Z: 0",
+                    "Boundary conditions/Displacement y": "Base: 0, Top: -0.01"})
+                width = summary["contact"]["width"] if status == 0 else 0
+                check(f"{n} edges, degree {degree}, {rule}: no wider than the "
+                      "master, up to half an edge less",
+                      2 - 3 / n < width < 2.01, f"{width} {said[-300:]}")
+
+
+for scene in (sole, sole_in_space, on_its_corner, short_master):
+    scene()
+sys.exit(len(failures) > 0)
