@@ -6,6 +6,7 @@
 #include "contact/face_clipping.h"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 
 namespace Contact

@@ -9,7 +9,7 @@
 #include <deal.II/base/point.h>
 
 #include <array>
-#include <boost/container/small_vector.hpp>
+#include <boost/container/static_vector.hpp>
 
 namespace Contact
 {
@@ -39,8 +39,9 @@ namespace Contact
   /// A quadrangle in the plane: the corners in the order of deal.II.
   using PlaneQuadrangle = std::array<Point<2>, 4>;
 
-  /// Of two quadrangles that meet no more than eight.
-  using PlaneTriangles = boost::container::small_vector<PlaneTriangle, 8>;
+  /// Of two quadrangles that meet no more than eight if they are convex, and
+  /// twelve if not: each side of one cuts the other at four places at most.
+  using PlaneTriangles = boost::container::static_vector<PlaneTriangle, 12>;
 
   /// The intersection of two convex quadrangles, cut into triangles; empty if
   /// it is no larger than round-off (I. E. Sutherland and G. W. Hodgman, Comm.

@@ -12,21 +12,23 @@
 
 namespace Contact
 {
+  /// The parts of a facet that are projected as quadrangles: one, or at degree
+  /// 2 four. Their corners are nodes of the facet.
+  struct FacetPart
+  {
+    std::array<unsigned int, 4> corners;
+    Point<2>                    middle; // in the coordinates of the facet
+    double                      scale;  // of the coordinates of the part
+  };
+
+
+
   namespace
   {
-    /// The parts of a facet that are projected as quadrangles: one, or at
-    /// degree 2 four. Their corners are nodes of the facet.
-    struct Part
+    const std::vector<FacetPart> &parts_of_facet(const unsigned int degree)
     {
-      std::array<unsigned int, 4> corners;
-      Point<2>                    middle; // in the coordinates of the facet
-      double                      scale;  // of the coordinates of the part
-    };
-
-    const std::vector<Part> &parts_of_facet(const unsigned int degree)
-    {
-      static const std::vector<Part> one{{{{0, 1, 2, 3}}, Point<2>(), 1}};
-      static const std::vector<Part> four{
+      static const std::vector<FacetPart> one{{{{0, 1, 2, 3}}, Point<2>(), 1}};
+      static const std::vector<FacetPart> four{
         {{{0, 6, 4, 8}}, Point<2>(-0.5, -0.5), 0.5},
         {{{6, 1, 8, 5}}, Point<2>(0.5, -0.5), 0.5},
         {{{4, 8, 2, 7}}, Point<2>(-0.5, 0.5), 0.5},
@@ -37,7 +39,7 @@ namespace Contact
 
 
     PlaneQuadrangle project(const ProjectionPlane               &plane,
-                            const Part                          &part,
+                            const FacetPart                     &part,
                             const PerFacetNode<3, unsigned int> &nodes,
                             const std::vector<Point<3>>         &x)
     {
@@ -136,7 +138,7 @@ namespace Contact
 
   struct FaceSegments::ProjectedPart
   {
-    ProjectedPart(const PlaneQuadrangle &quadrangle, const Part &part)
+    ProjectedPart(const PlaneQuadrangle &quadrangle, const FacetPart &part)
       : quadrangle(quadrangle)
       , lower(quadrangle[0])
       , upper(quadrangle[0])
@@ -173,7 +175,7 @@ namespace Contact
     const PlaneQuadrangle quadrangle;
     Point<2>              lower, upper;
     const BilinearMap     map;
-    const Part           &part;
+    const FacetPart      &part;
   };
 
 
@@ -192,7 +194,7 @@ namespace Contact
                   slave.n_nodes_per_facet()),
               normal)
     {
-      for (const Part &part : parts_of_facet(slave.degree))
+      for (const FacetPart &part : parts_of_facet(slave.degree))
         parts.emplace_back(project(plane, part, facet.nodes, now.slave_x),
                            part);
       for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
@@ -321,7 +323,7 @@ namespace Contact
     const auto on_master = [&](const FacetShape<3>::Values &values) {
       return sum(values, other_nodes, now.master_x, master.n_nodes_per_facet());
     };
-    for (const Part &other : parts_of_facet(master.degree))
+    for (const FacetPart &other : parts_of_facet(master.degree))
       {
         const ProjectedPart t(
           project(own.plane, other, other_nodes, now.master_x),
@@ -495,7 +497,7 @@ namespace Contact
                           const unsigned int           facet) const
   {
     std::vector<ProjectedPart> parts;
-    for (const Part &part : parts_of_facet(surface.degree))
+    for (const FacetPart &part : parts_of_facet(surface.degree))
       parts.emplace_back(
         project(own.plane, part, surface.facets[facet].nodes, x),
         part);

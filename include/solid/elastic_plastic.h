@@ -31,7 +31,7 @@ namespace Contact
     double rate       = 0; // [-]
     double kinematic  = 0; // H_k, see ElasticPlastic
 
-    std::vector<std::pair<double, double>> curve;
+    std::vector<std::pair<double, double>> curve = {};
 
     /// Y(a), dY/da, and the integral of Y - Y_0 from 0 to a.
     struct Values
