@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/coarse_cells.h"
 #include "mesh/mid_sides.h"
 #include "mesh/msh_file.h"
 
@@ -47,10 +48,6 @@ namespace Contact
   CoarseMesh<dim>
   make_coarse_mesh(const MshFile                                   &msh,
                    const std::map<std::string, types::material_id> &bodies);
-
-  /// A place in a message.
-  template<int dim>
-  std::string to_string(const Point<dim> &p);
 } // namespace Contact
 
 #endif
