@@ -8,10 +8,15 @@ Proves that
   and without, pressure and shear are uniform up to the corners and edges, by
   probe, profile and in the largest values, and so is the stress there; width and
   area are those of the sole;
-- a block that stands on a corner has the force on both sides that meet there;
+- a block that stands on a corner has the force on both sides that meet there, and
+  as it tilts over, the length that its shear acts on changes by the formula of
+  slave_corners.h, without a jump; with the Gauss-point discretization, no point of
+  which looks at the corner, it is said that it sinks in;
 - beyond the end of a master there is no contact: a long slave on a short master
   touches it by no more than its width, where nodes of the slave are at its end, or
-  beside it.
+  beside it;
+- the force of a corner of the master on a slave edge of degree 2 is pressure at its
+  nodes, without tension and without shear;
 
 Usage: slave_corners.py CONTACT PARAMETERS MESHES
 """
@@ -132,11 +137,91 @@ def on_its_corner():
               f"{force}")
 
 
+def tilted():
+    """A stiff block that is dragged on its corner, with a given shear of 2 MPa:
+    sides of edges of 1 and 0.5 mm."""
+    for degrees in (10, 25, 34, 37, 45, 60):
+        mesh = Mesh()
+        a = math.radians(degrees)
+        mesh.block("B", 2, 4, lambda s, t: (
+            2 * s * math.cos(a) - 2 * t * math.sin(a),
+            2 * s * math.sin(a) + 2 * t * math.cos(a)),
+            {"bottom": "Skin", "left": "Skin", "top": "Top"})
+        mesh.write("tilted")
+        status, said, summary = run("tilted", {
+            "Mesh/File": "tilted.msh", **SOLIDS, "Contact/Slave": "Skin",
+            "Solids/Young's modulus": "B: 1e9",
+            "Contact/Obstacle": "half plane: 0, 0, 0, 1",
+            "Contact/Tresca limit": "2",
+            "Boundary conditions/Displacement x": "Top: 0.1",
+            "Boundary conditions/Displacement y": "Top: -1e-7"})
+        # The sides are off the normal by the tilt, and by 90 degrees less it.
+        least = min(degrees, 90 - degrees)
+        length = sum(share * max(0, 1 - (angle - least) / 35)
+                     for share, angle in ((0.5, degrees), (0.25, 90 - degrees)))
+        shear = abs(summary["contact"]["tangential_force"]) if status == 0 else 0
+        check(f"tilted by {degrees} degrees: the length of the corner",
+              abs(shear / (2 * length) - 1) < 1e-6,
+              f"{shear / 2} {length} {said[-300:]}")
+
+
+def sunk():
+    """A corner of 90 degrees that no Gauss point looks at."""
+    mesh = Mesh()
+    c = math.sqrt(0.5)
+    mesh.block("B", 4, 4, lambda s, t: (c * (s - t), c * (s + t)),
+               {"bottom": "Skin", "left": "Skin", "top": "Top", "right": "Top"})
+    mesh.write("sunk")
+    status, said, summary = run("sunk", {
+        "Mesh/File": "sunk.msh", **SOLIDS, "Contact/Slave": "Skin",
+        "Contact/Obstacle": "half plane: 0, 0, 0, 1",
+        "Contact/Discretization": "Gauss",
+        "Boundary conditions/Displacement x": "Top: 0",
+        "Boundary conditions/Displacement y": "Top: -0.01"})
+    check("a corner sinks in by the Gauss rule: said", "depth: the place of the "
+          "slave at X = (0, 0) mm is" in said, f"{status} {said[-300:]}")
+
+
+def by_a_corner():
+    """A corner between two slave nodes, in a quarter of their edge."""
+    mesh = Mesh()
+    c = math.sqrt(0.5)
+    mesh.block("A", 3, 3, lambda s, t: (0.125 + 2 * c * (s - t), 2 * c * (s + t)),
+               {"bottom": "Tip", "left": "Tip", "top": "Top", "right": "Top"})
+    mesh.block("B", 6, 3, box(-1.5, -2, 1.5, 0), {"bottom": "Base", "top": "Ground"})
+    mesh.write("by_a_corner")
+    status, said, summary = run("by_a_corner", {
+        "Mesh/File": "by_a_corner.msh", "Element/Degree": 2,
+        "Solids/Young's modulus": "A: 1000, B: 1000",
+        "Solids/Poisson's ratio": "A: 0.3, B: 0.3",
+        "Solids/Kinematics": "small strain",
+        "Contact/Slave": "Ground", "Contact/Master": "Tip",
+        "Boundary conditions/Displacement x": "Base: 0, Top: 0",
+        "Boundary conditions/Displacement y": "Base: 0, Top: -0.01",
+        "Output/Profile": "true"})
+    check("by a corner: converges", status == 0, said[-300:])
+    if status == 0:
+        slave = [row for row in rows("by_a_corner") if row["surface"] == "slave"]
+        force = sum(row["nodal_force_N_per_mm"] for row in slave)
+        worst = min(row["pressure_MPa"] for row in slave)
+        check("  no tension", worst >= 0, str(worst))
+        worst = max(abs(row["shear_MPa"]) for row in slave)
+        check("  no shear", worst < 1e-9, str(worst))
+        check("  the force is that of contact",
+              force > 0 and
+              abs(force / summary["contact"]["normal_force"] - 1) < 1e-9,
+              f"{force} {summary['contact']['normal_force']}")
+
+
 def short_master():
     """A long slave of n edges, 6 mm, pressed on a master 2 mm long."""
     for n in (12, 11):
         mesh = Mesh()
         mesh.block("A", 8, 4, box(-1, -2, 1, 0), {"bottom": "Base", "top": "Head"})
+        mesh.block("A", 8, 4, box(-1, -2, 1, 0),
+                   {side: "Round" for side in ("left", "top", "right")})
+        mesh.merge()
+        mesh.elements = list(dict.fromkeys(mesh.elements))
         mesh.block("B", n, 3, box(-3, 0, 3, 2), {"bottom": "Sole", "top": "Top"})
         mesh.write("short_master")
         for degree in (1, 2):
@@ -149,7 +234,8 @@ def short_master():
                     "Solids/Poisson's ratio": "A: 0.3, B: 0.3",
                     "Solids/Kinematics": "small strain",
                     "Element/Degree": degree, "Contact/Slave": "Sole",
-                    "Contact/Master": "Head", "Contact/Discretization": rule,
+                    "Contact/Master": "Head" if n == 12 else "Round",
+                    "Contact/Discretization": rule,
                     "Boundary conditions/Displacement x": "Base: 0, Z: 0",
                     "Boundary conditions/Displacement y": "Base: 0, Top: -0.01"})
                 width = summary["contact"]["width"] if status == 0 else 0
@@ -158,6 +244,7 @@ def short_master():
                       2 - 3 / n < width < 2.01, f"{width} {said[-300:]}")
 
 
-for scene in (sole, sole_in_space, on_its_corner, short_master):
+for scene in (sole, sole_in_space, on_its_corner, tilted, sunk,
+              by_a_corner, short_master):
     scene()
 sys.exit(len(failures) > 0)

@@ -78,21 +78,24 @@ namespace Contact
 
 
 
+    /// Places of a facet, with its nodes or between them only.
     template<int dim>
-    std::vector<FacetPoint<dim>> places_between_nodes();
+    std::vector<FacetPoint<dim>> places_of_facet(const bool with_nodes);
 
     template<>
-    std::vector<FacetPoint<2>> places_between_nodes<2>()
+    std::vector<FacetPoint<2>> places_of_facet<2>(const bool with_nodes)
     {
+      if (with_nodes)
+        return {-1., -0.5, 0., 0.5, 1.};
       return {-0.5, 0., 0.5};
     }
 
     template<>
-    std::vector<FacetPoint<3>> places_between_nodes<3>()
+    std::vector<FacetPoint<3>> places_of_facet<3>(const bool with_nodes)
     {
       std::vector<FacetPoint<3>> places;
-      for (const double xi : places_between_nodes<2>())
-        for (const double eta : places_between_nodes<2>())
+      for (const double xi : places_of_facet<2>(with_nodes))
+        for (const double eta : places_of_facet<2>(with_nodes))
           places.emplace_back(xi, eta);
       return places;
     }
@@ -105,10 +108,12 @@ namespace Contact
                         const Obstacle<dim> &obstacle,
                         const GhostedVector &u,
                         const bool           as_drawn,
+                        const bool           at_nodes,
                         ContactDepth<dim>   &deepest)
   {
+    const auto places = places_of_facet<dim>(at_nodes);
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
-      for (const FacetPoint<dim> &xi : places_between_nodes<dim>())
+      for (const FacetPoint<dim> &xi : places)
         {
           const FacetShape<dim> shape(slave.degree, xi);
           Point<dim>            x, X;
@@ -134,10 +139,12 @@ namespace Contact
                                  const Obstacle<2> &,
                                  const GhostedVector &,
                                  const bool,
+                                 const bool,
                                  ContactDepth<2> &);
   template void look_at_obstacle(const Surface<3> &,
                                  const Obstacle<3> &,
                                  const GhostedVector &,
+                                 const bool,
                                  const bool,
                                  ContactDepth<3> &);
 
@@ -168,6 +175,7 @@ namespace Contact
                        *contact_pair.obstacle,
                        u,
                        as_drawn,
+                       !contact_pair.has_point_per_multiplier(),
                        deepest);
     return deepest;
   }

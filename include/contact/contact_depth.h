@@ -28,10 +28,11 @@ namespace Contact
    * @p u: the distance from the closest point of the
    * other surface, of nodes on its inner side that face it, less what the edges
    * of both surfaces, by the angles between them, may be beside a curve. On an
-   * obstacle the deepest of some places between the nodes of the slave; an edge
-   * of the length h, if that is no more than the radius R of a circle, may be
-   * inside of the circle by h^2/(8 R), of which its two nodes know nothing. All
-   * this is allowed to polygons unless the depth is that @p as_drawn.
+   * obstacle the deepest of some places of the slave, of its nodes only with
+   * the Gauss-point discretization, which has no points there; an edge of the
+   * length h, if that is no more than the radius R of a circle, may be inside
+   * of the circle by h^2/(8 R), of which its two nodes know nothing. All this
+   * is allowed to polygons unless the depth is that @p as_drawn.
    *
    * All contact discretizations let surfaces pass through each other between
    * the places where they look, which vanishes with the mesh size. On a mesh
@@ -45,12 +46,14 @@ namespace Contact
                                 const GhostedVector  &u,
                                 const bool            as_drawn);
 
-  /// The deepest place of the slave inside of an obstacle.
+  /// The deepest place of the slave inside of an obstacle, @p at_nodes or
+  /// between them: where each node has a point that one looks there.
   template<int dim>
   void look_at_obstacle(const Surface<dim>  &slave,
                         const Obstacle<dim> &obstacle,
                         const GhostedVector &u,
                         const bool           as_drawn,
+                        const bool           at_nodes,
                         ContactDepth<dim>   &deepest);
 } // namespace Contact
 

@@ -219,8 +219,23 @@ namespace Contact
 
 
 
-  // The multipliers of a solution are the tractions. A node without a point
-  // that faces the master is pushed along the normal of the corner's.
+  namespace
+  {
+    /// The parts of the nodes of an edge in a force on it: linear between them.
+    /// The shape functions of degree 2 would pull at the far end.
+    PerEdgeNode<double> parts_of_force(const unsigned int degree, double xi)
+    {
+      xi = std::clamp(xi, -1., 1.);
+      if (degree == 1)
+        return {{(1 - xi) / 2, (1 + xi) / 2, 0}};
+      return {{std::max(0., -xi), std::max(0., xi), 1 - std::abs(xi)}};
+    }
+  } // namespace
+
+
+
+  // The multipliers of a solution are the tractions. A node without a point in
+  // contact is pushed along the normal of the corner's.
   std::vector<CornerLoad> corner_loads(const ContactInterface<2> &interface,
                                        const ContactPair<2>      &contact_pair,
                                        const GhostedVector       &solution)
@@ -231,33 +246,33 @@ namespace Contact
     const auto      own = make_nodal_points(contact_pair.slave, {}, numbering);
     const auto      corners = find_corners(contact_pair.slave, numbering, own);
     const auto      normals = contact_pair.slave.facet_normals(solution);
-    std::vector<CornerLoad>                                    loads;
-    std::map<types::global_dof_index, unsigned int>            node_of_dof;
-    std::map<types::global_dof_index, const ContactPoint<2> *> facing;
-    for (unsigned int n = 0; n < contact_pair.slave.nodes.size(); ++n)
-      {
-        node_of_dof[contact_pair.slave.nodes[n].dofs[0]] = n;
-        loads.push_back({Tensor<1, 2>(), own[numbering.of_node[n]].weight});
-      }
+    const Surface<2>       &slave = contact_pair.slave;
+    std::vector<CornerLoad> loads;
+    std::map<types::global_dof_index, const ContactPoint<2> *> in_contact;
+    for (unsigned int n = 0; n < slave.nodes.size(); ++n)
+      loads.push_back({Tensor<1, 2>(), own[numbering.of_node[n]].weight});
     for (const ContactPoint<2> &point : interface.points_of(contact_pair))
-      if (!point.is_master_corner && point.side == 0 && point.facing)
-        facing[point.dofs[0][0]] = &point;
+      if (!point.is_master_corner && point.side == 0 && point.facing &&
+          point.status.kind != Status::open)
+        in_contact[point.dofs[0][0]] = &point;
 
     for (const ContactPoint<2> &point : interface.points_of(contact_pair))
-      if (point.is_master_corner)
+      if (point.is_master_corner && point.facing)
         {
           const ContactState<2> now =
             interface.state(point, solution, solution);
           const Tensor<1, 2> force =
             point.weight *
             (now.lambda_n * point.normal + now.lambda_t[0] * point.tangents[0]);
-          for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
+          const auto parts = parts_of_force(slave.degree, point.master_xi);
+          for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
             {
-              const auto         found = facing.find(point.dofs[a][0]);
-              const Tensor<1, 2> normal =
-                found == facing.end() ? -point.normal : found->second->normal;
-              const Tensor<1, 2> on_node = point.C[a] * force;
-              const unsigned int n       = node_of_dof.at(point.dofs[a][0]);
+              const unsigned int n = slave.facets[point.master_facet].nodes[a];
+              const auto found     = in_contact.find(slave.nodes[n].dofs[0]);
+              const Tensor<1, 2> normal  = found == in_contact.end()
+                                             ? -point.normal
+                                             : found->second->normal;
+              const Tensor<1, 2> on_node = -parts[a] * force;
               for (const SlaveCorner &corner : corners)
                 if (corner.node == n)
                   loads[n].weight =

@@ -148,6 +148,7 @@ namespace Contact
                        *contact_pair.obstacle,
                        u,
                        as_drawn,
+                       /*at_nodes=*/false,
                        deepest);
     return deepest;
   }

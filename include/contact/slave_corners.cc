@@ -36,11 +36,11 @@ namespace Contact
     double least = numbers::PI;
     for (const Side &side : sides)
       least = std::min(least, angle_to(side));
-    double weight = 0;
+    const double corner = numbers::PI / 180 * Surface<dim>::feature_angle;
+    double       weight = 0;
     for (const Side &side : sides)
-      if (angle_to(side) <=
-          least + numbers::PI / 360 * Surface<dim>::feature_angle)
-        weight += side.weight;
+      weight +=
+        std::max(0., 1 - (angle_to(side) - least) / corner) * side.weight;
     return weight;
   }
 

@@ -54,10 +54,12 @@ namespace Contact
     }
 
     /**
-     * The weight of the sides that look at a master with the @p normal: of the
-     * one that is most opposite to it, and of those that are as much so up to
-     * half of Surface::feature_angle. On a face of the master that lies along a
-     * side this is that side, and where the corner points at the master, all.
+     * The weight of the sides that look at a master with the @p normal: all of
+     * that of the side most opposite to it, and of a side that is less so by an
+     * angle a the part 1 - a / Surface::feature_angle, none from there on. On a
+     * face of the master that lies along a side this is that side alone, for
+     * sides part by more than that angle; where the corner points at the master
+     * it is all of them; and as a body tips over it changes without a jump.
      */
     template<int dim>
     double weight_towards(const Tensor<1, dim>    &normal,

@@ -30,7 +30,8 @@ namespace Contact
   {
     problem.collect(solution, u_start);
     Vector<double> corrected = update;
-    if (!search(update, corrected) &&
+    std::size_t    n_rounds  = 0;
+    if (!search(update, corrected, n_rounds) &&
         !(problem.linearization.moving_bound &&
           search_by_turns(update, corrected)) &&
         !search_by_pivoting(update, corrected))
@@ -45,17 +46,17 @@ namespace Contact
   // come back that were there before, the search cycles: then one point is
   // updated at a time, the first whose status changes. This ends for every
   // uniquely solvable frictionless contact problem (Murty's least-index rule
-  // for linear complementarity problems), but a round costs the more the more
-  // points there are, and pivoting comes to the same end: beyond 50 points the
-  // rounds get fewer.
+  // for linear complementarity problems), but a round factors a dense matrix of
+  // all points that have changed, and pivoting comes to the same end by the
+  // work of a few such: beyond 50 points the rounds get fewer.
   bool ActiveSetSearch::search(const Vector<double> &update,
-                               Vector<double>       &corrected)
+                               Vector<double>       &corrected,
+                               std::size_t          &n_rounds)
   {
     std::set<std::vector<signed char>> seen{problem.signature()};
     bool                               one_by_one = false;
-    std::size_t                        n_rounds   = 0;
     const std::size_t                  n          = problem.points.size();
-    const std::size_t max_rounds = 20 + 20 * std::min(n, 2500 / (n + 1));
+    const std::size_t max_rounds = 20 + 20 * std::min(n, 125000 / (n * n + 1));
     while (updated_status(corrected, one_by_one))
       {
         stop_if_interrupted(MPI_COMM_SELF); // of the system of one process
@@ -81,14 +82,15 @@ namespace Contact
       problem.points[q].status = interface.points()[q].status;
     problem.bounds_are_frozen = true;
     corrected                 = update;
-    bool   is_found           = true;
-    double change             = 1;
+    bool        is_found      = true;
+    double      change        = 1;
+    std::size_t n_rounds      = 0; // of all turns
     for (unsigned int turn = 0;
          turn < max_turns && change > tolerance && is_found;
          ++turn)
       {
         change   = freeze_bounds(corrected);
-        is_found = search(update, corrected);
+        is_found = search(update, corrected, n_rounds);
       }
     problem.bounds_are_frozen = false;
     if (!is_found || change > tolerance)

@@ -54,8 +54,11 @@ namespace Contact
 
   private:
     /// Find the active set under which @p corrected is the update, from the
-    /// @p update of the old one. Returns whether it was found.
-    bool search(const Vector<double> &update, Vector<double> &corrected);
+    /// @p update of the old one. Returns whether it was found in the rounds
+    /// that are left.
+    bool search(const Vector<double> &update,
+                Vector<double>       &corrected,
+                std::size_t          &n_rounds);
 
     /// The same with bounds that are frozen in turns. Where this ends, the
     /// statuses are those of the last turn.

@@ -60,6 +60,7 @@ namespace Contact
                                   const GhostedVector &u_start)
   {
     responses.clear();
+    decreases.reinit(0, 0);
     excess_tractions.reinit(0);
     points.resize(interface.points().size());
     for (unsigned int q = 0; q < points.size(); ++q)
@@ -150,6 +151,20 @@ namespace Contact
             responses[begin + k].W.swap(block[k]);
           }
       }
+
+    const unsigned int n = responses.size();
+    if (n == first)
+      return;
+    FullMatrix<double> grown(n, n);
+    grown.fill(decreases);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const auto &[q, tangential, W] = responses[i];
+        const auto &row                = trial_row(q, tangential);
+        for (unsigned int j = i < first ? first : 0; j < n; ++j)
+          grown(i, j) = dot(points[q].rows.unknowns, row, responses[j].W);
+      }
+    decreases = grown;
   }
 
 
@@ -212,23 +227,17 @@ namespace Contact
 
 
 
-  void LinearizedContact::find_responses(const Vector<double> &update,
-                                         Vector<double>       &z,
-                                         FullMatrix<double>   &G) const
+  Vector<double>
+  LinearizedContact::trial_values(const Vector<double> &update) const
   {
-    const unsigned int n = responses.size();
-    z.reinit(n);
-    G.reinit(n, n);
-    for (unsigned int i = 0; i < n; ++i)
+    Vector<double> z(responses.size());
+    for (unsigned int i = 0; i < z.size(); ++i)
       {
-        const auto &[q, tangential, W] = responses[i];
-        const auto &row                = trial_row(q, tangential);
-        const auto &unknowns           = points[q].rows.unknowns;
-        z[i] =
-          tangential ? points[q].q_after(update) : points[q].p_after(update);
-        for (unsigned int j = 0; j < n; ++j)
-          G(i, j) = dot(unknowns, row, responses[j].W);
+        const Point &point = points[responses[i].point];
+        z[i]               = responses[i].tangential ? point.q_after(update)
+                                                     : point.p_after(update);
       }
+    return z;
   }
 
 
@@ -239,10 +248,11 @@ namespace Contact
                                             FullMatrix<double>   &matrix,
                                             Vector<double> &constant) const
   {
-    const unsigned int n = responses.size();
-    FullMatrix<double> G, D(n, n);
-    Vector<double>     a(n);
-    find_responses(update, constant, G);
+    const unsigned int        n = responses.size();
+    const FullMatrix<double> &G = decreases;
+    FullMatrix<double>        D(n, n);
+    Vector<double>            a(n);
+    constant = trial_values(update);
     for (unsigned int i = 0; i < n; ++i)
       {
         const Point          &point = points[responses[i].point];
@@ -291,10 +301,9 @@ namespace Contact
   {
     const unsigned int n = responses.size();
 
-    FullMatrix<double>       G;
-    LAPACKFullMatrix<double> lu(n, n);
-    Vector<double>           z, eta(n), G_eta(n);
-    find_responses(update, z, G);
+    const FullMatrix<double> &G = decreases;
+    LAPACKFullMatrix<double>  lu(n, n);
+    Vector<double>            z = trial_values(update), eta(n), G_eta(n);
     // D couples the two tractions of a point.
     std::vector<std::array<unsigned int, 2>> couplings;
     std::vector<double>                      D;

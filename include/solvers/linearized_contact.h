@@ -68,7 +68,8 @@ namespace Contact
     /// Linearise all points at @p solution under their statuses.
     void collect(const GhostedVector &solution, const GhostedVector &u_start);
 
-    /// Compute the responses to the points that have changed.
+    /// Compute the responses to the points that have changed, and what they are
+    /// to the trial values of these points.
     void add_responses();
 
     /// The update of the unknowns of contact, at least, under the new statuses,
@@ -121,11 +122,12 @@ namespace Contact
     /// The same minus that under the old status.
     AffineTraction excess(const unsigned int q, const bool tangential) const;
 
-    /// The trial values z of the points with a response under the @p update,
-    /// and their decrease G by a unit of each traction.
-    void find_responses(const Vector<double> &update,
-                        Vector<double>       &z,
-                        FullMatrix<double>   &G) const;
+    /// The trial values of the points with a response under the @p update.
+    Vector<double> trial_values(const Vector<double> &update) const;
+
+    /// Their decrease by a unit of each traction: what add_responses() adds are
+    /// further rows and columns.
+    FullMatrix<double> decreases;
 
     const Discretization<2>   &discretization;
     const ContactInterface<2> &interface;

@@ -370,6 +370,14 @@ namespace Contact
     if (largest == 0) // paired anew, nobody is left in the equations
       return x;
 
+    // Surfaces that a step has folded have no normals, and Newton's method
+    // takes back a step whose residual is not a number.
+    if (!numbers::is_finite(matrix.frobenius_norm()))
+      {
+        std::fill(x.begin(), x.end(), std::numeric_limits<double>::quiet_NaN());
+        return x;
+      }
+
     SparseMatrix<double> shifted(pattern);
     shifted.copy_from(matrix);
     for (unsigned int j = 0; j < n; ++j)
