@@ -16,7 +16,7 @@ Proves that
   touches it by no more than its width, where nodes of the slave are at its end, or
   beside it;
 - the force of a corner of the master on a slave edge of degree 2 is pressure at its
-  nodes, without tension and without shear;
+  nodes, without tension and without shear.
 
 Usage: slave_corners.py CONTACT PARAMETERS MESHES
 """
