@@ -7,7 +7,7 @@ Proves that
 - of a block under a uniform stress on a half plane, or half space, with friction
   and without, pressure and shear are uniform up to the corners and edges, by
   probe, profile and in the largest values, and so is the stress there; width and
-  area are those of the sole;
+  area are those of the sole, and no errors are estimated;
 - a block that stands on a corner has the force on both sides that meet there, and
   as it tilts over, the length that its shear acts on changes by the formula of
   slave_corners.h, without a jump; with the Gauss-point discretization, no point of
@@ -110,6 +110,25 @@ def sole_in_space():
                          abs(summary["contact"]["area"] - 1)])
             check(f"  uniform up to edges and corners: {worst:.1e}",
                   worst < 1e-8)
+
+
+def not_refined():
+    """Under a pressure alone, whose solution the mesh has: no errors."""
+    mesh = Mesh()
+    mesh.block("B", 4, 4, box(0, 0, 1, 1),
+               {"bottom": "Skin", "left": "Skin", "right": "Skin", "top": "Top"})
+    mesh.write("not_refined")
+    for degree in (1, 2):
+        status, said, summary = run("not_refined", {
+            "Mesh/File": "not_refined.msh", "Mesh/Points": "M in B: 0.5, 1",
+            **SOLIDS, "Element/Degree": degree, "Contact/Slave": "Skin",
+            "Contact/Obstacle": "half plane: 0, 0, 0, 1",
+            "Boundary conditions/Displacement x": "M: 0",
+            "Boundary conditions/Pressure": f"Top: {P}",
+            "Refinement/Levels": 2, "Refinement/Strategy": "adaptive"})
+        cells = [level["cells"] for level in summary.get("levels", [])]
+        check(f"not refined, degree {degree}: no error is estimated",
+              status == 0 and cells == [16, 16, 16], f"{cells} {said[-300:]}")
 
 
 def on_its_corner():
@@ -244,7 +263,7 @@ def short_master():
                       2 - 3 / n < width < 2.01, f"{width} {said[-300:]}")
 
 
-for scene in (sole, sole_in_space, on_its_corner, tilted, sunk,
+for scene in (sole, sole_in_space, not_refined, on_its_corner, tilted, sunk,
               by_a_corner, short_master):
     scene()
 sys.exit(len(failures) > 0)

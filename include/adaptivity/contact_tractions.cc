@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "contact/contact_results.h"
+#include "contact/slave_corners.h"
 
 namespace Contact
 {
@@ -115,6 +116,34 @@ namespace Contact
     if (contact_pair.master)
       master_facets = name_facets(*contact_pair.master);
     find_values(interface, contact_pair);
+    if (contact_pair.has_point_per_multiplier() && !contact_pair.tied)
+      find_sides(interface, contact_pair);
+  }
+
+
+
+  template<int dim>
+  void ContactTractions<dim>::find_sides(const ContactInterface<dim> &interface,
+                                         const ContactPair<dim> &contact_pair)
+  {
+    MultiplierSpace numbering;
+    const auto      nodal   = make_nodal_points(slave, {}, numbering);
+    const auto      corners = find_corners(slave, numbering, nodal);
+    if (corners.empty())
+      return;
+    std::map<types::global_dof_index, Tensor<1, dim>> normal_of_dof;
+    for (const ContactPoint<dim> &point : interface.points_of(contact_pair))
+      if (!point.is_master_corner && point.side == 0 && point.facing)
+        normal_of_dof[point.dofs[point.own_node()][0]] = point.normal;
+    const auto normals = slave.facet_normals(solution);
+    for (const SlaveCorner &corner : corners)
+      if (const auto found =
+            normal_of_dof.find(slave.nodes[corner.node].dofs[0]);
+          found != normal_of_dof.end())
+        for (const SlaveCorner::Side &side : corner.sides)
+          for (const unsigned int e : side.facets)
+            parts_of_sides[{e, corner.node}] =
+              corner.part_of(side, found->second, normals);
   }
 
 
@@ -170,7 +199,7 @@ namespace Contact
     const auto own = slave_facets.find(name);
     if (own != slave_facets.end())
       return in_frame(place,
-                      interpolate(slave.facets[own->second], place),
+                      interpolate(own->second, place),
                       /*is_slave=*/true);
     if (master_facets.count(name) > 0)
       return of_facing_slave(place, reach);
@@ -181,12 +210,18 @@ namespace Contact
 
   template<int dim>
   Tensor<1, dim>
-  ContactTractions<dim>::interpolate(const SurfaceFacet<dim> &facet,
-                                     const FacetPlace<dim>   &place) const
+  ContactTractions<dim>::interpolate(const unsigned int     facet,
+                                     const FacetPlace<dim> &place) const
   {
     Tensor<1, dim> traction;
     for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-      traction += place.shape.value[a] * at_nodes[facet.nodes[a]];
+      {
+        const unsigned int node = slave.facets[facet].nodes[a];
+        const auto         part = parts_of_sides.find({facet, node});
+        traction += place.shape.value[a] *
+                    (part == parts_of_sides.end() ? 1. : part->second) *
+                    at_nodes[node];
+      }
     return traction;
   }
 
@@ -212,7 +247,7 @@ namespace Contact
                                 solution);
     return in_frame(place,
                     place.stretch() / there.stretch() *
-                      interpolate(facet, there),
+                      interpolate(projection.facet, there),
                     /*is_slave=*/false);
   }
 

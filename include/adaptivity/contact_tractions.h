@@ -77,8 +77,12 @@ namespace Contact
     void find_values(const ContactInterface<dim> &interface,
                      const ContactPair<dim>      &contact_pair);
 
-    Tensor<1, dim> interpolate(const SurfaceFacet<dim> &facet,
-                               const FacetPlace<dim>   &place) const;
+    /// At corners of the slave sides that do not look at the master are free.
+    void find_sides(const ContactInterface<dim> &interface,
+                    const ContactPair<dim>      &contact_pair);
+
+    Tensor<1, dim> interpolate(const unsigned int     facet,
+                               const FacetPlace<dim> &place) const;
 
     std::optional<Tensor<1, dim>> of_facing_slave(const FacetPlace<dim> &place,
                                                   const double reach) const;
@@ -91,6 +95,10 @@ namespace Contact
 
     /// In the plane (p, q), in space the traction on the slave.
     std::vector<Tensor<1, dim>> at_nodes;
+
+    /// The part that a facet has in it, by facet and node, where that is a
+    /// corner.
+    std::map<std::pair<unsigned int, unsigned int>, double> parts_of_sides;
   };
 } // namespace Contact
 

@@ -26,21 +26,30 @@ namespace Contact
 
 
   template<int dim>
-  double SlaveCorner::weight_towards(const Tensor<1, dim>    &normal,
-                                     const FacetNormals<dim> &normals) const
+  double SlaveCorner::part_of(const Side              &side,
+                              const Tensor<1, dim>    &normal,
+                              const FacetNormals<dim> &normals) const
   {
     const auto angle_to = [&](const Side &side) {
       return std::acos(
         std::clamp(-(normal * normal_of(side, normals)), -1., 1.));
     };
     double least = numbers::PI;
-    for (const Side &side : sides)
-      least = std::min(least, angle_to(side));
+    for (const Side &other : sides)
+      least = std::min(least, angle_to(other));
     const double corner = numbers::PI / 180 * Surface<dim>::feature_angle;
-    double       weight = 0;
+    return std::max(0., 1 - (angle_to(side) - least) / corner);
+  }
+
+
+
+  template<int dim>
+  double SlaveCorner::weight_towards(const Tensor<1, dim>    &normal,
+                                     const FacetNormals<dim> &normals) const
+  {
+    double weight = 0;
     for (const Side &side : sides)
-      weight +=
-        std::max(0., 1 - (angle_to(side) - least) / corner) * side.weight;
+      weight += part_of(side, normal, normals) * side.weight;
     return weight;
   }
 
@@ -92,6 +101,12 @@ namespace Contact
       }
   }
 
+  template double SlaveCorner::part_of(const Side &,
+                                       const Tensor<1, 2> &,
+                                       const FacetNormals<2> &) const;
+  template double SlaveCorner::part_of(const Side &,
+                                       const Tensor<1, 3> &,
+                                       const FacetNormals<3> &) const;
   template double SlaveCorner::weight_towards(const Tensor<1, 2> &,
                                               const FacetNormals<2> &) const;
   template double SlaveCorner::weight_towards(const Tensor<1, 3> &,

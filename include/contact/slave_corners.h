@@ -64,6 +64,12 @@ namespace Contact
     template<int dim>
     double weight_towards(const Tensor<1, dim>    &normal,
                           const FacetNormals<dim> &normals) const;
+
+    /// The part of one side in that.
+    template<int dim>
+    double part_of(const Side              &side,
+                   const Tensor<1, dim>    &normal,
+                   const FacetNormals<dim> &normals) const;
   };
 
   /// The corners of @p slave among the nodes that have nodal @p points.
