@@ -8,6 +8,8 @@ Proves that
   and without, pressure and shear are uniform up to the corners and edges, by
   probe, profile and in the largest values, and so is the stress there; width and
   area are those of the sole, and no errors are estimated;
+- where the end of such a slave is in a plane of symmetry its corner has the pressure
+  of the sole;
 - a block that stands on a corner has the force on both sides that meet there, and
   as it tilts over, the length that its shear acts on changes by the formula of
   slave_corners.h, without a jump; with the Gauss-point discretization, no point of
@@ -129,6 +131,35 @@ def not_refined():
         cells = [level["cells"] for level in summary.get("levels", [])]
         check(f"not refined, degree {degree}: no error is estimated",
               status == 0 and cells == [16, 16, 16], f"{cells} {said[-300:]}")
+
+
+def in_a_plane_of_symmetry():
+    """The end of the slave is held along its normal, its sole is free there."""
+    mesh = Mesh()
+    mesh.block("A", 3, 3, box(0, -1, 1, 0),
+               {"bottom": "Base", "top": "Ground", "left": "Middle"})
+    mesh.block("B", 3, 3, box(0, 0, 1, 1),
+               {"bottom": "Skin", "left": "Skin", "top": "Top"})
+    for j in range(3):
+        mesh.add(1, "Left", (17 + 4 * j, 21 + 4 * j))
+    mesh.write("in_a_plane_of_symmetry")
+    for degree in (1, 2):
+        status, said, summary = run("in_a_plane_of_symmetry", {
+            "Mesh/File": "in_a_plane_of_symmetry.msh",
+            "Mesh/Points": "C in B: 0, 0",
+            "Solids/Young's modulus": "A: 1000, B: 1000",
+            "Solids/Poisson's ratio": f"A: {NU}, B: {NU}",
+            "Solids/Kinematics": "small strain", "Element/Degree": degree,
+            "Contact/Slave": "Skin", "Contact/Master": "Ground",
+            "Boundary conditions/Displacement x": "Middle: 0, Left: 0",
+            "Boundary conditions/Displacement y": "Base: 0",
+            "Boundary conditions/Pressure": f"Top: {P}",
+            "Probes/Probes": "p: pressure, C"})
+        pressure = value(summary, "p") if status == 0 else 0
+        check(f"in a plane of symmetry, degree {degree}: uniform",
+              abs(pressure / P - 1) < 1e-8 and
+              abs(summary["contact"]["width"] - 1) < 1e-8,
+              f"{pressure} {said[-300:]}")
 
 
 def on_its_corner():
@@ -263,7 +294,8 @@ def short_master():
                       2 - 3 / n < width < 2.01, f"{width} {said[-300:]}")
 
 
-for scene in (sole, sole_in_space, not_refined, on_its_corner, tilted, sunk,
+for scene in (sole, sole_in_space, not_refined,
+              in_a_plane_of_symmetry, on_its_corner, tilted, sunk,
               by_a_corner, short_master):
     scene()
 sys.exit(len(failures) > 0)

@@ -81,13 +81,15 @@ namespace Contact
     // There the surfaces keep their distance. The weighted gap of the node has
     // the nodes around it as well, and they would have to bend for the polygons
     // to agree: a pressure that grows without bound as the edges get shorter.
+    // At a corner that is so of all sides, or of none: in a plane of symmetry
+    // the end of a shaft is held along its axis, and its side is free.
     template<int dim>
     std::set<unsigned int>
     nodes_held_with_master(const Surface<dim>        &slave,
                            const Surface<dim>        &master,
                            const Discretization<dim> &discretization)
     {
-      std::set<unsigned int> held;
+      std::set<unsigned int> held, free;
       const auto             normals =
         slave.facet_normals(GhostedVector(discretization.distribution));
       for (unsigned int e = 0; e < slave.facets.size(); ++e)
@@ -104,17 +106,20 @@ namespace Contact
               return r.norm() < h && r * normal > -1e-8 * h &&
                      (r - (r * normal) * normal).norm() < 1e-3 * h;
             };
-            if ((discretization.normal_supports.hold(node.dofs) ||
-                 std::any_of(node.dofs.begin(),
-                             node.dofs.end(),
-                             [&](const auto dof) {
-                               return discretization.is_fixed(dof);
-                             })) &&
-                std::any_of(master.nodes.begin(),
-                            master.nodes.end(),
-                            keeps_distance))
-              held.insert(i);
+            const bool is_held =
+              (discretization.normal_supports.hold(node.dofs) ||
+               std::any_of(node.dofs.begin(),
+                           node.dofs.end(),
+                           [&](const auto dof) {
+                             return discretization.is_fixed(dof);
+                           })) &&
+              std::any_of(master.nodes.begin(),
+                          master.nodes.end(),
+                          keeps_distance);
+            (is_held ? held : free).insert(i);
           }
+      for (const unsigned int i : free)
+        held.erase(i);
       return held;
     }
 
