@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/corner_points.h"
+
 namespace Contact
 {
   namespace
@@ -58,9 +60,12 @@ namespace Contact
               }
             const Tensor<1, 2> outward = cross_product_2d(along) / along.norm();
             // A node further behind the other surface than its edge is long has
-            // come there around it.
+            // come there around it, and a face that stands on the surface does
+            // not look at it: where the ends of a shaft and its hub are in one
+            // plane, one of them moves a little behind the end of the other.
             const double behind = -(r * outward);
-            if (outward * normals[e][a] >= 0 ||
+            const double facing = std::sin(numbers::PI / 180 * inclination);
+            if (outward * normals[e][a] >= -facing ||
                 behind >= other.reference_length(projection.facet))
               continue;
             const double allowance =
