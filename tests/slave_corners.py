@@ -162,24 +162,29 @@ def in_a_plane_of_symmetry():
               f"{pressure} {said[-300:]}")
 
 
-def on_its_corner():
-    """Symmetric, and upright by a support: force by the lengths of both sides."""
+def standing(name):
+    """A square with sides of 1 mm on its corner; returns its height."""
     mesh = Mesh()
     c = math.sqrt(0.5)
     mesh.block("B", 4, 4, lambda s, t: (c * (s - t), c * (s + t)),
-               {"bottom": "Skin", "left": "Skin", "top": "Top",
-                "right": "Top"})
-    mesh.write("on_its_corner")
+               {"bottom": "Skin", "left": "Skin", "top": "Top", "right": "Top"})
+    mesh.write(name)
+    return 2 * c
+
+
+def on_its_corner():
+    """Symmetric, and upright by a support: force by the lengths of both sides."""
+    height = standing("on_its_corner")
     for degree, share in ((1, 0.25), (2, 0.25 / 3)):
         status, said, summary = run("on_its_corner", {
             "Mesh/File": "on_its_corner.msh", "Mesh/Points":
-            f"C in B: 0, 0; T in B: 0, {2 * c!r}", **SOLIDS,
+            f"C in B: 0, 0; T in B: 0, {height!r}", **SOLIDS,
             "Element/Degree": degree, "Contact/Slave": "Skin",
             "Contact/Obstacle": "half plane: 0, 0, 0, 1",
             "Boundary conditions/Displacement x": "C: 0, T: 0",
             "Boundary conditions/Pressure": "Top: 0.1",
             "Probes/Probes": "p: pressure, C"})
-        force = 0.1 * 2 * c
+        force = 0.1 * height
         check(f"on its corner, degree {degree}: force by both sides",
               status == 0 and
               abs(value(summary, "p") * share / force - 1) < 1e-6,
@@ -217,11 +222,7 @@ def tilted():
 
 def sunk():
     """A corner of 90 degrees that no Gauss point looks at."""
-    mesh = Mesh()
-    c = math.sqrt(0.5)
-    mesh.block("B", 4, 4, lambda s, t: (c * (s - t), c * (s + t)),
-               {"bottom": "Skin", "left": "Skin", "top": "Top", "right": "Top"})
-    mesh.write("sunk")
+    standing("sunk")
     status, said, summary = run("sunk", {
         "Mesh/File": "sunk.msh", **SOLIDS, "Contact/Slave": "Skin",
         "Contact/Obstacle": "half plane: 0, 0, 0, 1",

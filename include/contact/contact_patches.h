@@ -81,7 +81,7 @@ namespace Contact
     double        length(bool PatchSample::*inside) const;
     static double length(const Chain &chain, bool PatchSample::*inside);
 
-    /// Where a patch ends that seems to do so at @p end, between its @p last
+    /// The end of a patch that seems to end at @p end, between its @p last
     /// sample and the @p next one; there is another one @p before.
     static double cut_at_corners(const Chain       &chain,
                                  const double       end,

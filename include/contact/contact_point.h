@@ -67,8 +67,8 @@ namespace Contact
                                 // rings, and in space, the area [mm^2]
     double augmentation_parameter = 0; // the c of p - c g [MPa/mm]
 
-    // What supports hold the slave's node along, but not all nodes around it:
-    // see mark_rims().
+    // Directions that supports hold the slave's node along, but not all nodes
+    // around it: see mark_rims().
     std::vector<Tensor<1, dim>> rim;
 
     // The multipliers that act here: p = sum_k psi_k lambda_k.

@@ -76,7 +76,7 @@ namespace Contact
   /// twentieth of its length.
   constexpr double inclination = 5;
 
-  /// How far a corner that is paired is from the slave [mm].
+  /// The distance of a corner that is paired from the slave [mm].
   double distance(const ContactPoint<2> &corner, const GhostedVector &u);
 
   /**

@@ -55,7 +55,7 @@ namespace Contact
 
 
 
-  // Where nodes hang, the point's weight has parts of theirs: all sides alike.
+  // The weight of a point has parts of nodes that hang: all sides alike.
   template<int dim>
   std::vector<SlaveCorner>
   find_corners(const Surface<dim>                   &slave,

@@ -22,7 +22,7 @@ namespace Contact
   /// Number of a node in the file -> our number of the vertex.
   using VertexNumbers = std::map<long, unsigned int>;
 
-  /// What gmsh calls a body, in messages.
+  /// The word of gmsh for a body, in messages.
   template<int dim>
   constexpr const char *body_name = dim == 2 ? "surface" : "volume";
 

@@ -56,7 +56,8 @@ namespace Contact
     std::set<std::vector<signed char>> seen{problem.signature()};
     bool                               one_by_one = false;
     const std::size_t                  n          = problem.points.size();
-    const std::size_t max_rounds = 20 + 20 * std::min(n, 125000 / (n * n + 1));
+    const std::size_t                  max_rounds =
+      20 + 20 * std::min(n, 50 * 50 * 50 / (n * n + 1));
     while (updated_status(corrected, one_by_one))
       {
         stop_if_interrupted(MPI_COMM_SELF); // of the system of one process
