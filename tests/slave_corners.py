@@ -194,28 +194,43 @@ def on_its_corner():
 
 def tilted():
     """A stiff block that is dragged on its corner, with a given shear of 2 MPa:
-    sides of edges of 1 and 0.5 mm."""
-    for degrees in (10, 25, 34, 37, 45, 60):
+    sides of edges of 1 and 0.5 mm; on a half plane, and by the mortar
+    discretization on another stiff block."""
+    for on_block in (False, True):
+        tilted_on(on_block)
+
+
+def tilted_on(on_block):
+    for degrees in (10, 20, 25, 34, 37, 45, 60):
         mesh = Mesh()
         a = math.radians(degrees)
         mesh.block("B", 2, 4, lambda s, t: (
             2 * s * math.cos(a) - 2 * t * math.sin(a),
             2 * s * math.sin(a) + 2 * t * math.cos(a)),
             {"bottom": "Skin", "left": "Skin", "top": "Top"})
+        if on_block:
+            mesh.block("Base", 7, 1, lambda s, t: (20 * s - 10, 3 * t - 3),
+                       {"top": "Ground", "bottom": "Held"})
         mesh.write("tilted")
         status, said, summary = run("tilted", {
             "Mesh/File": "tilted.msh", **SOLIDS, "Contact/Slave": "Skin",
-            "Solids/Young's modulus": "B: 1e9",
-            "Contact/Obstacle": "half plane: 0, 0, 0, 1",
+            **({"Contact/Master": "Ground",
+                "Solids/Young's modulus": "B: 1e9, Base: 1e9",
+                "Solids/Poisson's ratio": "B: 0, Base: 0"} if on_block else
+               {"Contact/Obstacle": "half plane: 0, 0, 0, 1",
+                "Solids/Young's modulus": "B: 1e9"}),
             "Contact/Tresca limit": "2",
-            "Boundary conditions/Displacement x": "Top: 0.1",
-            "Boundary conditions/Displacement y": "Top: -1e-7"})
+            "Boundary conditions/Displacement x":
+                "Top: 0.1" + (", Held: 0" if on_block else ""),
+            "Boundary conditions/Displacement y":
+                "Top: -1e-7" + (", Held: 0" if on_block else "")})
         # The sides are off the normal by the tilt, and by 90 degrees less it.
         least = min(degrees, 90 - degrees)
         length = sum(share * max(0, 1 - (angle - least) / 35)
                      for share, angle in ((0.5, degrees), (0.25, 90 - degrees)))
         shear = abs(summary["contact"]["tangential_force"]) if status == 0 else 0
-        check(f"tilted by {degrees} degrees: the length of the corner",
+        check(f"tilted by {degrees} degrees{' on a block' * on_block}: the "
+              "length of the corner",
               abs(shear / (2 * length) - 1) < 1e-6,
               f"{shear / 2} {length} {said[-300:]}")
 

@@ -229,6 +229,41 @@ namespace Contact
 
 
 
+  // Without a corner, or where this side is the one most opposite to the
+  // master, there is nothing to differentiate.
+  template<typename Number>
+  Number MortarGeometry<Number>::part_of_side(const unsigned int slave_facet,
+                                              const unsigned int master_facet,
+                                              const Number &master_xi) const
+  {
+    const SurfaceFacet<2> &edge = slave.facets[slave_facet];
+    Number                 part = 1;
+    for (unsigned int a = 0; a < 2; ++a)
+      {
+        const unsigned int other = a == 0 ? edge.previous : edge.next;
+        if (!edge.corner[a] || other == numbers::invalid_unsigned_int)
+          continue;
+        const EdgeShapes<Number>   shape(master.degree, master_xi);
+        const Tensor<1, 2, Number> along =
+          at(master_x, master.facets[master_facet], shape.first);
+        const auto angle_to = [&](const Tensor<1, 2, Number> &normal) {
+          using std::atan2;
+          const Number angle =
+            atan2(Number(normal * along), Number(cross(normal, along)));
+          return Number(value_of(angle) < 0 ? -angle : angle);
+        };
+        const Number beyond = angle_to(slave_normals[slave_facet][a]) -
+                              angle_to(slave_normals[other][1 - a]);
+        if (value_of(beyond) > 0)
+          part *= 1 - beyond / (numbers::PI / 180 * Surface<2>::feature_angle);
+        if (value_of(part) <= 0)
+          return 0;
+      }
+    return part;
+  }
+
+
+
   template<typename Number>
   void MortarGeometry<Number>::find_slave_normals(const unsigned int edge)
   {

@@ -116,6 +116,18 @@ namespace Contact
                                    const unsigned int          edge,
                                    const unsigned int          a) const;
 
+    /**
+     * The part that a slave edge takes in what is between the surfaces where it
+     * faces the place @p master_xi of a master edge: one, but beside a corner
+     * of the slave whose other side is more opposite to the master there. By
+     * the rule of class SlaveCorner it falls to zero without a jump: the side
+     * of a block that stands on the ground tilts towards it as the block
+     * bulges, and does not look at it.
+     */
+    Number part_of_side(const unsigned int slave_facet,
+                        const unsigned int master_facet,
+                        const Number      &master_xi) const;
+
     /// The coordinate at which the line through @p x along @p n meets a master
     /// edge, perhaps beyond its ends.
     Number projection_on_edge(const Tensor<1, 2, Number> &x,

@@ -178,8 +178,13 @@ namespace Contact
     if (nodes.empty())
       return;
 
-    const auto  samples = mortar_samples(now, slave_facet, overlap);
-    const Table dual    = dual_functions(nodes, samples);
+    // Beside a corner the part of an edge may be zero where it is integrated.
+    const auto samples = mortar_samples(now, slave_facet, overlap);
+    if (std::all_of(samples.begin(), samples.end(), [](const auto &sample) {
+          return value_of(sample.weight) == 0;
+        }))
+      return;
+    const Table dual = dual_functions(nodes, samples);
     for (const auto &sample : samples)
       {
         const EdgeShapes<Number> shape(slave.degree, sample.xi);

@@ -191,7 +191,8 @@ namespace Contact
         if (std::abs(r * n) < hit.distance)
           hit = {m,
                  std::abs(r * n),
-                 direction.faces(search.normal(m, master_xi))};
+                 direction.faces(search.normal(m, master_xi)) &&
+                   now.part_of_side(slave_facet, m, master_xi) > 0};
       }
     if (!behind.faces || (ahead.faces && ahead.distance <= behind.distance))
       std::swap(ahead, behind);
@@ -225,16 +226,18 @@ namespace Contact
         const auto   add    = [&](const double part, const double weight) {
           const Number             xi = low + part * length;
           const EdgeShapes<Number> shape(slave.degree, xi);
+          const Number             master_xi = geometry.projection_on_edge(
+            MortarGeometry<Number>::at(geometry.slave_x, s_edge, shape.value),
+            geometry.slave_normal(slave_facet, shape.value),
+            segment.master_facet);
           samples.push_back(
             {xi,
-             weight * length * slave.reference_jacobian(s_edge, shape),
+             weight * length * slave.reference_jacobian(s_edge, shape) *
+               geometry.part_of_side(slave_facet,
+                                     segment.master_facet,
+                                     master_xi),
              segment.master_facet,
-             geometry.projection_on_edge(
-               MortarGeometry<Number>::at(geometry.slave_x,
-                                          s_edge,
-                                          shape.value),
-               geometry.slave_normal(slave_facet, shape.value),
-               segment.master_facet)});
+             master_xi});
         };
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           add(quadrature.point(q)[0], quadrature.weight(q));
