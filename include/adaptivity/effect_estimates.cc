@@ -8,12 +8,10 @@
 #include <algorithm>
 #include <chrono>
 
-#include "adaptivity/goal_errors.h"
 #include "adaptivity/variant_model.h"
 #include "base/errors.h"
 #include "base/interruption.h"
 #include "contact/probes.h"
-#include "parameters/dual_quantities.h"
 
 namespace Contact
 {
@@ -43,8 +41,7 @@ namespace Contact
       for (unsigned int n = 1; step > 1e-8 * largest(); ++n)
         {
           if (n == max_steps)
-            throw NotConverged("Newton's method goes on from the end of the "
-                               "scene's own loops");
+            throw NotConverged("Newton's method does not come to an end here");
           step = scene.make_step();
         }
       return seconds;
@@ -199,42 +196,49 @@ namespace Contact
         estimates.push_back(estimate);
       }
     if (parameters.element.degree == 1)
-      estimates.push_back(of_quadratic_elements());
+      estimates.push_back(of_quadratic_elements(scene, values, seconds));
     estimates.push_back(of_increments());
     return estimates;
   }
 
 
 
-  // Their error is small beside that of linear elements, which therefore is
-  // what they change. It is known to a half.
-  EffectEstimate EffectEstimates::of_quadratic_elements() const
+  // Quadratic elements have other shapes to bend in and other points of
+  // contact: more than two steps away. The last one is the uncertainty.
+  EffectEstimate EffectEstimates::of_quadratic_elements(
+    const VariantModel                  &scene,
+    const std::map<std::string, double> &values,
+    const double                         seconds) const
   {
-    EffectEstimate estimate{"quadratic elements", false, {"Element/Degree=2"}};
-    if (!parameters.solids.incompatible_modes.empty())
+    EffectEstimate  estimate{"quadratic elements", false, {"Element/Degree=2"}};
+    Parameters::All variant = parameters;
+    variant.element.degree  = 2;
+    if (!variant.solids.incompatible_modes.empty())
       estimate.entries.push_back("Solids/Incompatible modes=");
-    if (!parameters.has_dual_problems())
-      estimate.unknown = "no dual problems for this discretization of contact";
-    else if (!parameters.solids.is_elastic())
-      estimate.unknown = "errors of probes are known of elastic bodies alone";
-    else if (std::any_of(probes.begin(), probes.end(), [](const auto &probe) {
-               return !Parameters::has_dual_problem(probe.second.quantity);
-             }))
-      estimate.unknown = "no dual problem for one of the probes";
-    else
+    variant.solids.incompatible_modes.clear();
+    try
       {
-        estimate.changes =
-          GoalErrors(parameters, model, state, timer).estimate().mesh;
-        for (const auto &[name, error] : estimate.changes)
-          estimate.uncertainties[name] = error / 2;
+        if (remembers())
+          throw NotConverged("plastic strains remember the way");
+        VariantModel other(variant, scene.model, scene.state, timer);
+        estimate.price = converge(other) / seconds;
+        other.check_supports();
+        const auto before = probes_of(other);
+        other.make_step();
+        const auto after          = probes_of(other);
+        estimate.changes          = difference(after, values);
+        estimate.uncertainties    = difference(after, before);
+        estimate.n_status_changes = other.n_status_changes;
+      }
+    catch (const NotConverged &failure)
+      {
+        estimate.unknown = failure.what();
       }
     return estimate;
   }
 
 
 
-  // Bodies that do not yield have no history, and contact without friction
-  // neither.
   EffectEstimate EffectEstimates::of_increments() const
   {
     EffectEstimate estimate{"increments doubled",

@@ -8,10 +8,47 @@
 #include <algorithm>
 
 #include "base/errors.h"
+#include "contact/surface_transfer.h"
 #include "solvers/rigid_body_modes.h"
 
 namespace Contact
 {
+  namespace
+  {
+    /// The values of @p u at the nodes of other elements on the same mesh.
+    void interpolate(const DoFHandler<2> &dof_handler,
+                     const GhostedVector &u,
+                     const DoFHandler<2> &other,
+                     GhostedVector       &there)
+    {
+      std::vector<types::global_dof_index> dofs, dofs_there;
+      auto                                 to = other.begin_active();
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        {
+          const FiniteElement<2> &fe       = cell->get_fe();
+          const FiniteElement<2> &fe_there = to->get_fe();
+          dofs.resize(fe.n_dofs_per_cell());
+          dofs_there.resize(fe_there.n_dofs_per_cell());
+          cell->get_dof_indices(dofs);
+          to->get_dof_indices(dofs_there);
+          for (unsigned int i = 0; i < dofs_there.size(); ++i)
+            {
+              const unsigned int c =
+                fe_there.system_to_component_index(i).first;
+              double value = 0;
+              for (unsigned int j = 0; j < dofs.size(); ++j)
+                if (fe.system_to_component_index(j).first == c)
+                  value += u[dofs[j]] *
+                           fe.shape_value(j, fe_there.unit_support_point(i));
+              there[dofs_there[i]] = value;
+            }
+          ++to;
+        }
+    }
+  } // namespace
+
+
+
   VariantModel::VariantModel(const Parameters::All   &parameters,
                              const ContactModel<2>   &scene,
                              const IncrementState<2> &from,
@@ -37,13 +74,9 @@ namespace Contact
     state.reinit(model);
     state.load_factor  = from.load_factor;
     state.start_factor = from.start_factor;
-    std::copy_n(from.solution.begin(),
-                model.n_displacements(),
-                state.solution.begin());
+    take_displacements(scene, from.solution, state.solution);
     if (!has_new_shear(scene))
-      std::copy_n(from.start.begin(),
-                  model.n_displacements(),
-                  state.start.begin());
+      take_displacements(scene, from.start, state.start);
 
     linearization = {model.geometry_follows(parameters.solution),
                      model.interface &&
@@ -64,9 +97,38 @@ namespace Contact
         pair();
         model.interface->set_support_motion(
           model.discretization->support_motion(state.start, state.load_factor));
-        take_surfaces(*scene.interface, from.solution);
+        if (has_elements_of(scene))
+          take_surfaces(*scene.interface, from.solution);
+        else
+          transfer_surfaces(*scene.interface, from.solution);
+        model.interface->update_statuses(state.solution,
+                                         state.start,
+                                         linearization.moving_bound,
+                                         /*keep=*/true);
       }
     check_supports();
+  }
+
+
+
+  bool VariantModel::has_elements_of(const ContactModel<2> &scene) const
+  {
+    return model.discretization->degree == scene.discretization->degree;
+  }
+
+
+
+  void VariantModel::take_displacements(const ContactModel<2> &scene,
+                                        const GhostedVector   &of_scene,
+                                        GhostedVector         &here) const
+  {
+    if (has_elements_of(scene))
+      std::copy_n(of_scene.begin(), model.n_displacements(), here.begin());
+    else
+      interpolate(scene.discretization->dof_handler,
+                  of_scene,
+                  model.discretization->dof_handler,
+                  here);
   }
 
 
@@ -110,10 +172,24 @@ namespace Contact
                              solution,
                              points[of_pair->first_point + q]);
     model.interface->set_points(points);
-    model.interface->update_statuses(state.solution,
-                                     state.start,
-                                     linearization.moving_bound,
-                                     /*keep=*/true);
+  }
+
+
+
+  // The Gauss-point discretization has no points to take over: what touches is
+  // the first guess.
+  void VariantModel::transfer_surfaces(const ContactInterface<2> &from,
+                                       const GhostedVector       &solution)
+  {
+    const auto &pairs = model.interface->pairs;
+    if (std::all_of(pairs.begin(), pairs.end(), [](const auto &of_pair) {
+          return of_pair->has_point_per_multiplier();
+        }))
+      restore_surfaces(save_surfaces(from, solution),
+                       *model.interface,
+                       state.solution);
+    else
+      model.interface->initialize_status(state.solution);
   }
 
 

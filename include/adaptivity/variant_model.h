@@ -45,12 +45,18 @@ namespace Contact
 
   private:
     bool has_new_shear(const ContactModel<2> &scene) const;
+    bool has_elements_of(const ContactModel<2> &scene) const;
+    void take_displacements(const ContactModel<2> &scene,
+                            const GhostedVector   &of_scene,
+                            GhostedVector         &here) const;
     void take_surfaces(const ContactInterface<2> &from,
                        const GhostedVector       &solution);
     void take_multipliers(const ContactInterface<2> &from,
                           const ContactPoint<2>     &point,
                           const GhostedVector       &solution,
                           ContactPoint<2>           &here);
+    void transfer_surfaces(const ContactInterface<2> &from,
+                           const GhostedVector       &solution);
     void pair();
     void update_statuses();
 
