@@ -144,6 +144,13 @@ namespace Contact
     bool sees_ends() const;
     bool lacks_ends() const;
 
+    /// Whether the mortar discretization is asked for.
+    bool is_mortar() const
+    {
+      return parameters.discretization ==
+             Parameters::ContactDiscretization::mortar;
+    }
+
     /// Each multiplier belongs to one point: nodal and mortar discretizations.
     bool has_point_per_multiplier() const;
 

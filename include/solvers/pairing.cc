@@ -5,6 +5,8 @@
 
 #include "solvers/pairing.h"
 
+#include <algorithm>
+
 #include "base/string_utilities.h"
 
 namespace Contact
@@ -71,7 +73,20 @@ namespace Contact
   {
     return present.moving_geometry ||
            (dim == 3 && follows_each_step() && present.moving_bound &&
-            model.has_friction() && model.elasticity->springs.held().empty());
+            (model.has_friction() || is_in_tangent) &&
+            model.elasticity->springs.held().empty());
+  }
+
+
+
+  template<int dim>
+  bool Pairing<dim>::enters_tangent()
+  {
+    if (is_in_tangent || has_derivatives())
+      return false;
+    is_in_tangent = true;
+    is_in_tangent = has_derivatives();
+    return is_in_tangent;
   }
 
 
@@ -238,7 +253,10 @@ namespace Contact
     const PairingMisfit found = misfit_of(state);
     if (!guard.accepts(found, way(state) / part))
       return false;
-    jump = found;
+    if (!found.is_below(Utilities::fixed_power<2>(
+                          parameters.solution.geometry_tolerance),
+                        way(state)))
+      jump = found;
     return true;
   }
 
@@ -274,7 +292,7 @@ namespace Contact
       {
         // Along one edge projections move smoothly again.
         begin_newton();
-        edges_stay = true;
+        edges_stay = !enters_tangent();
       }
     renew(solution, relaxation);
     guard.count_renewal();
@@ -291,21 +309,28 @@ namespace Contact
     if (edges_stay)
       {
         const PairingMisfit found = misfit_of(state);
-        what = "points face two places of the master in turn, under each of "
-               "which the closest point is the other; if they stay at one, the "
-               "gaps of the closest points differ by " +
-               brief(found.gap) + " mm, and forces are moved by " +
-               brief(100 * found.feet) + " % of the size of the slave" +
-               (found.unheld > 0 ? ", " + brief(100 * found.unheld) +
-                                     " % of them have no closest point"
-                                 : "") +
-               ", where the surfaces move by ";
+        what =
+          "the closest points do not come to rest; if they stay on their "
+          "edges of the master, the gaps of the closest points differ by " +
+          brief(found.gap) + " mm, and forces are moved by " +
+          brief(100 * found.feet) + " % of the size of the slave" +
+          (found.unheld > 0 ? ", " + brief(100 * found.unheld) +
+                                " % of them have no closest point"
+                            : "") +
+          ", where the surfaces move by ";
       }
+    const auto &pairs = model.interface->pairs;
+    const bool  is_mortar =
+      std::all_of(pairs.begin(), pairs.end(), [](const auto &contact_pair) {
+        return contact_pair->is_mortar();
+      });
     return what + brief(way(state)) +
            " mm in this step. Where a node of the slave slides over a corner of "
            "the master it may face the edges on either side in turn, and at the "
            "end of the master it and nothing: a finer master or one that "
-           "reaches further, Mesh/Arcs, or the mortar discretization";
+           "reaches further, " +
+           (is_mortar ? "or Mesh/Arcs"
+                      : "Mesh/Arcs, or the mortar discretization");
   }
 
 

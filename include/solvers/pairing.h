@@ -107,6 +107,14 @@ namespace Contact
     /// other edges until now: four times at most.
     bool renew(const GhostedVector &solution);
 
+    /**
+     * In space, without friction, the condensed matrix is symmetric and knows
+     * nothing of how the pairing changes with the displacements. Where that
+     * does not converge, it is unsymmetric from here on, and knows it. Returns
+     * whether it has become so.
+     */
+    bool enters_tangent();
+
     /// Whether points have turned out to face two places in turn.
     bool jumps() const
     {
@@ -140,7 +148,8 @@ namespace Contact
     // Of the present Newton's method.
     PairingGuard guard;
     Relaxation   relaxation;
-    bool         is_frozen = false;
+    bool         is_frozen     = false;
+    bool         is_in_tangent = false; // though there is no friction
 
     // Where a pairing is accepted whose closest points jump.
     std::optional<PairingMisfit> jump;

@@ -44,6 +44,13 @@ namespace Contact
 
     /// The mean of |d| in the contact pair where it is largest [mm].
     double shift = 0;
+
+    /// Whether all of it is below a part of the @p way of the surfaces [mm],
+    /// and of the size of the slave.
+    bool is_below(const double part, const double way) const
+    {
+      return gap <= part * way && feet <= part && unheld == 0;
+    }
   };
 
   /// Of the state @p solution in an increment that began with the displacement
