@@ -1140,6 +1140,8 @@ namespace Contact
                         pairing.shift_of_feet(state),
                         newton.convergence.given_force(state.load_factor));
     invariants->advance();
+    report.increment().residual_force =
+      newton.convergence.tolerance() * newton.convergence.force_scale();
     if (const std::string note = pairing.note(found.moment_imbalance);
         !note.empty())
       found.notes.push_back(note);

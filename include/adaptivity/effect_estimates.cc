@@ -26,6 +26,14 @@ namespace Contact
 
 
 
+    double largest_displacement(const VariantModel &of)
+    {
+      return of.model.discretization->displacements(of.state.solution)
+        .linfty_norm();
+    }
+
+
+
     /// Newton's method in the scene itself, until its steps are nothing beside
     /// the displacements. Returns the wall time of the first one [s].
     double converge(VariantModel &scene)
@@ -34,11 +42,7 @@ namespace Contact
       const auto         begin     = Clock::now();
       double             step      = scene.make_step();
       const double       seconds   = seconds_since(begin);
-      const auto         largest   = [&]() {
-        return scene.model.discretization->displacements(scene.state.solution)
-          .linfty_norm();
-      };
-      for (unsigned int n = 1; step > 1e-8 * largest(); ++n)
+      for (unsigned int n = 1; step > 1e-8 * largest_displacement(scene); ++n)
         {
           if (n == max_steps)
             throw NotConverged("Newton's method does not come to an end here");
@@ -176,11 +180,13 @@ namespace Contact
                                scene.model,
                                scene.state,
                                timer);
-            const auto   begin = Clock::now();
-            const double step  = other.make_step();
-            estimate.price     = seconds_since(begin) / seconds;
-            const auto first   = probes_of(other);
-            if (other.make_step() > step / 2)
+            const auto   begin   = Clock::now();
+            const double step    = other.make_step();
+            estimate.price       = seconds_since(begin) / seconds;
+            const auto   first   = probes_of(other);
+            const double next    = other.make_step();
+            const double nothing = 1e-8 * largest_displacement(other);
+            if (next > std::max(step / 2, nothing))
               throw NotConverged("the steps do not become shorter: it is far "
                                  "from here, or nothing holds a body");
             other.check_supports();

@@ -255,6 +255,7 @@ namespace Contact
   bool ContactInterface<dim>::pair(const GhostedVector &u,
                                    const PairingMode   &mode)
   {
+    paired_undeformed = u.all_zero();
     bool changed      = equations_changed;
     equations_changed = false;
     place_obstacles(u, /*keeps_place=*/false);

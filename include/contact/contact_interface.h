@@ -250,6 +250,13 @@ namespace Contact
       return obstacles_are_moving;
     }
 
+    /// Whether the points are paired where the surfaces are undeformed: forces
+    /// of contact act there, too.
+    bool is_paired_undeformed() const
+    {
+      return paired_undeformed;
+    }
+
     /// The pairing stands still from now on.
     void forget_changes();
 
@@ -416,6 +423,7 @@ namespace Contact
     std::map<unsigned int, std::vector<unsigned int>> in_corner;
     GhostedVector             support_motion; // of this increment
     bool                      obstacles_are_moving = false;
+    bool                      paired_undeformed    = true;
     std::vector<FreeMotion *> all_motions;
     bool equations_changed = false; // since the last pairing: of motions
 

@@ -22,6 +22,10 @@ namespace Contact
                   const GhostedVector         &u_start,
                   const bool                   moving_bound)
   {
+    // Displacements that the pairing does not know move no force.
+    const GhostedVector  undeformed(solution.size());
+    const GhostedVector &configuration =
+      interface.is_paired_undeformed() ? undeformed : solution;
     std::array<ObstacleForce<dim>, 2> forces;
     for (const ContactPoint<dim> &point : interface.points_of(contact_pair))
       {
@@ -34,7 +38,7 @@ namespace Contact
         const Tensor<1, dim>    arm =
           point.projection - contact_pair.obstacle->centre();
         const Tensor<1, dim> gap =
-          slave_position(point, solution) - point.projection;
+          slave_position(point, configuration) - point.projection;
         forces[0].add(arm, gap, point.weight * t.p * point.normal);
         forces[1].add(arm, gap, point.weight * point.along_tangents(t.q));
       }

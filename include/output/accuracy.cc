@@ -131,19 +131,6 @@ namespace Contact
 
 
 
-    /// Whether a level and the one before it estimate the same limit, as far as
-    /// the error of this level can tell.
-    bool agrees_with_last(const std::vector<LevelRecord> &levels,
-                          const unsigned int              number,
-                          const std::string              &probe)
-    {
-      return number > 0 && std::abs(limit(levels[number], probe) -
-                                    limit(levels[number - 1], probe)) <=
-                             2 * std::abs(levels[number].errors.mesh.at(probe));
-    }
-
-
-
     /// Twice the estimated error of a probe, which is trusted to that factor
     /// and mostly much better; or how far its value on a fine mesh, as
     /// estimated on one level, is from that of the level before, which was less
@@ -220,6 +207,17 @@ namespace Contact
       return false;
     missed = "the accuracy is not reached: " + probes + ": " + limit;
     return true;
+  }
+
+
+
+  bool agrees_with_last(const std::vector<LevelRecord> &levels,
+                        const unsigned int              number,
+                        const std::string              &probe)
+  {
+    return number > 0 && std::abs(limit(levels[number], probe) -
+                                  limit(levels[number - 1], probe)) <=
+                           2 * std::abs(levels[number].errors.mesh.at(probe));
   }
 
 

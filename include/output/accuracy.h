@@ -90,6 +90,13 @@ namespace Contact
 
 
 
+  /// Whether the level @p number and the one before it estimate the same limit
+  /// of a probe, as far as the error of this level can tell; the first one does
+  /// not.
+  bool agrees_with_last(const std::vector<LevelRecord> &levels,
+                        const unsigned int              number,
+                        const std::string              &probe);
+
   /**
    * Print what the accuracy of each probe has cost: by level the unknowns, the
    * value, its estimated error and the wall time so far; and what the next

@@ -67,7 +67,9 @@ namespace Contact
                 std::filesystem::path(summary.mesh_file).stem().string(),
                 probe.name + " [" + probe.unit + "]",
                 format_value(probe, probe.value),
-                probe.error ? format("%.1e", *probe.error) : "-",
+                probe.error ? format("%.1e", *probe.error) +
+                                (probe.error_is_confirmed ? "" : "?")
+                            : "-",
                 probe.increment_error ? format("%+.1e", *probe.increment_error)
                                       : "-",
                 "-",

@@ -413,13 +413,31 @@ namespace Contact
 
 
 
-    // Springs of no force leave such a body anywhere.
+    // Springs of no force leave such a body anywhere. What presses no more than
+    // round-off holds nothing.
     template<int dim>
     void add_notes_on_free_motions(const ContactModel<dim>  &model,
+                                   const GhostedVector      &solution,
+                                   const double              residual_force,
                                    std::vector<std::string> &notes)
     {
-      for (const RigidBodyMode &motion :
-           rigid_body_modes<dim>(*model.discretization, &*model.interface))
+      ContactInterface<dim>              &interface = *model.interface;
+      const std::vector<PointStatus<dim>> statuses  = interface.statuses();
+      std::vector<PointStatus<dim>>       pressed   = statuses;
+      for (unsigned int k = 0; k < pressed.size(); ++k)
+        {
+          const ContactPoint<dim> &point = interface.points()[k];
+          const double             force =
+            point.weight * interface.state(point, solution, solution).lambda_n;
+          if (!interface.contact_pair(point).tied &&
+              std::abs(force) <= residual_force)
+            pressed[k] = PointStatus<dim>();
+        }
+      interface.set_statuses(pressed);
+      const auto free =
+        rigid_body_modes<dim>(*model.discretization, &interface);
+      interface.set_statuses(statuses);
+      for (const RigidBodyMode &motion : free)
         notes.push_back("nothing holds " +
                         model.mesh->piece_name(motion.piece) +
                         " at the end against: " + motion.name +
@@ -487,7 +505,10 @@ namespace Contact
     add_note_on_idleness(summary, *model.interface, solution, notes);
     add_notes_on_roundness(parameters, *model.interface, solution, notes);
     add_notes_on_held_nodes(parameters, *model.interface, solution, notes);
-    add_notes_on_free_motions(model, notes);
+    const double residual_force = summary.increments.empty()
+                                    ? 0.
+                                    : summary.increments.back().residual_force;
+    add_notes_on_free_motions(model, solution, residual_force, notes);
     return notes;
   }
 

@@ -96,6 +96,8 @@ namespace Contact
               {"value", probe.value},
               {"estimated_error", to_json(probe.error)},
               {"estimator", probe.error ? Json(probe.estimator) : Json()},
+              {"error_is_confirmed",
+               probe.error ? Json(probe.error_is_confirmed) : Json()},
               {"reference", to_json(probe.reference)},
               {"relative_deviation", to_json(probe.relative_deviation())},
               {"tolerance", to_json(probe.tolerance)},
@@ -268,7 +270,10 @@ namespace Contact
       {
         probe.error =
           std::abs(summary.levels.back().errors.mesh.at(probe.name));
-        probe.estimator = "dual weighted residuals";
+        probe.estimator          = "dual weighted residuals";
+        probe.error_is_confirmed = agrees_with_last(summary.levels,
+                                                    summary.levels.size() - 1,
+                                                    probe.name);
       }
   }
 

@@ -39,6 +39,10 @@ namespace Contact
     std::optional<double> error     = {};
     std::string           estimator = {};
 
+    /// Whether the mesh before confirms an estimate by dual weighted residuals,
+    /// see agrees_with_last().
+    bool error_is_confirmed = true;
+
     /// The estimated error of the load increments, with its sign.
     std::optional<double> increment_error = {};
 
@@ -73,6 +77,10 @@ namespace Contact
     double       hold_work           = 0; // of stabilization [N mm per mm]
     bool         converged           = false;
     std::string  message; // why it was given up
+
+    /// The force that the residual may leave [N per mm of thickness]: what is
+    /// less is none.
+    double residual_force = 0;
 
     /// By name: how far invariants are not met, and works since the start
     /// [N mm per mm of thickness], see Invariants; a sentence for each one that

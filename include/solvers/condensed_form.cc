@@ -132,8 +132,7 @@ namespace Contact
     return "the stability of the solution is not checked: " +
            std::string(solver == Parameters::SolverKind::mumps
                          ? "MUMPS does"
-                         : "the solver of matrices that friction makes "
-                           "unsymmetric does") +
+                         : "the solver of unsymmetric matrices does") +
            " not tell of a tangent that is not positive definite";
   }
 
