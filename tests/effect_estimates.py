@@ -170,6 +170,13 @@ unknown(base, "Young's modulus of Upper + 1 %", "remember the way")
 unknown(base, "increments doubled", "remember the way")
 unknown(base, "quadratic elements", "remember the way")
 
+base = estimated("zero_load", SCENE, MORE, {
+    "Contact/Friction coefficient": "0.1", "Boundary conditions/Force x": "Foot: 0"})
+zero = [e for e in base["estimated_effects"] if e["effect"].startswith("Force")]
+check("  a load that is zero changes nothing", len(zero) == 1 and
+      not zero[0]["unknown"] and max(map(abs, zero[0]["changes"].values())) < 1e-8,
+      zero)
+
 base = estimated("unloaded", SCENE, CHECKED, MORE, WAY, {
     "Boundary conditions/Histories": "Displacement y: min(2*t, 1.5 - t)"})
 unknown(base, "plasticity of Upper", "gone at the end")

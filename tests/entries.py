@@ -25,9 +25,10 @@ Usage: entries.py CONTACT PARAMETERS MESHES
 """
 
 import math
+import pathlib
 import sys
 
-from block_scenes import Mesh, box, check, failures, rows, run
+from block_scenes import Mesh, box, check, failures, rows, run, solve
 from volume_scenes import Volumes
 
 E, NU = 1000., 0.3
@@ -402,8 +403,32 @@ def tied_slave():
               status == 2 and "tied to another one" in said, said[:400])
 
 
+def left_out():
+    """A pair whose slave the command line takes away is none."""
+    mesh = Mesh()
+    mesh.block("A", 4, 2, box(-4, -5, 4, 0), {"bottom": "Base", "top": "Ground"})
+    mesh.block("B", 3, 2, box(-3, 0, 3, 4), {"bottom": "Sole", "top": "Head"})
+    mesh.write("left_out")
+    run("left_out", {
+        "Mesh/File": "left_out.msh",
+        "Solids/Young's modulus": "A: 1000, B: 1000",
+        "Solids/Poisson's ratio": "A: 0.3, B: 0.3",
+        "Boundary conditions/Displacement x": "Base: 0, Head: 0",
+        "Boundary conditions/Displacement y": "Base: 0, Head: -0.1",
+        "Contact low/Slave": "Sole", "Contact low/Master": "Ground",
+        "Contact low/Friction coefficient": 0.2,
+        "Contact high/Slave": "Head", "Contact high/Friction coefficient": 0.2,
+        "Contact high/Obstacle": "half plane: 0, 5, 0, -1"})
+    status, said, summary = solve(pathlib.Path("left_out.prm"), "Contact high/Slave=",
+                                  "Contact  low / Slave =")
+    check("pairs that are left out", status == 0 and
+          not any(
+              of for name, of in summary.items() if name.startswith("contact")), said[:300])
+
+
 turned()
 stretched()
+left_out()
 hanging()
 shared_corner()
 named_points()

@@ -93,6 +93,9 @@ for case, (degree, n_levels, tolerance, *more) in cases.items():
                   abs(estimated / (after - value) - 1) < tolerance,
                   f"{estimated:g} {after - value:g}")
     for probe in summary["probes"]:
+        check("  the mesh before confirms it, or a mark says that it does not",
+              probe["error_is_confirmed"] != (
+                  f"{probe['estimated_error']:.1e}?" in said))
         check("  says how", probe["estimator"] == "dual weighted residuals" and
               probe["estimated_error"] ==
               abs(levels[-1]["estimated_errors"][probe["name"]]))

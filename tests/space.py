@@ -15,6 +15,8 @@ Proves that
   monotonically from the middle;
 - a block dragged over a plane is held by the friction coefficient times the
   normal force, against its way, in whatever direction that is;
+- flat blocks of rubber on each other, without friction, are stretched uniformly as
+  the closed form has it, at 30 %, with few Newton steps;
 - forces and moments of contact balance, and no invariant is violated;
 - what is there in the plane alone is refused.
 
@@ -204,6 +206,45 @@ def friction():
         check(f"{what}: friction against the way", worst < 1e-4, worst)
 
 
+def squeezed_rubber():
+    """W = mu/2 (J^(-2/3) I_1 - 3) + K/4 (J^2 - 1 - 2 ln J), free to the sides. The
+    tangent of the middle block is indefinite without the change of its pairing."""
+    modulus, ratio, stretch = 1000., 0.3, 0.7
+    mu, bulk = modulus / 2 / (1 + ratio), modulus / 3 / (1 - 2 * ratio)
+
+    def stress(a, along):
+        j, trace = a * a * stretch, 2 * a * a + stretch**2
+        return (mu * j**(-5 / 3) * (along**2 - trace / 3) +
+                bulk / 2 * (j - 1 / j))
+    low, high = 1., 1.5
+    while high - low > 1e-15:
+        a = (low + high) / 2
+        low, high = (a, high) if stress(a, a) < 0 else (low, a)
+    force = -4 * low**2 * stress(low, stretch)
+
+    mesh = Volumes()
+    for name, n, z in (("A", 3, 0), ("B", 4, 1), ("C", 5, 2)):
+        mesh.block(name, (n, n, n // 2), lambda r, s, t, z=z: (2 * r, 2 * s, z + t))
+    mesh.write("rubber")
+    status, said, summary = run("rubber", {
+        "Mesh/File": "rubber.msh",
+        "Solids/Young's modulus": f"A: {modulus}, B: {modulus}, C: {modulus}",
+        "Solids/Poisson's ratio": f"A: {ratio}, B: {ratio}, C: {ratio}",
+        "Solids/Kinematics": "large displacement",
+        "Solids/Material": "A: neo-Hookean, B: neo-Hookean, C: neo-Hookean",
+        "Boundary conditions/Displacement x": "A_x0: 0, B_x0: 0, C_x0: 0",
+        "Boundary conditions/Displacement y": "A_y0: 0, B_y0: 0, C_y0: 0",
+        "Boundary conditions/Displacement z": f"A_z0: 0, C_z1: {3 * stretch - 3}",
+        "Contact/Slave": "B_z0", "Contact/Master": "A_z1",
+        "Contact two/Slave": "B_z1", "Contact two/Master": "C_z0",
+        "Probes/Probes": "F: reaction z, C_z1"})
+    converged("squeezed rubber", status, summary, said)
+    error = abs(probes(summary)["F"] / -force - 1) if status == 0 else 1
+    check("squeezed rubber: the force", error < 1e-8, error)
+    steps = sum(i["newton_iterations"] for i in summary.get("increments", []))
+    check("squeezed rubber: few Newton steps", steps < 40, steps)
+
+
 def refusals():
     mesh = Volumes()
     mesh.block("Block", (1, 1, 1), lambda r, s, t: (r, s, t))
@@ -232,5 +273,6 @@ extruded()
 flat_layer()
 hertz()
 friction()
+squeezed_rubber()
 refusals()
 sys.exit(bool(failures))

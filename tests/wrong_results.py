@@ -44,8 +44,10 @@ Proves that
 - the flat ends of round shafts are not said to be off their circles;
 - glue across a gap is noted, and a violation where the moment that is lost matters;
 - a scene that nothing loads, and one where nothing touches, are noted;
-- nodes that supports hold inside of an obstacle are noted, and a body that nothing
-  holds along a line at the end;
+- nodes that supports hold inside of an obstacle are noted, and bodies that nothing
+  holds at the end, along a line or where a gap has opened on both sides;
+- the moment on an obstacle is that of the loads, in small strain where the pairing
+  is undeformed, however far the block moves;
 - a round side that a coarse mesh does not let touch is refined where it is close,
   on several processes alike, until it has the force of a uniform mesh;
 - given displacements that go through zero in the course of their history violate
@@ -1130,6 +1132,47 @@ def left_free():
               said[:400])
 
 
+def left_floating():
+    """The middle one of three blocks shrinks, below an obstacle: it and the upper
+    one are anywhere in the gap of 0.024 mm."""
+    mesh = Mesh()
+    for name, n, y in (("A", 4, 0), ("B", 4, 2), ("C", 4, 4)):
+        mesh.block(name, n, 2, box(0, y, 4, y + (2 if name < "C" else 1)), {
+            side: name + side for side in ("bottom", "top", "left")})
+    mesh.write("left_floating")
+    status, said, _ = run("left_floating", {
+        "Mesh/File": "left_floating.msh",
+        **solids("A: 1000, B: 2000, C: 500", "A: 0.3, B: 0.2, C: 0.4"),
+        "Solids/Thermal strain": "B: -0.01*t", "Solution/Increments": 2,
+        "Boundary conditions/Displacement x": "Aleft: 0, Bleft: 0, Cleft: 0",
+        "Boundary conditions/Displacement y": "Abottom: 0",
+        "Contact/Slave": "Atop", "Contact/Master": "Bbottom",
+        "Contact 2/Slave": "Cbottom", "Contact 2/Master": "Btop",
+        "Contact 3/Slave": "Ctop", "Contact 3/Obstacle": "half plane: 0, 5, 0, -1"})
+    check("blocks that float in a gap are noted", status == 0 and all(
+        f"nothing holds the body '{name}' at the end" in said for name in "BC"),
+          said[:600])
+
+
+def eccentric():
+    """A soft block on a half plane, its top rigid, with a force and a moment."""
+    mesh = Mesh()
+    mesh.block("B", 8, 4, box(-8, 0, 8, 6), {"bottom": "Sole", "top": "Head"})
+    mesh.write("eccentric")
+    status, said, summary = run("eccentric", {
+        "Mesh/File": "eccentric.msh", "Mesh/Points": "P: 0, 6",
+        **solids("B: 200", "B: 0"), "Solution/Geometry": "undeformed",
+        "Boundary conditions/Rigid": "Head: P",
+        "Boundary conditions/Displacement x": "Head: 0",
+        "Boundary conditions/Force y": "Head: -40",
+        "Boundary conditions/Moment z": "Head: -100",
+        "Contact/Slave": "Sole", "Contact/Obstacle": "half plane: 0, 0, 0, 1",
+        "Probes/Probes": "M: obstacle moment z, Contact"})
+    moment = summary["probes"][0]["value"] if status == 0 else 0
+    check("the moment on an obstacle is that of the loads",
+          abs(abs(moment) - 100) < 1e-6, f"{moment} {said[-300:]}")
+
+
 def round_and_apart():
     """A round bottom of three chords, of which the middle one does not touch."""
     radius, ends = 4, (-2.2, -0.9, 0.8, 1.9)
@@ -1359,7 +1402,7 @@ for scene in (carried, closed, overlap, cantilever, halves, teeth, own_master, r
               lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered,
               in_a_corner, concave_corner, too_coarse, roles, tied, flank, groove,
               slide, pinned, clamped, between_nodes, approached, through, foil, turning, coarse_fit, flat_ends, glued_apart, idle,
-              held_nodes, left_free, round_and_apart, through_zero, nominal_loads, normal_supports,
+              held_nodes, left_free, left_floating, eccentric, round_and_apart, through_zero, nominal_loads, normal_supports,
               along_edges, off_the_end):
     print(scene.__name__)
     scene()

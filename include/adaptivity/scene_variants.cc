@@ -143,17 +143,7 @@ namespace Contact
                      [&](All &changed) { let_rest(pair_of(changed, name)); });
       variants.add(section + "the pair itself",
                    true,
-                   {section + "Slave=",
-                    section + "Master=",
-                    section + "Obstacle=",
-                    section + "Obstacle motion=",
-                    section + "Obstacle centre=",
-                    section + "Obstacle axis=",
-                    section + "Interference=",
-                    section + "Excluded points=",
-                    section + "Friction coefficient=0",
-                    section + "Tresca limit=0",
-                    section + "Tied=false"},
+                   {section + "Slave="},
                    [&](All &changed) {
                      if (name.empty())
                        changed.contact = Parameters::Contact();

@@ -56,6 +56,8 @@ namespace Contact
 
     void Contact::check() const
     {
+      if (is_left_out)
+        return;
       if (std::any_of(name.begin(), name.end(), [](const unsigned char c) {
             return !std::isalnum(c) && c != ' ' && c != '_' && c != '-';
           }))

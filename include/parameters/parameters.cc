@@ -12,6 +12,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "base/string_utilities.h"
 #include "parameters/parameter_file.h"
 
 namespace Contact
@@ -63,6 +64,24 @@ namespace Contact
       Contact &contact_pair = further_contacts[name];
       contact_pair.name     = name;
       contact_pair.add_parameters(prm);
+    }
+
+
+
+    void All::leave_out_pair(const std::string &assignment)
+    {
+      const auto [path, value]  = split_at(assignment, assignment.find('='));
+      const auto [section, key] = split_at(path, path.find_last_of('/'));
+      if (key != "Slave" || !value.empty())
+        return;
+      const std::string of        = with_single_blanks(section);
+      const auto        leave_out = [&](Contact &contact_pair) {
+        contact_pair.is_left_out =
+          contact_pair.is_left_out || contact_pair.section() == of;
+      };
+      leave_out(contact);
+      for (auto &further : further_contacts)
+        leave_out(further.second);
     }
 
 
@@ -222,7 +241,10 @@ namespace Contact
     });
     reader.read_file(file);
     for (const std::string &assignment : overrides)
-      reader.read_override(assignment);
+      {
+        reader.read_override(assignment);
+        parameters.leave_out_pair(assignment);
+      }
     reader.resolve_path("Mesh", "File");
 
     // The checks know the entries, the reader knows where they were set.

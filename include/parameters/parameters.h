@@ -55,6 +55,10 @@ namespace Contact
       /// Declare the entries of "Contact NAME", which are those of Contact.
       void add_pair(const std::string &name, ParameterHandler &prm);
 
+      /// If an assignment of the command line empties the slave of a contact
+      /// pair, leave the pair out.
+      void leave_out_pair(const std::string &assignment);
+
       /// The directory of its results.
       std::filesystem::path directory() const;
 

@@ -262,6 +262,10 @@ namespace Contact
       /// Of the section "Contact NAME"; empty for the section "Contact".
       std::string name;
 
+      /// Not an entry: its slave has been taken away on the command line, and
+      /// with it the pair, whatever else its section says.
+      bool is_left_out = false;
+
       std::string slave;
       std::string master;
 
