@@ -983,7 +983,7 @@ namespace Contact
                              brief(newton.convergence.residual()) + " after " +
                              std::to_string(step) + " steps" +
                              newton.unsettled() + newton.changes() +
-                             system->contradiction());
+                             system->contradiction() + stabilization.remark());
         if (has_converged && !is_accepted)
           {
             report.screen << "      paired anew: the surfaces have moved by "

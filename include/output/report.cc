@@ -144,7 +144,8 @@ namespace Contact
     if (screen.is_active())
       print_effects(screen.get_stream(), effects);
     for (const std::string &note : notes_on_scene(model, parameters))
-      print_error(": note: " + note);
+      if (notes_on_this_scene.insert(note).second)
+        print_error(": note: " + note);
   }
 
 

@@ -11,6 +11,7 @@
 #include <deal.II/base/timer.h>
 
 #include <memory>
+#include <set>
 #include <string>
 
 #include "contact/contact_model.h"
@@ -128,9 +129,10 @@ namespace Contact
     void finish();
 
   private:
-    const Parameters::All            &parameters;
-    const ParameterHandler           &prm;
-    std::string                       printed_parameters;
+    const Parameters::All  &parameters;
+    const ParameterHandler &prm;
+    std::string             printed_parameters;
+    std::set<std::string>   notes_on_this_scene; // a run may begin once more
     std::unique_ptr<ResultFiles<dim>> result_files;
     const Discretization<dim> *discretization = nullptr; // once files are open
   };

@@ -95,6 +95,19 @@ namespace Contact
 
 
   template<int dim>
+  std::string RigidBodyStabilization<dim>::remark() const
+  {
+    std::string remark;
+    for (const RigidBodyMode &motion : held)
+      remark += (remark.empty() ? "; nothing but springs holds " : ", nor ") +
+                model.mesh->piece_name(motion.piece) +
+                " against: " + motion.name;
+    return remark;
+  }
+
+
+
+  template<int dim>
   GhostedVector
   RigidBodyStabilization<dim>::release(const IncrementState<dim> &state)
   {

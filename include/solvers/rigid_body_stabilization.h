@@ -48,6 +48,10 @@ namespace Contact
     bool is_needed() const;
     bool has_grown() const;
 
+    /// What springs hold, to be added to the reason why there is no solution;
+    /// empty if nothing is held.
+    std::string remark() const;
+
     /// Take the springs away. Returns the forces that they exerted, by
     /// unknown [N per mm of thickness]; none if nothing was held. Collective.
     GhostedVector release(const IncrementState<dim> &state);
