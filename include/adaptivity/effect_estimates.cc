@@ -210,7 +210,9 @@ namespace Contact
 
 
   // Quadratic elements have other shapes to bend in and other points of
-  // contact: more than two steps away. The last one is the uncertainty.
+  // contact: more than two steps away. The last one is the uncertainty; with
+  // friction in several increments the start of the last one is that of linear
+  // elements, and half of the change is uncertain.
   EffectEstimate EffectEstimates::of_quadratic_elements(
     const VariantModel                  &scene,
     const std::map<std::string, double> &values,
@@ -231,9 +233,12 @@ namespace Contact
         other.check_supports();
         const auto before = probes_of(other);
         other.make_step();
-        const auto after          = probes_of(other);
-        estimate.changes          = difference(after, values);
-        estimate.uncertainties    = difference(after, before);
+        const auto after       = probes_of(other);
+        estimate.changes       = difference(after, values);
+        estimate.uncertainties = difference(after, before);
+        if (model.has_friction() && state.start_factor > 0)
+          for (const auto &[name, change] : estimate.changes)
+            estimate.uncertainties[name] = change / 2;
         estimate.n_status_changes = other.n_status_changes;
       }
     catch (const NotConverged &failure)

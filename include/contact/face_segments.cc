@@ -307,11 +307,11 @@ namespace Contact
     double       part   = 1;
     for (unsigned int s = 0; s < 4; ++s)
       if (facet.corner[s])
-        part *= std::clamp(
-          1 - (angle_to(slave_facet) - angle_to(facet.neighbors[s])) / corner,
-          0.,
-          1.);
-    return part;
+        part =
+          std::min(part,
+                   1 - (angle_to(slave_facet) - angle_to(facet.neighbors[s])) /
+                         corner);
+    return std::max(0., part);
   }
 
 

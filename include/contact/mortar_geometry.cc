@@ -254,12 +254,12 @@ namespace Contact
         };
         const Number beyond = angle_to(slave_normals[slave_facet][a]) -
                               angle_to(slave_normals[other][1 - a]);
-        if (value_of(beyond) > 0)
-          part *= 1 - beyond / (numbers::PI / 180 * Surface<2>::feature_angle);
-        if (value_of(part) <= 0)
-          return 0;
+        const Number of_corner =
+          1 - beyond / (numbers::PI / 180 * Surface<2>::feature_angle);
+        if (value_of(of_corner) < value_of(part))
+          part = of_corner;
       }
-    return part;
+    return value_of(part) > 0 ? part : Number(0);
   }
 
 
