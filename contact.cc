@@ -84,6 +84,7 @@
 // under "A map of the code".
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <sstream>
 
@@ -1140,8 +1141,9 @@ namespace Contact
                         pairing.shift_of_feet(state),
                         newton.convergence.given_force(state.load_factor));
     invariants->advance();
-    report.increment().residual_force =
-      newton.convergence.tolerance() * newton.convergence.force_scale();
+    report.increment().round_off_force =
+      1e3 * std::numeric_limits<double>::epsilon() *
+      newton.convergence.force_scale();
     if (const std::string note = pairing.note(found.moment_imbalance);
         !note.empty())
       found.notes.push_back(note);

@@ -226,7 +226,8 @@ def tilted_on(on_block):
                 "Top: -1e-7" + (", Held: 0" if on_block else "")})
         # The sides are off the normal by the tilt, and by 90 degrees less it.
         least = min(degrees, 90 - degrees)
-        length = sum(share * max(0, 1 - (angle - least) / 35)
+        length = sum(share * max(0, 1 - (angle - least) / 35, min(
+                         1, (75 - angle) / 35) if on_block else 0)
                      for share, angle in ((0.5, degrees), (0.25, 90 - degrees)))
         shear = abs(summary["contact"]["tangential_force"]) if status == 0 else 0
         check(f"tilted by {degrees} degrees{' on a block' * on_block}: the "

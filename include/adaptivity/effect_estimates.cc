@@ -212,7 +212,7 @@ namespace Contact
   // Quadratic elements have other shapes to bend in and other points of
   // contact: more than two steps away. The last one is the uncertainty; with
   // friction in several increments the start of the last one is that of linear
-  // elements, and half of the change is uncertain.
+  // elements, and all of the change uncertain.
   EffectEstimate EffectEstimates::of_quadratic_elements(
     const VariantModel                  &scene,
     const std::map<std::string, double> &values,
@@ -237,8 +237,7 @@ namespace Contact
         estimate.changes       = difference(after, values);
         estimate.uncertainties = difference(after, before);
         if (model.has_friction() && state.start_factor > 0)
-          for (const auto &[name, change] : estimate.changes)
-            estimate.uncertainties[name] = change / 2;
+          estimate.uncertainties = estimate.changes;
         estimate.n_status_changes = other.n_status_changes;
       }
     catch (const NotConverged &failure)

@@ -59,7 +59,6 @@ namespace Contact
       std::make_unique<Discretization<2>>(*model.mesh, parameters);
     model.elasticity =
       std::make_unique<Elasticity<2>>(*model.discretization, parameters.solids);
-    model.elasticity->heat(from.start_factor, from.load_factor);
     std::vector<Parameters::Contact> pairs = parameters.pairs();
     for (Parameters::Contact &of_pair : pairs)
       for (const auto &known : scene.interface->pairs)
@@ -72,11 +71,17 @@ namespace Contact
                                               pairs);
 
     state.reinit(model);
-    state.load_factor  = from.load_factor;
-    state.start_factor = from.start_factor;
+    // Without friction the way there is of no consequence, but glue on other
+    // elements would keep offsets of the start of the last increment.
+    state.load_factor = from.load_factor;
     take_displacements(scene, from.solution, state.solution);
-    if (!has_new_shear(scene))
-      take_displacements(scene, from.start, state.start);
+    if (has_elements_of(scene) || model.has_friction())
+      {
+        state.start_factor = from.start_factor;
+        if (!has_new_shear(scene))
+          take_displacements(scene, from.start, state.start);
+      }
+    model.elasticity->heat(state.start_factor, state.load_factor);
 
     linearization = {model.geometry_follows(parameters.solution),
                      model.interface &&

@@ -307,10 +307,14 @@ namespace Contact
     double       part   = 1;
     for (unsigned int s = 0; s < 4; ++s)
       if (facet.corner[s])
-        part =
-          std::min(part,
-                   1 - (angle_to(slave_facet) - angle_to(facet.neighbors[s])) /
-                         corner);
+        {
+          const double own = angle_to(slave_facet);
+          const double beside =
+            1 - (own - angle_to(facet.neighbors[s])) / corner;
+          const double alone =
+            (numbers::PI / 180 * NormalCone<2>::largest_angle - own) / corner;
+          part = std::min(part, std::max(beside, alone));
+        }
     return std::max(0., part);
   }
 

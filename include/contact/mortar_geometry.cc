@@ -9,6 +9,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "contact/surface_search.h"
+
 namespace Contact
 {
   namespace
@@ -252,10 +254,15 @@ namespace Contact
             atan2(Number(normal * along), Number(cross(normal, along)));
           return Number(value_of(angle) < 0 ? -angle : angle);
         };
-        const Number beyond = angle_to(slave_normals[slave_facet][a]) -
-                              angle_to(slave_normals[other][1 - a]);
+        const double degree = numbers::PI / 180;
+        const Number own    = angle_to(slave_normals[slave_facet][a]);
+        const Number beside =
+          1 - (own - angle_to(slave_normals[other][1 - a])) /
+                (degree * Surface<2>::feature_angle);
+        const Number alone = (degree * NormalCone<2>::largest_angle - own) /
+                             (degree * Surface<2>::feature_angle);
         const Number of_corner =
-          1 - beyond / (numbers::PI / 180 * Surface<2>::feature_angle);
+          value_of(beside) > value_of(alone) ? beside : alone;
         if (value_of(of_corner) < value_of(part))
           part = of_corner;
       }

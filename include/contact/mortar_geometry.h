@@ -119,10 +119,12 @@ namespace Contact
     /**
      * The part that a slave edge takes in what is between the surfaces where it
      * faces the place @p master_xi of a master edge: one, but beside a corner
-     * of the slave whose other side is more opposite to the master there. By
-     * the rule of class SlaveCorner it falls to zero without a jump: the side
-     * of a block that stands on the ground tilts towards it as the block
-     * bulges, and does not look at it.
+     * of the slave whose other side is more opposite to the master there. Then
+     * it falls to zero, without a jump, at NormalCone::largest_angle, beyond
+     * which surfaces are not face to face: the side of a block that stands on
+     * the ground tilts towards it as the block bulges, and does not look at it.
+     * Of sides that are about as opposite it is that of class SlaveCorner, if
+     * that is more: the tip of a wedge looks at what it stands on.
      */
     Number part_of_side(const unsigned int slave_facet,
                         const unsigned int master_facet,

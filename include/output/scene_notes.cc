@@ -418,7 +418,7 @@ namespace Contact
     template<int dim>
     void add_notes_on_free_motions(const ContactModel<dim>  &model,
                                    const GhostedVector      &solution,
-                                   const double              residual_force,
+                                   const double              round_off_force,
                                    std::vector<std::string> &notes)
     {
       ContactInterface<dim>              &interface = *model.interface;
@@ -430,7 +430,7 @@ namespace Contact
           const double             force =
             point.weight * interface.state(point, solution, solution).lambda_n;
           if (!interface.contact_pair(point).tied &&
-              std::abs(force) <= residual_force)
+              std::abs(force) <= round_off_force)
             pressed[k] = PointStatus<dim>();
         }
       interface.set_statuses(pressed);
@@ -505,10 +505,10 @@ namespace Contact
     add_note_on_idleness(summary, *model.interface, solution, notes);
     add_notes_on_roundness(parameters, *model.interface, solution, notes);
     add_notes_on_held_nodes(parameters, *model.interface, solution, notes);
-    const double residual_force = summary.increments.empty()
-                                    ? 0.
-                                    : summary.increments.back().residual_force;
-    add_notes_on_free_motions(model, solution, residual_force, notes);
+    const double round_off_force =
+      summary.increments.empty() ? 0.
+                                 : summary.increments.back().round_off_force;
+    add_notes_on_free_motions(model, solution, round_off_force, notes);
     return notes;
   }
 

@@ -78,9 +78,9 @@ namespace Contact
     bool         converged           = false;
     std::string  message; // why it was given up
 
-    /// The force that the residual may leave [N per mm of thickness]: what is
-    /// less is none.
-    double residual_force = 0;
+    /// The force that is round-off beside those that act [N per mm of
+    /// thickness].
+    double round_off_force = 0;
 
     /// By name: how far invariants are not met, and works since the start
     /// [N mm per mm of thickness], see Invariants; a sentence for each one that

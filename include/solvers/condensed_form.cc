@@ -126,9 +126,12 @@ namespace Contact
   template<int dim>
   std::string CondensedForm<dim>::open_stability() const
   {
-    if (!may_be_unstable() || last->knows_definiteness() ||
-        solver == Parameters::SolverKind::cholmod)
+    if (!may_be_unstable() || last->knows_definiteness())
       return "";
+    if (solver == Parameters::SolverKind::cholmod)
+      return "the stability of the solution is not known: friction makes the "
+             "tangent unsymmetric, and its symmetric part is not positive "
+             "definite";
     return "the stability of the solution is not checked: " +
            std::string(solver == Parameters::SolverKind::mumps
                          ? "MUMPS does"

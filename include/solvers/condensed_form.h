@@ -66,7 +66,8 @@ namespace Contact
 
     bool tangent_is_indefinite(const bool may_cost) override
     {
-      return may_be_unstable() && last->is_indefinite(may_cost);
+      return may_be_unstable() && last->is_indefinite(may_cost) &&
+             (!model.has_friction() || last->knows_definiteness());
     }
 
     std::string open_stability() const override;

@@ -47,6 +47,54 @@ namespace Contact
 
 
 
+    /// The matrix as CHOLMOD sees it, without a copy: its lower triangle, or
+    /// all of it.
+    cholmod_sparse view_of(const Columns &columns, const bool symmetric)
+    {
+      cholmod_sparse view{};
+      view.nrow   = columns.n;
+      view.ncol   = columns.n;
+      view.nzmax  = columns.starts[columns.n];
+      view.p      = columns.starts;
+      view.i      = columns.rows;
+      view.x      = columns.values;
+      view.stype  = symmetric ? -1 : 0;
+      view.itype  = CHOLMOD_INT;
+      view.xtype  = CHOLMOD_REAL;
+      view.dtype  = CHOLMOD_DOUBLE;
+      view.sorted = 0;
+      view.packed = 1;
+      return view;
+    }
+
+
+
+    /// Whether x . A x > 0 for all x. False as well if memory does not suffice.
+    bool has_definite_symmetric_part(const Columns &columns)
+    {
+      cholmod_common common;
+      cholmod_start(&common);
+      common.print                      = 0;
+      common.quick_return_if_not_posdef = 1;
+      const double half[2]              = {0.5, 0};
+      auto         a                    = view_of(columns, /*symmetric=*/false);
+      auto         transposed           = cholmod_transpose(&a, 1, &common);
+      double      *factor_of            = const_cast<double *>(half);
+      auto         sum =
+        cholmod_add(&a, transposed, factor_of, factor_of, 1, 0, &common);
+      auto lower  = cholmod_copy(sum, -1, 1, &common);
+      auto factor = cholmod_analyze(lower, &common);
+      cholmod_factorize(lower, factor, &common);
+      const bool is_definite = common.status == CHOLMOD_OK;
+      cholmod_free_factor(&factor, &common);
+      for (auto *matrix : {&transposed, &sum, &lower})
+        cholmod_free_sparse(matrix, &common);
+      cholmod_finish(&common);
+      return is_definite;
+    }
+
+
+
     const std::string not_definite =
       "the matrix is not positive definite: a body can move without "
       "resistance, or has lost its stability; if friction alone holds it, try "
@@ -72,7 +120,8 @@ namespace Contact
                       const bool new_pattern,
                       const Dofs &) override
       {
-        columns    = std::make_unique<Columns>(matrix);
+        columns = std::make_unique<Columns>(matrix);
+        definite.reset();
         int status = UMFPACK_OK;
         if (symbolic == nullptr || new_pattern)
           {
@@ -133,6 +182,20 @@ namespace Contact
         return 1;
       }
 
+      // A matrix with a definite symmetric part is that of a stable state; of
+      // another one nothing is known.
+      bool is_indefinite(const bool may_cost) override
+      {
+        if (!definite && may_cost)
+          definite = has_definite_symmetric_part(*columns);
+        return definite && !*definite;
+      }
+
+      bool knows_definiteness() const override
+      {
+        return definite && *definite;
+      }
+
     private:
       using Handle = std::unique_ptr<void, void (*)(void *)>;
 
@@ -140,6 +203,7 @@ namespace Contact
       std::unique_ptr<Columns>            columns;
       Handle                              symbolic{nullptr, nullptr};
       Handle                              numeric{nullptr, nullptr};
+      std::optional<bool>                 definite; // its symmetric part
     };
 
 
@@ -173,19 +237,7 @@ namespace Contact
       {
         indefinite.reset();
         const Columns  columns(matrix);
-        cholmod_sparse view{};
-        view.nrow   = columns.n;
-        view.ncol   = columns.n;
-        view.nzmax  = columns.starts[columns.n];
-        view.p      = columns.starts;
-        view.i      = columns.rows;
-        view.x      = columns.values;
-        view.stype  = -1; // symmetric, the lower triangle is read
-        view.itype  = CHOLMOD_INT;
-        view.xtype  = CHOLMOD_REAL;
-        view.dtype  = CHOLMOD_DOUBLE;
-        view.sorted = 0;
-        view.packed = 1;
+        cholmod_sparse view = view_of(columns, /*symmetric=*/true);
 
         if (factor == nullptr || new_pattern)
           {

@@ -91,7 +91,9 @@ namespace Contact
     /// Whether the matrix is known to be indefinite: by its factorization
     /// (CHOLMOD), or because a direction of negative curvature is found, for
     /// which some iterations are made if it @p may_cost them (AMG with
-    /// conjugate gradients). MUMPS and GMRES do not know. Collective.
+    /// conjugate gradients). UMFPACK tells of the symmetric part, if it @p
+    /// may_cost a factorization of that. MUMPS and GMRES do not know.
+    /// Collective.
     virtual bool is_indefinite(const bool may_cost)
     {
       (void)may_cost;
