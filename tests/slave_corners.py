@@ -12,8 +12,9 @@ Proves that
   of the sole;
 - a block that stands on a corner has the force on both sides that meet there, and
   as it tilts over, the length that its shear acts on changes by the formula of
-  slave_corners.h, on another block by that of MortarGeometry, without a jump; with the Gauss-point discretization, no point of
-  which looks at the corner, it is said that it sinks in;
+  slave_corners.h, on another block by that of MortarGeometry, without a jump; with
+  the Gauss-point discretization, no point of which looks at the corner, it is said
+  that it sinks in;
 - beyond the end of a master there is no contact: a long slave on a short master
   touches it by no more than its width, where nodes of the slave are at its end, or
   beside it;
