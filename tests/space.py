@@ -17,6 +17,8 @@ Proves that
   normal force, against its way, in whatever direction that is;
 - flat blocks of rubber on each other, without friction, are stretched uniformly as
   the closed form has it, at 30 %, with few Newton steps;
+- a clamped column below a flat plate, without friction, is refused where it is
+  compressed by half as much again as by Euler's load, and not by 0.9 of it;
 - forces and moments of contact balance, and no invariant is violated;
 - what is there in the plane alone is refused.
 
@@ -245,6 +247,29 @@ def squeezed_rubber():
     check("squeezed rubber: few Newton steps", steps < 40, steps)
 
 
+def column():
+    """1 x 1 x 12 mm, free to sway: pi^2 E I / h^2 is a strain of pi^2 / 12 / h^2."""
+    mesh = Volumes()
+    mesh.block("A", (2, 1, 12), lambda r, s, t: (r, s, 12 * t))
+    mesh.block("P", (3, 1, 1), lambda r, s, t: (4 * r - 1.5, s, 12 + t))
+    mesh.write("column")
+    euler = math.pi**2 / 12 / 12**2 * 12
+    for part, is_stable in ((0.9, True), (1.5, False)):
+        status, said, _ = run("column", {
+            "Mesh/File": "column.msh", "Element/Degree": 2,
+            "Solids/Young's modulus": "A: 1000, P: 1e6",
+            "Solids/Poisson's ratio": "A: 0, P: 0",
+            "Solids/Kinematics": "large displacement",
+            "Boundary conditions/Displacement x": "A_z0: 0, P_z1: 0",
+            "Boundary conditions/Displacement y": "A_y0: 0, P_y0: 0",
+            "Boundary conditions/Displacement z":
+                f"A_z0: 0, P_z1: {-part * euler}",
+            "Solution/Increments": 2,
+            "Contact/Slave": "A_z1", "Contact/Master": "P_z0"})
+        check(f"a column under {part} of Euler's load", status == 0 if is_stable
+              else status == 3 and "lost its stability" in said, said[-200:])
+
+
 def refusals():
     mesh = Volumes()
     mesh.block("Block", (1, 1, 1), lambda r, s, t: (r, s, t))
@@ -274,5 +299,6 @@ flat_layer()
 hertz()
 friction()
 squeezed_rubber()
+column()
 refusals()
 sys.exit(bool(failures))
