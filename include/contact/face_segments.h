@@ -115,7 +115,7 @@ namespace Contact
     double distance_to_master(const unsigned int   slave_node,
                               const NormalCone<3> &directions);
 
-    /// What MortarGeometry::part_of_side() gives in the plane, with the normals
+    /// As MortarGeometry::part_of_side() in the plane, with the normals
     /// in the middles of the facets.
     double part_of_side(const unsigned int slave_facet,
                         const unsigned int master_facet) const;

@@ -48,7 +48,7 @@ namespace Contact
     bool is_needed() const;
     bool has_grown() const;
 
-    /// What springs hold, to be added to the reason why there is no solution;
+    /// The bodies that springs hold, for the reason why there is no solution;
     /// empty if nothing is held.
     std::string remark() const;
 
