@@ -34,7 +34,7 @@ namespace Contact
    * end of all loops in the same way: what they have left is no effect.
    * Quadratic elements take as many steps as they need, from the displacements
    * and pressures of linear ones; without that, errors of linear elements by
-   * dual weighted residuals were off by factors from -60 to 5 on coarse meshes.
+   * dual weighted residuals were off by factors from -45 to 5 on coarse meshes.
    *
    * Not seen: the history of friction, and of plastic strains. Friction that is
    * left out, and a body that yields in the variant alone, would have acted
