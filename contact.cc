@@ -970,7 +970,8 @@ namespace Contact
         // there it is not looked for.
         const bool has_converged = newton.has_converged();
         const bool is_accepted   = has_converged && pairing.accepts(state);
-        if (is_accepted && !system->tangent_is_indefinite(levels.may_be_last()))
+        if (is_accepted &&
+            !system->tangent_is_indefinite(state, levels.may_be_last()))
           {
             note_open_stability();
             return;

@@ -63,7 +63,9 @@ Proves that
   discretization has a solution there;
 - a body on a corner of its polygon that each pairing moves on is not called
   converged before it has come to rest, whatever the solver;
-- the width of contact has the edge that closes a surface.
+- the width of contact has the edge that closes a surface;
+- a straight column is refused beyond Euler's load by systems with multipliers as
+  well, and with friction it is noted.
 
 Usage: wrong_results.py CONTACT PARAMETERS MESHES
 """
@@ -1353,6 +1355,44 @@ def off_the_end():
               max(moments) < (1e-3 if converges else 1e-9))
 
 
+def buckling():
+    """A straight column of the height h and the width b, the foot clamped, under a
+    plate that keeps the head level and lets it sway: pi^2 E I / h^2. With friction
+    it does not sway: four times as much. Shortened by 3 %, it is a little more."""
+    h, b = 12., 1.
+    mesh = Mesh()
+    mesh.block("A", 2, 8, box(-b / 2, 0, b / 2, h),
+               {"bottom": "Foot", "top": "Head"})
+    mesh.block("P", 3, 1, box(-2, h, 2, h + 1), {"bottom": "Sole", "top": "Top"})
+    mesh.write("buckling")
+    critical = math.pi**2 / 12 * (b / h)**2 * h
+
+    def under(part, more):
+        return run("buckling", {
+            **solids("A: 1000, P: 1e6", "A: 0, P: 0", "large displacement"),
+            "Mesh/File": "buckling.msh", "Element/Degree": 2,
+            "Boundary conditions/Displacement x": "Foot: 0, Top: 0",
+            "Boundary conditions/Displacement y":
+                f"Foot: 0, Top: {-part * critical}",
+            "Contact/Slave": "Head", "Contact/Master": "Sole", **more})[:2]
+
+    for what, more in (
+            ("", {}), (", nodal", {"Contact/Discretization": "nodal"}),
+            (", Gauss rule", {"Contact/Discretization": "Gauss"}),
+            (", fixed point", {"Solution/Geometry": "fixed point"})):
+        status, said = under(0.95, more)
+        check(f"a column under 0.95 of Euler's load{what}", status == 0, said)
+        status, said = under(1.03, more)
+        check(f"a column under 1.03 of it is refused{what}",
+              status == 3 and "lost its stability" in said, said[-300:])
+    friction = {"Contact/Friction coefficient": 0.5}
+    for part, is_open in ((3.5, False), (4.2, True)):
+        status, said = under(part, friction)
+        check(f"with friction, under {part} of it", status == 0 and
+              ("stability of the solution is not known" in said) == is_open,
+              said[-300:])
+
+
 def closed():
     """A tube in a rigid hole that is smaller: all of it is in contact, where its
     surface closes as well. Between two walls, one where it closes, the other
@@ -1398,7 +1438,7 @@ def closed():
               f"{here} {opposite}")
 
 
-for scene in (carried, closed, overlap, cantilever, halves, teeth, own_master, round_off,
+for scene in (carried, closed, buckling, overlap, cantilever, halves, teeth, own_master, round_off,
               lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered,
               in_a_corner, concave_corner, too_coarse, roles, tied, flank, groove,
               slide, pinned, clamped, between_nodes, approached, through, foil, turning, coarse_fit, flat_ends, glued_apart, idle,

@@ -6,6 +6,7 @@
 #ifndef contact_contact_model_h
 #define contact_contact_model_h
 
+#include <algorithm>
 #include <memory>
 
 #include "contact/contact_interface.h"
@@ -52,6 +53,15 @@ namespace Contact
     bool has_friction() const
     {
       return interface && interface->has_friction();
+    }
+
+    /// Whether stresses that turn with a body may be a negative stiffness.
+    bool may_be_unstable() const
+    {
+      const auto &bodies = mesh->bodies;
+      return std::any_of(bodies.begin(), bodies.end(), [&](const auto &body) {
+        return !elasticity->is_small_strain(body.second);
+      });
     }
 
     /// Whether points are paired with bodies that have moved.

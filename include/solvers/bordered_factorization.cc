@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "solvers/definiteness.h"
 
 namespace Contact
 {
@@ -265,6 +266,26 @@ namespace Contact
           "twice");
       }
     return true;
+  }
+
+
+
+  // The inside is definite, and takes the least energy there is for what moves
+  // at the border: that of the Schur complement.
+  bool BorderedFactorization::is_definite_under_constraints(
+    const std::vector<double> &values,
+    const std::vector<bool>   &is_constraint) const
+  {
+    SparseRows        rows(border.size());
+    std::vector<bool> is_row_of_constraint;
+    for (const int unknown : border)
+      is_row_of_constraint.push_back(is_constraint[unknown]);
+    for (const Entry &entry : entries)
+      rows[entry.row].emplace_back(entry.column, values[entry.source]);
+    for (unsigned int i = 0; i < seam_positions.size(); ++i)
+      for (unsigned int j = 0; j < seam_positions.size(); ++j)
+        rows[i].emplace_back(j, schur_complement(i, j));
+    return Contact::is_definite_under_constraints(rows, is_row_of_constraint);
   }
 
 

@@ -63,6 +63,12 @@ namespace Contact
     /// singular.
     bool factorize(const std::vector<double> &values);
 
+    /// Of the matrix that was factorized last, with these values, see
+    /// is_definite_under_constraints(); constraints are of the border alone.
+    bool
+    is_definite_under_constraints(const std::vector<double> &values,
+                                  const std::vector<bool> &is_constraint) const;
+
     /// Replace the right-hand side @p b by the solution with the matrix, or
     /// with the transposed one.
     void solve(Vector<double> &b, const bool transposed) const;

@@ -126,29 +126,15 @@ namespace Contact
   template<int dim>
   std::string CondensedForm<dim>::open_stability() const
   {
-    if (!may_be_unstable() || last->knows_definiteness())
+    if (!model.may_be_unstable() || last->knows_definiteness())
       return "";
     if (solver == Parameters::SolverKind::cholmod)
-      return "the stability of the solution is not known: friction makes the "
-             "tangent unsymmetric, and its symmetric part is not positive "
-             "definite";
+      return friction_leaves_stability_open;
     return "the stability of the solution is not checked: " +
            std::string(solver == Parameters::SolverKind::mumps
                          ? "MUMPS does"
                          : "the solver of unsymmetric matrices does") +
            " not tell of a tangent that is not positive definite";
-  }
-
-
-
-  // Stresses that turn with bodies may be a negative stiffness.
-  template<int dim>
-  bool CondensedForm<dim>::may_be_unstable() const
-  {
-    const auto &bodies = model.mesh->bodies;
-    return std::any_of(bodies.begin(), bodies.end(), [&](const auto &body) {
-      return !model.elasticity->is_small_strain(body.second);
-    });
   }
 
 
@@ -345,7 +331,7 @@ namespace Contact
       {
         if (parameters.linear_solver != Parameters::SolverKind::automatic)
           {
-            if (tangent_is_indefinite(/*may_cost=*/true))
+            if (tangent_is_indefinite(state, /*may_cost=*/true))
               throw NotConverged(std::string(stall.what()) +
                                  ": the matrix is not positive definite");
             throw SolverStalls(

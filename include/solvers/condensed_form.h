@@ -64,9 +64,10 @@ namespace Contact
                            GhostedVector       &rhs,
                            IncrementState<dim> &state) override;
 
-    bool tangent_is_indefinite(const bool may_cost) override
+    bool tangent_is_indefinite(const IncrementState<dim> &,
+                               const bool may_cost) override
     {
-      return may_be_unstable() && last->is_indefinite(may_cost) &&
+      return model.may_be_unstable() && last->is_indefinite(may_cost) &&
              (!model.has_friction() || last->knows_definiteness());
     }
 
@@ -90,7 +91,6 @@ namespace Contact
     /// The system that is solved at present.
     CondensedSystem<dim> &present_system();
 
-    bool may_be_unstable() const;
     bool leaves_pairing() const;
 
     /// To which part of a step's residual its solution is left, where bodies

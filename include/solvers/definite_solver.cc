@@ -23,6 +23,7 @@
 #include <umfpack.h>
 
 #include "base/errors.h"
+#include "solvers/definiteness.h"
 #include "solvers/negative_curvature.h"
 
 namespace Contact
@@ -65,32 +66,6 @@ namespace Contact
       view.sorted = 0;
       view.packed = 1;
       return view;
-    }
-
-
-
-    /// Whether x . A x > 0 for all x. False as well if memory does not suffice.
-    bool has_definite_symmetric_part(const Columns &columns)
-    {
-      cholmod_common common;
-      cholmod_start(&common);
-      common.print                      = 0;
-      common.quick_return_if_not_posdef = 1;
-      const double half[2]              = {0.5, 0};
-      auto         a                    = view_of(columns, /*symmetric=*/false);
-      auto         transposed           = cholmod_transpose(&a, 1, &common);
-      double      *factor_of            = const_cast<double *>(half);
-      auto         sum =
-        cholmod_add(&a, transposed, factor_of, factor_of, 1, 0, &common);
-      auto lower  = cholmod_copy(sum, -1, 1, &common);
-      auto factor = cholmod_analyze(lower, &common);
-      cholmod_factorize(lower, factor, &common);
-      const bool is_definite = common.status == CHOLMOD_OK;
-      cholmod_free_factor(&factor, &common);
-      for (auto *matrix : {&transposed, &sum, &lower})
-        cholmod_free_sparse(matrix, &common);
-      cholmod_finish(&common);
-      return is_definite;
     }
 
 
@@ -187,7 +162,10 @@ namespace Contact
       bool is_indefinite(const bool may_cost) override
       {
         if (!definite && may_cost)
-          definite = has_definite_symmetric_part(*columns);
+          definite = has_definite_symmetric_part(columns->n,
+                                                 columns->starts,
+                                                 columns->rows,
+                                                 columns->values);
         return definite && !*definite;
       }
 

@@ -11,6 +11,7 @@
 #include <umfpack.h>
 
 #include "base/errors.h"
+#include "solvers/definiteness.h"
 
 namespace Contact
 {
@@ -77,6 +78,20 @@ namespace Contact
     bordered_serves = bordered && bordered->factorize(values);
     if (!bordered_serves)
       factorize_by_umfpack();
+  }
+
+
+
+  bool DirectSolver::is_definite_under_constraints(
+    const std::vector<bool> &is_constraint) const
+  {
+    if (bordered_serves)
+      return bordered->is_definite_under_constraints(values, is_constraint);
+    SparseRows rows(row_starts.size() - 1);
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      for (int k = row_starts[i]; k < row_starts[i + 1]; ++k)
+        rows[i].emplace_back(columns[k], values[k]);
+    return Contact::is_definite_under_constraints(rows, is_constraint);
   }
 
 

@@ -65,6 +65,11 @@ namespace Contact
       return numeric != nullptr || bordered_serves;
     }
 
+    /// Of the matrix that was factorized last, see
+    /// is_definite_under_constraints(); constraints are of the border alone.
+    bool
+    is_definite_under_constraints(const std::vector<bool> &is_constraint) const;
+
     /// Replace the right-hand side @p b by the solution.
     void solve(Vector<double> &b) const;
 

@@ -17,6 +17,12 @@ namespace Contact
 {
   using namespace dealii;
 
+  inline const std::string friction_leaves_stability_open =
+    "the stability of the solution is not known: friction makes the tangent "
+    "unsymmetric, and its symmetric part is not positive definite";
+
+
+
   /**
    * The linear system of Newton's method, in one of two forms: with the
    * multipliers as unknowns (SaddlePointSystem) or with the active points
@@ -86,10 +92,12 @@ namespace Contact
                                    GhostedVector       &rhs,
                                    IncrementState<dim> &state) = 0;
 
-    /// Whether the tangent of the last step is known to be indefinite: no
-    /// stable state has such a one. Iterative solvers look for it if it @p
-    /// may_cost some iterations. Collective.
-    virtual bool tangent_is_indefinite(const bool may_cost) = 0;
+    /// Whether the tangent of the last step, which has led to @p state, is
+    /// known to be indefinite: no stable state has such a one. What costs some
+    /// iterations or a factorization is done only if it @p may_cost.
+    /// Collective.
+    virtual bool tangent_is_indefinite(const IncrementState<dim> &state,
+                                       const bool                 may_cost) = 0;
 
     /// Why nobody would know, where large problems are left to a solver that
     /// does not tell: a sentence, or nothing.

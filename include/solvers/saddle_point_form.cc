@@ -74,6 +74,26 @@ namespace Contact
 
 
 
+  // Under friction the part of the tangent that is not symmetric decides as
+  // well.
+  bool SaddlePointForm::tangent_is_indefinite(const IncrementState<2> &state,
+                                              const bool               may_cost)
+  {
+    is_indefinite =
+      may_cost && model.may_be_unstable() &&
+      system.is_indefinite(state.solution, state.start, state.load_factor);
+    return is_indefinite && !model.has_friction();
+  }
+
+
+
+  std::string SaddlePointForm::open_stability() const
+  {
+    return is_indefinite ? friction_leaves_stability_open : "";
+  }
+
+
+
   // In loops around Newton's method little changes from turn to turn. With
   // the pairing in the tangent there are none: it is there for its
   // quadratic convergence.

@@ -58,15 +58,11 @@ namespace Contact
                            GhostedVector     &rhs,
                            IncrementState<2> &state) override;
 
-    bool tangent_is_indefinite(const bool) override
-    {
-      return false; // nobody knows
-    }
+    /// The tangent of the state itself is looked at.
+    bool tangent_is_indefinite(const IncrementState<2> &state,
+                               const bool               may_cost) override;
 
-    std::string open_stability() const override
-    {
-      return "";
-    }
+    std::string open_stability() const override;
 
     std::string contradiction() const override
     {
@@ -81,6 +77,9 @@ namespace Contact
     ConditionalOStream    &screen;
     SaddlePointSystem      system;
     bool                   searches = true;
+
+    // Of the state that was looked at last.
+    bool is_indefinite = false;
   };
 } // namespace Contact
 

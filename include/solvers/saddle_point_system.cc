@@ -208,6 +208,36 @@ namespace Contact
 
 
 
+  // The matrix at hand is that of Newton's last step: it costs little to ask.
+  bool SaddlePointSystem::is_indefinite(const GhostedVector &solution,
+                                        const GhostedVector &u_start,
+                                        const double         load_factor)
+  {
+    std::vector<bool> is_multiplier(matrix.m());
+    if (interface)
+      for (auto i = discretization.dof_handler.n_dofs();
+           i < interface->motion_index(0);
+           ++i)
+        is_multiplier[i] = true;
+    const auto is_definite = [&] {
+      TimerOutput::Scope scope(timer, "stability");
+      return solver.is_definite_under_constraints(is_multiplier);
+    };
+    if (solver.is_factorized() && stresses_turn && is_definite())
+      return false;
+
+    GhostedVector rhs(matrix.m());
+    assemble_and_factorize(solution,
+                           u_start,
+                           load_factor,
+                           {geometry_follows, linearization.moving_bound},
+                           StressStiffness::with,
+                           rhs);
+    return !is_definite();
+  }
+
+
+
   void SaddlePointSystem::solve_transposed(GhostedVector &b) const
   {
     TimerOutput::Scope scope(timer, "solution");
@@ -280,6 +310,7 @@ namespace Contact
 
     TimerOutput::Scope scope(timer, "factorization");
     solver.factorize(matrix);
+    stresses_turn      = stress_stiffness == StressStiffness::with;
     factorized_version = elasticity.tangent_version();
     if (interface)
       factorized_statuses = interface->signature();

@@ -103,6 +103,14 @@ namespace Contact
                    const GhostedVector &u_start,
                    const double         load_factor);
 
+    /// Whether there is a motion that keeps all gaps, and the places of the
+    /// points that stick, to which the tangent in a state is no resistance.
+    /// Where points follow the bodies, geometry is in that tangent, whatever is
+    /// in that of Newton's method.
+    bool is_indefinite(const GhostedVector &solution,
+                       const GhostedVector &u_start,
+                       const double         load_factor);
+
     /// Replace the functional @p b of all unknowns by the solution of the
     /// transposed system, which meets homogeneous constraints.
     void solve_transposed(GhostedVector &b) const;
@@ -152,6 +160,7 @@ namespace Contact
 
     // The state that the matrix was factorized in.
     std::vector<signed char> factorized_statuses;
+    bool                     stresses_turn      = false; // in the matrix
     unsigned int             factorized_version = 0;
     unsigned int             pattern_version    = 0; // of constraints
   };
