@@ -1134,6 +1134,27 @@ def left_free():
               said[:400])
 
 
+def stands_on_corner():
+    """A block that its weight and a pull at its upper left corner turn by a right
+    angle about its lower right one: it then stands on one node, below the support."""
+    mesh = Mesh()
+    mesh.block("B", 2, 2, box(0, 0, 1, 1), {"bottom": "Side", "right": "Side"})
+    mesh.write("stands_on_corner")
+    turn = "pi/2*max(0,(10*t-1)/9)"
+    status, said, _ = run("stands_on_corner", {
+        "Mesh/File": "stands_on_corner.msh", "Mesh/Points": "Pulled: 0, 1",
+        **solids("B: 1000", "B: 0.3", "large displacement"),
+        "Contact/Slave": "Side", "Contact/Obstacle": "half plane: 0, 0, 0, 1",
+        "Contact/Friction coefficient": 1,
+        "Boundary conditions/Body force y": "B: -0.2",
+        "Boundary conditions/Displacement formula x":
+            f"Pulled: 1-cos({turn})+sin({turn})",
+        "Boundary conditions/Histories": "Body force y: min(1,10*t)",
+        "Solution/Increments": 10})
+    check("a block that has turned and is held where it stands: no note",
+          status == 0 and "nothing holds" not in said, said[:400])
+
+
 def left_floating():
     """The middle one of three blocks shrinks, below an obstacle: it and the upper
     one are anywhere in the gap of 0.024 mm."""
@@ -1442,7 +1463,7 @@ for scene in (carried, closed, buckling, overlap, cantilever, halves, teeth, own
               lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered,
               in_a_corner, concave_corner, too_coarse, roles, tied, flank, groove,
               slide, pinned, clamped, between_nodes, approached, through, foil, turning, coarse_fit, flat_ends, glued_apart, idle,
-              held_nodes, left_free, left_floating, eccentric, round_and_apart, through_zero, nominal_loads, normal_supports,
+              held_nodes, left_free, stands_on_corner, left_floating, eccentric, round_and_apart, through_zero, nominal_loads, normal_supports,
               along_edges, off_the_end):
     print(scene.__name__)
     scene()

@@ -413,6 +413,25 @@ namespace Contact
 
 
 
+    /// How bodies in large displacement have turned, those of one piece: the
+    /// pieces of others turn each by itself.
+    template<int dim>
+    Rotations<dim> rotations(const ContactModel<dim> &model,
+                             const GhostedVector     &solution)
+    {
+      const MeshPieces<dim> &pieces = model.mesh->pieces;
+      const RigidFits<dim>   fits =
+        fit_rigid_motions(*model.discretization, solution);
+      Rotations<dim> rotations;
+      for (unsigned int p = 0; p < pieces.size(); ++p)
+        if (pieces.is_whole_body(p) &&
+            !model.elasticity->is_small_strain(pieces[p].body))
+          rotations[pieces[p].body] = fits.at(pieces[p].body).R;
+      return rotations;
+    }
+
+
+
     // Springs of no force leave such a body anywhere. What presses no more than
     // round-off holds nothing.
     template<int dim>
@@ -434,8 +453,10 @@ namespace Contact
             pressed[k] = PointStatus<dim>();
         }
       interface.set_statuses(pressed);
-      const auto free =
-        rigid_body_modes<dim>(*model.discretization, &interface);
+      const auto free = rigid_body_modes<dim>(*model.discretization,
+                                              &interface,
+                                              Tangents::by_status,
+                                              rotations(model, solution));
       interface.set_statuses(statuses);
       for (const RigidBodyMode &motion : free)
         notes.push_back("nothing holds " +

@@ -38,8 +38,10 @@ namespace Contact
     public:
       static constexpr unsigned int n_motions = dim * (dim + 1) / 2;
 
-      explicit ResistedMotions(const MeshPieces<dim> &pieces)
+      ResistedMotions(const MeshPieces<dim> &pieces,
+                      const Rotations<dim>  &rotations)
         : pieces(pieces)
+        , rotations(rotations)
         , squares(n_motions * pieces.size(), n_motions * pieces.size())
       {
       }
@@ -51,10 +53,13 @@ namespace Contact
         std::map<unsigned int, double> row;
         for (const auto &[piece, X, factor] : shares)
           {
-            const auto          &box  = pieces[piece].box;
-            const auto          &ends = box.get_boundary_points();
-            const Tensor<1, dim> arm =
+            const auto    &box  = pieces[piece].box;
+            const auto    &ends = box.get_boundary_points();
+            Tensor<1, dim> arm =
               (X - box.center()) / (0.5 * ends.first.distance(ends.second));
+            if (const auto turned = rotations.find(pieces[piece].body);
+                turned != rotations.end())
+              arm = turned->second * arm;
             for (unsigned int m = 0; m < n_motions; ++m)
               row[n_motions * piece + m] +=
                 factor * (direction * rigid_motion(m, arm));
@@ -82,6 +87,7 @@ namespace Contact
 
     private:
       const MeshPieces<dim> &pieces;
+      const Rotations<dim>  &rotations;
       FullMatrix<double>     squares;
     };
 
@@ -424,9 +430,10 @@ namespace Contact
   std::vector<RigidBodyMode>
   rigid_body_modes(const Discretization<dim>   &discretization,
                    const ContactInterface<dim> *interface,
-                   const Tangents               tangents)
+                   const Tangents               tangents,
+                   const Rotations<dim>        &rotations)
   {
-    ResistedMotions<dim> motions(discretization.mesh.pieces);
+    ResistedMotions<dim> motions(discretization.mesh.pieces, rotations);
     resist_by_supports(discretization, motions);
     resist_by_joints(discretization, motions);
     resist_by_rigid_boundaries(discretization, motions);
@@ -444,7 +451,8 @@ namespace Contact
   void check_supports(const Discretization<dim>   &discretization,
                       const ContactInterface<dim> *interface)
   {
-    ResistedMotions<dim> motions(discretization.mesh.pieces);
+    const Rotations<dim> none;
+    ResistedMotions<dim> motions(discretization.mesh.pieces, none);
     resist_by_supports(discretization, motions);
     resist_by_joints(discretization, motions);
     resist_by_rigid_boundaries(discretization, motions);
@@ -465,11 +473,13 @@ namespace Contact
   template std::vector<RigidBodyMode>
   rigid_body_modes(const Discretization<2>   &discretization,
                    const ContactInterface<2> *interface,
-                   const Tangents             tangents);
+                   const Tangents             tangents,
+                   const Rotations<2>        &rotations);
   template std::vector<RigidBodyMode>
   rigid_body_modes(const Discretization<3>   &discretization,
                    const ContactInterface<3> *interface,
-                   const Tangents             tangents);
+                   const Tangents             tangents,
+                   const Rotations<3>        &rotations);
   template std::map<types::global_dof_index, unsigned int>
   pieces_of_nodes(const Discretization<2>   &discretization,
                   const ContactInterface<2> &interface);

@@ -62,6 +62,12 @@ namespace Contact
 
 
 
+  /// The rotations of bodies, by their number.
+  template<int dim>
+  using Rotations = std::map<types::material_id, Tensor<2, dim>>;
+
+
+
   /**
    * The pieces of the bodies that something could move without resistance, and
    * their motions: supports hold them, ties, the nodes that they have in common
@@ -72,13 +78,15 @@ namespace Contact
    * row over those of all pieces: the displacement there, or the difference of
    * the displacements of the two pieces that touch, are tied or share a node,
    * so that two pieces that hold but each other are both free. What is free is
-   * the null space of the sum of the rows' squares. Collective.
+   * the null space of the sum of the rows' squares. Bodies that have turned far
+   * are where their @p rotations bring them. Collective.
    */
   template<int dim>
   std::vector<RigidBodyMode>
   rigid_body_modes(const Discretization<dim>   &discretization,
                    const ContactInterface<dim> *interface,
-                   const Tangents               tangents = Tangents::by_status);
+                   const Tangents               tangents  = Tangents::by_status,
+                   const Rotations<dim>        &rotations = {});
 
   /// The pieces of the nodes of all surfaces, by the first unknown of the node.
   /// Collective.
