@@ -1141,7 +1141,7 @@ def stands_on_corner():
     mesh.block("B", 2, 2, box(0, 0, 1, 1), {"bottom": "Side", "right": "Side"})
     mesh.write("stands_on_corner")
     turn = "pi/2*max(0,(10*t-1)/9)"
-    status, said, _ = run("stands_on_corner", {
+    status, said, summary = run("stands_on_corner", {
         "Mesh/File": "stands_on_corner.msh", "Mesh/Points": "Pulled: 0, 1",
         **solids("B: 1000", "B: 0.3", "large displacement"),
         "Contact/Slave": "Side", "Contact/Obstacle": "half plane: 0, 0, 0, 1",
@@ -1150,9 +1150,15 @@ def stands_on_corner():
         "Boundary conditions/Displacement formula x":
             f"Pulled: 1-cos({turn})+sin({turn})",
         "Boundary conditions/Histories": "Body force y: min(1,10*t)",
-        "Solution/Increments": 10})
+        "Solution/Increments": 10,
+        "Probes/Probes": "u: displacement x, Pulled; pull: reaction x, Pulled"})
+    last = summary["increments"][-1] if summary else {}
     check("a block that has turned and is held where it stands: no note",
           status == 0 and "nothing holds" not in said, said[:400])
+    check("the reaction of a point is a probe, and that of its support",
+          status == 0 and
+          abs(last["probes"]["pull"] / last["reactions"]["Pulled"]["x"] - 1) < 1e-6,
+          last)
 
 
 def left_floating():

@@ -75,10 +75,21 @@ namespace Contact
                            const std::string       &boundary,
                            const ContactModel<dim> &model)
   {
+    const std::string  entry     = "Probes/Probes";
+    const Mesh<dim>   &mesh      = *model.mesh;
+    const unsigned int direction = component_of(quantity);
+    if (is_reaction(quantity) && mesh.boundaries.count(boundary) == 0 &&
+        mesh.points.count(boundary) > 0)
+      return Resultant<dim>(
+        *model.elasticity,
+        *model.discretization,
+        {model.discretization->vertex_dofs[mesh.point(boundary, entry)]},
+        direction,
+        /*of_supports=*/true);
     return Resultant<dim>(*model.elasticity,
                           *model.discretization,
-                          model.mesh->boundary(boundary, "Probes/Probes"),
-                          component_of(quantity),
+                          mesh.boundary(boundary, entry),
+                          direction,
                           is_reaction(quantity));
   }
 
@@ -133,14 +144,14 @@ namespace Contact
     const bool has_unknowns = on_any_process(unknowns.n_elements() > 0);
     if (!on_any_process(is_known))
       throw InputError(
-        "there is no " + Choice<Quantity>(quantity).name() +
-          " at the boundary '" + boundary + "': " +
+        "there is no " + Choice<Quantity>(quantity).name() + " at '" +
+          boundary + "': " +
           (is_reaction(quantity) ? "no support holds it in this direction"
            : has_unknowns        ? "it is part of no slave and no master"
                                  : "supports hold all of it in this direction"),
         "Probes/Probes, '" + probe + "'",
         is_reaction(quantity)
-          ? "name a boundary of 'Boundary conditions/Displacement', or ask for a "
+          ? "name a group of 'Boundary conditions/Displacement', or ask for a "
             "contact force"
           : "name a boundary of 'Contact', or ask for a reaction");
   }

@@ -18,7 +18,8 @@ namespace Contact
   /// Whether a quantity is the resultant of the forces of supports.
   bool is_reaction(const Parameters::Quantity quantity);
 
-  /// Whether a quantity is the resultant of forces at a boundary.
+  /// Whether a quantity is the resultant of forces at a boundary, of supports
+  /// also at a point.
   bool is_force(const Parameters::Quantity quantity);
 
   /// Whether a quantity is a rotation of a rigid boundary, or its moment.
@@ -34,7 +35,7 @@ namespace Contact
                      const GhostedVector       &solution,
                      const double               load_factor);
 
-  /// Check that supports, or contact, act on a named boundary. Throws
+  /// Check that supports, or contact, act on a named group. Throws
   /// InputError with the name of the @p probe. Collective.
   template<int dim>
   void check_force(const std::string         &probe,
@@ -42,7 +43,8 @@ namespace Contact
                    const std::string         &boundary,
                    const ContactModel<dim>   &model);
 
-  /// The resultant that a quantity means at a boundary group.
+  /// The resultant that a quantity means at a boundary group, that of supports
+  /// also at a point group.
   template<int dim>
   Resultant<dim> resultant(const Parameters::Quantity quantity,
                            const std::string         &boundary,

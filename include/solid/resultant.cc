@@ -16,27 +16,13 @@ namespace Contact
   namespace
   {
     template<int dim>
-    std::map<types::global_dof_index, double>
-    weights_at(const Discretization<dim>          &discretization,
-               const std::set<types::boundary_id> &boundary,
-               const unsigned int                  direction,
-               const bool                          of_supports)
+    std::vector<NodeDoFs<dim>>
+    nodes_on(const DoFHandler<dim>              &dof_handler,
+             const std::set<types::boundary_id> &boundary)
     {
-      const Tensor<1, dim> unit = Point<dim>::unit_vector(direction);
-      std::map<types::global_dof_index, double> weights;
-      const auto add = [&](const NodeDoFs<dim> &node) {
-        const Tensor<1, dim> free = discretization.is_rigid(node[0])
-                                      ? Tensor<1, dim>()
-                                      : discretization.free_part(node, unit);
-        const Tensor<1, dim> part = of_supports ? unit - free : free;
-        for (unsigned int c = 0; c < dim; ++c)
-          if (part[c] != 0)
-            weights[node[c]] = part[c];
-      };
+      std::vector<NodeDoFs<dim>>           nodes, of_face;
       std::vector<types::global_dof_index> dofs;
-      std::vector<NodeDoFs<dim>>           nodes;
-      for (const auto &cell :
-           discretization.dof_handler.active_cell_iterators())
+      for (const auto &cell : dof_handler.active_cell_iterators())
         if (!cell->is_artificial() && cell->at_boundary())
           for (const auto &face : cell->face_iterators())
             if (face->at_boundary() && boundary.count(face->boundary_id()) > 0)
@@ -44,14 +30,38 @@ namespace Contact
                 const auto &fe = cell->get_fe();
                 dofs.resize(fe.n_dofs_per_face());
                 face->get_dof_indices(dofs, cell->active_fe_index());
-                nodes.resize(dofs.size() / dim);
+                of_face.resize(dofs.size() / dim);
                 for (unsigned int i = 0; i < dofs.size(); ++i)
                   {
                     const auto [c, a] = fe.face_system_to_component_index(i);
-                    nodes[a][c]       = dofs[i];
+                    of_face[a][c]     = dofs[i];
                   }
-                std::for_each(nodes.begin(), nodes.end(), add);
+                nodes.insert(nodes.end(), of_face.begin(), of_face.end());
               }
+      return nodes;
+    }
+
+
+
+    template<int dim>
+    std::map<types::global_dof_index, double>
+    weights_at(const Discretization<dim>        &discretization,
+               const std::vector<NodeDoFs<dim>> &nodes,
+               const unsigned int                direction,
+               const bool                        of_supports)
+    {
+      const Tensor<1, dim> unit = Point<dim>::unit_vector(direction);
+      std::map<types::global_dof_index, double> weights;
+      for (const NodeDoFs<dim> &node : nodes)
+        {
+          const Tensor<1, dim> free = discretization.is_rigid(node[0])
+                                        ? Tensor<1, dim>()
+                                        : discretization.free_part(node, unit);
+          const Tensor<1, dim> part = of_supports ? unit - free : free;
+          for (unsigned int c = 0; c < dim; ++c)
+            if (part[c] != 0)
+              weights[node[c]] = part[c];
+        }
       return weights;
     }
   } // namespace
@@ -64,7 +74,23 @@ namespace Contact
                             const std::set<types::boundary_id> &boundary,
                             const unsigned int                  direction,
                             const bool                          of_supports)
-    : weights(weights_at(discretization, boundary, direction, of_supports))
+    : Resultant(elasticity,
+                discretization,
+                nodes_on(discretization.dof_handler, boundary),
+                direction,
+                of_supports)
+  {
+  }
+
+
+
+  template<int dim>
+  Resultant<dim>::Resultant(const Elasticity<dim>            &elasticity,
+                            const Discretization<dim>        &discretization,
+                            const std::vector<NodeDoFs<dim>> &nodes,
+                            const unsigned int                direction,
+                            const bool                        of_supports)
+    : weights(weights_at<dim>(discretization, nodes, direction, of_supports))
     , elasticity(elasticity)
     , discretization(discretization)
   {

@@ -18,12 +18,12 @@ namespace Contact
 
   /**
    * The resultant of the forces that supports, or contact, exert on a body at a
-   * boundary, in direction i:
+   * boundary or a point, in direction i:
    *   R_i = sum_a e_i . P_a f_a,
-   * f the internal forces minus the loads, a the nodes of that boundary, P the
-   * projection on what supports hold of a node, or on what they leave free [N
-   * per mm of thickness; rings and volumes: N]. Hanging nodes and bound centres
-   * have handed over their forces.
+   * f the internal forces minus the loads, a the nodes there, P the projection
+   * on what supports hold of a node, or on what they leave free [N per mm of
+   * thickness; rings and volumes: N]. Hanging nodes and bound centres have
+   * handed over their forces.
    */
   template<int dim>
   class Resultant
@@ -34,6 +34,13 @@ namespace Contact
               const std::set<types::boundary_id> &boundary,
               const unsigned int                  direction,
               const bool                          of_supports);
+
+    /// At these nodes.
+    Resultant(const Elasticity<dim>            &elasticity,
+              const Discretization<dim>        &discretization,
+              const std::vector<NodeDoFs<dim>> &nodes,
+              const unsigned int                direction,
+              const bool                        of_supports);
 
     /// Collective.
     double value(const GhostedVector &solution, const double load_factor) const;
