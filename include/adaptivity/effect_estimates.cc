@@ -7,8 +7,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <functional>
 
-#include "adaptivity/variant_model.h"
 #include "base/errors.h"
 #include "base/interruption.h"
 #include "contact/probes.h"
@@ -61,6 +62,21 @@ namespace Contact
       for (auto &[name, value] : a)
         value -= b.at(name);
       return a;
+    }
+
+
+
+    /// Two Newton steps into a variant, behind the first one @p between.
+    void make_two_steps(VariantModel                &variant,
+                        const std::function<void()> &between)
+    {
+      const double step = variant.make_step();
+      between();
+      const double next    = variant.make_step();
+      const double nothing = 1e-8 * largest_displacement(variant);
+      if (next > std::max(step / 2, nothing))
+        throw NotConverged("the steps do not become shorter: it is far from "
+                           "here, or nothing holds a body");
     }
   } // namespace
 
@@ -149,74 +165,106 @@ namespace Contact
 
 
 
+  bool EffectEstimates::remembers_slip(const VariantModel &of) const
+  {
+    return of.model.has_friction() && state.start_factor > 0;
+  }
+
+
+
   // Of the scene, Newton's method goes on to the end of all loops.
   std::vector<EffectEstimate> EffectEstimates::estimate()
   {
     TimerOutput::Scope scope(timer, "effects");
-    VariantModel       scene(parameters, model, state, timer);
+    scene = std::make_unique<VariantModel>(parameters, model, state, timer);
     if (remembers())
-      scene.model.elasticity->restore(model.elasticity->history());
-    const double seconds = converge(scene);
-    const auto   values  = probes_of(scene);
+      scene->model.elasticity->restore(model.elasticity->history());
+    seconds = converge(*scene);
+    values  = probes_of(*scene);
     for (const auto &[name, probe] : probes)
       left[name] = values.at(name) - probe_value(probe, model, state);
+    if (state.start_factor > 0 && model.interface && !remembers())
+      solve_at_once();
 
     std::vector<EffectEstimate> estimates;
     for (const SceneVariant &variant : scene_variants(parameters))
-      {
-        EffectEstimate estimate{variant.effect, variant.is_on, variant.entries};
-        if (is_idle(variant))
-          {
-            estimate.entries.clear();
-            for (const auto &[name, probe] : probes)
-              estimate.changes[name] = estimate.uncertainties[name] = 0;
-            estimates.push_back(estimate);
-            continue;
-          }
-        try
-          {
-            check_knowledge(variant);
-            VariantModel other(variant.parameters,
-                               scene.model,
-                               scene.state,
-                               timer);
-            const auto   begin   = Clock::now();
-            const double step    = other.make_step();
-            estimate.price       = seconds_since(begin) / seconds;
-            const auto   first   = probes_of(other);
-            const double next    = other.make_step();
-            const double nothing = 1e-8 * largest_displacement(other);
-            if (next > std::max(step / 2, nothing))
-              throw NotConverged("the steps do not become shorter: it is far "
-                                 "from here, or nothing holds a body");
-            other.check_supports();
-            const auto second         = probes_of(other);
-            estimate.changes          = difference(second, values);
-            estimate.uncertainties    = difference(second, first);
-            estimate.n_status_changes = other.n_status_changes;
-          }
-        catch (const NotConverged &failure)
-          {
-            estimate.unknown = failure.what();
-          }
-        estimates.push_back(estimate);
-      }
+      estimates.push_back(is_idle(variant) ? of_nothing(variant)
+                                           : of_variant(variant));
     if (parameters.element.degree == 1)
-      estimates.push_back(of_quadratic_elements(scene, values, seconds));
+      estimates.push_back(of_quadratic_elements());
     estimates.push_back(of_increments());
     return estimates;
   }
 
 
 
+  void EffectEstimates::solve_at_once()
+  {
+    IncrementState<2> from = scene->state;
+    from.start             = scene->model.zero();
+    from.start_factor      = 0;
+    try
+      {
+        scene_at_once =
+          std::make_unique<VariantModel>(parameters, scene->model, from, timer);
+        converge(*scene_at_once);
+        values_at_once = probes_of(*scene_at_once);
+      }
+    catch (const NotConverged &)
+      {
+        scene_at_once.reset();
+      }
+  }
+
+
+
+  EffectEstimate EffectEstimates::of_nothing(const SceneVariant &variant) const
+  {
+    EffectEstimate estimate{variant.effect, variant.is_on, {}};
+    for (const auto &[name, probe] : probes)
+      estimate.changes[name] = estimate.uncertainties[name] = 0;
+    return estimate;
+  }
+
+
+
+  EffectEstimate EffectEstimates::of_variant(const SceneVariant &variant) const
+  {
+    EffectEstimate estimate{variant.effect, variant.is_on, variant.entries};
+    try
+      {
+        check_knowledge(variant);
+        std::map<std::string, double> first;
+        VariantModel                  other(variant.parameters,
+                           scene->model,
+                           scene->state,
+                           timer);
+        const auto                    begin = Clock::now();
+        make_two_steps(other, [&]() {
+          estimate.price = seconds_since(begin) / seconds;
+          first          = probes_of(other);
+        });
+        other.check_supports();
+        const auto second         = probes_of(other);
+        estimate.changes          = difference(second, values);
+        estimate.uncertainties    = difference(second, first);
+        estimate.n_status_changes = other.n_status_changes;
+        add_way(variant, other, estimate);
+      }
+    catch (const NotConverged &failure)
+      {
+        estimate.unknown = failure.what();
+      }
+    return estimate;
+  }
+
+
+
   // Quadratic elements have other shapes to bend in and other points of
   // contact: more than two steps away. The last one is the uncertainty; with
-  // friction in several increments the start of the last one is that of linear
-  // elements, and all of the change uncertain.
-  EffectEstimate EffectEstimates::of_quadratic_elements(
-    const VariantModel                  &scene,
-    const std::map<std::string, double> &values,
-    const double                         seconds) const
+  // friction in several increments, where other points stick, all of the change
+  // is uncertain.
+  EffectEstimate EffectEstimates::of_quadratic_elements() const
   {
     EffectEstimate  estimate{"quadratic elements", false, {"Element/Degree=2"}};
     Parameters::All variant = parameters;
@@ -228,7 +276,7 @@ namespace Contact
       {
         if (remembers())
           throw NotConverged("plastic strains remember the way");
-        VariantModel other(variant, scene.model, scene.state, timer);
+        VariantModel other(variant, scene->model, scene->state, timer);
         estimate.price = converge(other) / seconds;
         other.check_supports();
         const auto before = probes_of(other);
@@ -236,7 +284,7 @@ namespace Contact
         const auto after       = probes_of(other);
         estimate.changes       = difference(after, values);
         estimate.uncertainties = difference(after, before);
-        if (model.has_friction() && state.start_factor > 0)
+        if (remembers_slip(other))
           estimate.uncertainties = estimate.changes;
         estimate.n_status_changes = other.n_status_changes;
       }
@@ -245,6 +293,47 @@ namespace Contact
         estimate.unknown = failure.what();
       }
     return estimate;
+  }
+
+
+
+  // Friction remembers the way there, of which the state tells the start of the
+  // last increment. With the effect that would be elsewhere: as far as the
+  // effect moves the end of a way of one increment, by the share of the load
+  // that acted at the start. Uncertain is how far this moves the probes, and
+  // how far they are from those of one increment.
+  void EffectEstimates::add_way(const SceneVariant &variant,
+                                VariantModel       &other,
+                                EffectEstimate     &estimate) const
+  {
+    if (!remembers_slip(other))
+      return;
+    try
+      {
+        if (!scene_at_once)
+          throw NotConverged("one increment is not enough");
+        VariantModel at_once(variant.parameters,
+                             scene_at_once->model,
+                             scene_at_once->state,
+                             timer);
+        make_two_steps(at_once, []() {});
+        const auto in_one = difference(probes_of(at_once), values_at_once);
+        other.change_start(*scene, at_once, *scene_at_once);
+        other.make_step();
+        const auto changes = difference(probes_of(other), values);
+        for (auto &[name, uncertainty] : estimate.uncertainties)
+          {
+            const double change = changes.at(name);
+            uncertainty         = std::abs(uncertainty) +
+                          std::max(std::abs(change - estimate.changes.at(name)),
+                                   std::abs(change - in_one.at(name)));
+          }
+        estimate.changes = changes;
+      }
+    catch (const NotConverged &)
+      {
+        estimate.uncertainties = estimate.changes;
+      }
   }
 
 

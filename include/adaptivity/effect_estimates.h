@@ -8,17 +8,19 @@
 
 #include <deal.II/base/timer.h>
 
+#include <map>
+#include <memory>
+
 #include "adaptivity/effect_estimate.h"
 #include "adaptivity/scene_variants.h"
 #include "adaptivity/stress_peaks.h"
+#include "adaptivity/variant_model.h"
 #include "contact/contact_model.h"
 #include "contact/increment_state.h"
 
 namespace Contact
 {
   using namespace dealii;
-
-  class VariantModel;
 
   /**
    * Estimates of what each effect does to the probes, without a run of its own.
@@ -36,9 +38,10 @@ namespace Contact
    * and pressures of linear ones; without that, errors of linear elements by
    * dual weighted residuals were off by factors from -45 to 5 on coarse meshes.
    *
-   * Not seen: the history of friction, and of plastic strains. Friction that is
-   * left out, and a body that yields in the variant alone, would have acted
-   * since the undeformed state, in one increment: nothing is told where points
+   * Friction remembers the way, of which the state knows the start of its last
+   * increment alone: add_way() guesses how the effect would have moved that.
+   * Not seen: the history of plastic strains. A body that yields in the variant
+   * alone would have done so in one increment: nothing is told where points
    * that were above the yield stress have been unloaded, and of a scene that
    * yields in several increments only what it is without plasticity.
    */
@@ -66,14 +69,18 @@ namespace Contact
   private:
     template<class Other>
     std::map<std::string, double> probes_of(const Other &other) const;
-    void check_knowledge(const SceneVariant &variant) const;
-    bool is_idle(const SceneVariant &variant) const;
-    bool remembers() const;
-    EffectEstimate
-                   of_quadratic_elements(const VariantModel                  &scene,
-                                         const std::map<std::string, double> &values,
-                                         const double                         seconds) const;
+    void           check_knowledge(const SceneVariant &variant) const;
+    bool           is_idle(const SceneVariant &variant) const;
+    bool           remembers() const;
+    void           solve_at_once();
+    EffectEstimate of_nothing(const SceneVariant &variant) const;
+    EffectEstimate of_variant(const SceneVariant &variant) const;
+    EffectEstimate of_quadratic_elements() const;
     EffectEstimate of_increments() const;
+    bool           remembers_slip(const VariantModel &of) const;
+    void           add_way(const SceneVariant &variant,
+                           VariantModel       &other,
+                           EffectEstimate     &estimate) const;
 
     const Parameters::All                                      &parameters;
     ContactModel<2>                                            &model;
@@ -81,6 +88,12 @@ namespace Contact
     const StressPeaks<2>                                       &peaks;
     TimerOutput                                                &timer;
     const std::map<std::string, Parameters::Probes::Definition> probes;
+
+    /// The scene at the end of all loops, and as if one increment were the
+    /// whole way; none if that is not to be had.
+    std::unique_ptr<VariantModel> scene, scene_at_once;
+    std::map<std::string, double> values, values_at_once;
+    double                        seconds = 0; // of a Newton step
 
     std::map<std::string, double> left;
   };

@@ -75,11 +75,11 @@ namespace Contact
     // elements would keep offsets of the start of the last increment.
     state.load_factor = from.load_factor;
     take_displacements(scene, from.solution, state.solution);
-    if (has_elements_of(scene) || model.has_friction())
+    if ((has_elements_of(scene) || model.has_friction()) &&
+        !has_new_shear(scene))
       {
         state.start_factor = from.start_factor;
-        if (!has_new_shear(scene))
-          take_displacements(scene, from.start, state.start);
+        take_displacements(scene, from.start, state.start);
       }
     model.elasticity->heat(state.start_factor, state.load_factor);
 
@@ -95,13 +95,7 @@ namespace Contact
                                                  timer);
     if (model.interface)
       {
-        if (linearization.moving_geometry)
-          model.interface->pair_and_begin_increment(state.start_factor,
-                                                    state.start);
-        model.interface->move_obstacles(state.start_factor, state.load_factor);
-        pair();
-        model.interface->set_support_motion(
-          model.discretization->support_motion(state.start, state.load_factor));
+        begin_increment();
         if (has_elements_of(scene))
           take_surfaces(*scene.interface, from.solution);
         else
@@ -112,6 +106,38 @@ namespace Contact
                                          /*keep=*/true);
       }
     check_supports();
+  }
+
+
+
+  // As an increment of the scene does.
+  void VariantModel::begin_increment()
+  {
+    if (linearization.moving_geometry)
+      model.interface->pair_and_begin_increment(state.start_factor,
+                                                state.start);
+    model.interface->move_obstacles(state.start_factor, state.load_factor);
+    pair();
+    model.interface->set_support_motion(
+      model.discretization->support_motion(state.start, state.load_factor));
+  }
+
+
+
+  void VariantModel::change_start(const VariantModel &scene,
+                                  const VariantModel &at_once,
+                                  const VariantModel &scene_at_once)
+  {
+    GhostedVector of_scene(state.solution.size());
+    take_displacements(scene.model, scene_at_once.state.solution, of_scene);
+    take_displacements(scene.model, scene.state.start, state.start);
+    state.start_factor = scene.state.start_factor;
+    const double share = state.start_factor / state.load_factor;
+    for (unsigned int i = 0; i < model.n_displacements(); ++i)
+      state.start[i] += share * (at_once.state.solution[i] - of_scene[i]);
+    model.elasticity->heat(state.start_factor, state.load_factor);
+    begin_increment();
+    update_statuses();
   }
 
 
@@ -155,8 +181,8 @@ namespace Contact
       for (const auto &now : model.interface->pairs)
         for (const auto &known : scene.interface->pairs)
           if (known->name == now->name &&
-              (known->tied != now->tied ||
-               known->law.is_frictionless() != now->law.is_frictionless()))
+              ((now->tied && !known->tied) ||
+               (!now->law.is_frictionless() && known->law.is_frictionless())))
             return true;
     return false;
   }

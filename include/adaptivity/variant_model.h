@@ -37,6 +37,13 @@ namespace Contact
     /// what slips lets it go.
     void check_supports() const;
 
+    /// The increment starts where that of the scene does, but for what the
+    /// variant changes by then: of the change at the end, if the whole way were
+    /// one increment for both, the share of the load at the start.
+    void change_start(const VariantModel &scene,
+                      const VariantModel &at_once,
+                      const VariantModel &scene_at_once);
+
     ContactModel<2>   model;
     IncrementState<2> state;
 
@@ -57,6 +64,7 @@ namespace Contact
                           ContactPoint<2>           &here);
     void transfer_surfaces(const ContactInterface<2> &from,
                            const GhostedVector       &solution);
+    void begin_increment();
     void pair();
     void update_statuses();
 

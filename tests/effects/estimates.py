@@ -50,7 +50,8 @@ def solve(contact, scene, *settings):
         except subprocess.TimeoutExpired:
             return None, "takes more than two minutes"
         if ended.returncode not in (0, 1):
-            return None, ended.stderr.strip().splitlines()[0]
+            said = ended.stderr.strip().splitlines()
+            return None, said[0] if said else f"exit status {ended.returncode}"
         summary = next(pathlib.Path(directory).glob("*/summary.json"))
         return json.loads(summary.read_text()), ""
 
