@@ -13,6 +13,7 @@ Proves that
   hundredth where a tenth of it yields and to a fifth where all of it does; and
   what scenes would be without their plasticity, thermal strains, interferences,
   moving obstacles, moments on rigid boundaries, rubber and incompatible modes;
+- so is glue, added and taken off;
 - with friction in several increments, which remembers the way, no estimate is
   further off than it says, and in one increment they are certain;
 - plastic strains and rotations are probes, too;
@@ -180,6 +181,7 @@ zero = [e for e in base["estimated_effects"] if e["effect"].startswith("Force")]
 check("  a load that is zero changes nothing", len(zero) == 1 and
       not zero[0]["unknown"] and max(map(abs, zero[0]["changes"].values())) < 1e-8,
       zero)
+agree("zero_load", base, {"Contact/glue": 1e-3})
 check("  in one increment friction remembers no way",
       all(abs(e["uncertainties"][n]) <= 1e-6 * abs(change)
           for e in base["estimated_effects"]
@@ -208,6 +210,11 @@ base = estimated("moving", SCENE, scenes.MOVING, {
     "Contact/Master": "", "Contact/Friction coefficient": "0.1",
     "Boundary conditions/Displacement y": "Base: 0, Top: -0.001"})
 agree("moving", base, {"Contact/obstacle motion": 0.1})
+
+base = estimated("glued", SCENE, {
+    "Contact/Tied": "true",
+    "Boundary conditions/Displacement x": "Base: 0, Top: 0.001"})
+agree("glued", base, {"Contact/glue": 1e-3})
 
 # Friction that remembers the way, which the end does not know.
 for coefficient, effect in (("0.3", "Contact/obstacle motion"),
