@@ -19,7 +19,9 @@ Proves that
   touches it by no more than its width, where nodes of the slave are at its end, or
   beside it;
 - the force of a corner of the master on a slave edge of degree 2 is pressure at its
-  nodes, without tension and without shear.
+  nodes, without tension and without shear;
+- of a polygon that turns in a polygonal hole, whose convex corners alone carry the
+  load, one contact group around it has the forces of a pair for each side.
 
 Usage: slave_corners.py CONTACT PARAMETERS MESHES
 """
@@ -312,8 +314,67 @@ def short_master():
                       2 - 3 / n < width < 2.01, f"{width} {said[-300:]}")
 
 
+def side_of_polygon(sides, j, inner, outer):
+    """Between two similar polygons, the part beside their side j."""
+    def corner(k):
+        angle = 2 * math.pi * (k % sides) / sides
+        return math.cos(angle), math.sin(angle)
+
+    def place(s, t):
+        a, b = corner(j + 1), corner(j)
+        r = inner + t * (outer - inner)
+        return tuple(r * ((1 - s) * p + s * q) for p, q in zip(a, b))
+    return place
+
+
+def nut(sides, edges, one_group):
+    """A polygon turned in a hole. Returns its contact results."""
+    mesh = Mesh()
+    for j in range(sides):
+        name = "" if one_group else str(j)
+        mesh.block("N", edges, 3, side_of_polygon(sides, j, 4, 10),
+                   {"top": "S" + name, "bottom": "Inside"})
+        mesh.block("R", edges * 3 // 2 - 1, 3,
+                   side_of_polygon(sides, j, 10.02, 16),
+                   {"bottom": "M" + name, "top": "Outside"})
+    mesh.merge()
+    mesh.write("nut")
+    pairs = {"Contact": ""} if one_group else {
+        f"Contact {j}": str(j) for j in range(sides)}
+    status, said, summary = run("nut", {
+        "Mesh/File": "nut.msh",
+        "Solids/Young's modulus": "N: 2000, R: 2000",
+        "Solids/Poisson's ratio": "N: 0.3, R: 0.3",
+        "Solids/Kinematics": "small strain",
+        **{f"{pair}/Slave": "S" + j for pair, j in pairs.items()},
+        **{f"{pair}/Master": "M" + j for pair, j in pairs.items()},
+        "Boundary conditions/Displacement x": "Outside: 0",
+        "Boundary conditions/Displacement y": "Outside: 0",
+        "Boundary conditions/Displacement formula x": "Inside: -0.03*t*y",
+        "Boundary conditions/Displacement formula y": "Inside: 0.03*t*x",
+        "Solution/Increments": 2,
+        "Probes/Probes": "energy: strain energy, N"})
+    check(f"{sides} sides, {'one group' if one_group else 'a pair each'}: "
+          "converges", status == 0, said[-300:])
+    if status != 0:
+        return {}
+    zones = [summary[pair.lower()] for pair in pairs]
+    return {"energy": value(summary, "energy")} | {
+        name: how(zone[name] for zone in zones) for name, how in
+        (("normal_force", sum), ("max_pressure", max), ("width", sum))}
+
+
+def turned_in_a_hole():
+    for sides, edges in ((6, 4), (12, 8)):
+        of_one, of_all = nut(sides, edges, True), nut(sides, edges, False)
+        worst = max((abs(of_one[name] / of_all[name] - 1) for name in of_one
+                     if name in of_all), default=1)
+        check(f"  one group as a pair for each side: {worst:.1e}", worst < 0.02,
+              f"{of_one} {of_all}")
+
+
 for scene in (sole, sole_in_space, not_refined,
               in_a_plane_of_symmetry, on_its_corner, tilted, sunk,
-              by_a_corner, short_master):
+              by_a_corner, short_master, turned_in_a_hole):
     scene()
 sys.exit(len(failures) > 0)

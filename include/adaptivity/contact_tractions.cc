@@ -154,7 +154,10 @@ namespace Contact
   {
     for (unsigned int i = 0; i < slave.nodes.size(); ++i)
       {
-        const unsigned int k = contact_pair.multipliers.of_node[i];
+        const unsigned int k =
+          contact_pair.has_point_per_multiplier()
+            ? multiplier_at(interface, contact_pair, i, solution)
+            : contact_pair.multipliers.of_node[i];
         if (k == numbers::invalid_unsigned_int)
           continue;
         at_nodes[i][0] = solution[interface.normal_index(k)];

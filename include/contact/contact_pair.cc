@@ -299,6 +299,9 @@ namespace Contact
       mark_rims(slave, multipliers, discretization, points);
     if (can_have_corner_points() && !mortar)
       corner_sides.add_points(slave, multipliers, points);
+    if constexpr (dim == 2)
+      if (can_have_corner_points() && mortar)
+        mortar->add_side_points(multipliers, points);
     if (obstacle && has_point_per_multiplier())
       corners = find_corners(slave, multipliers, points);
     n_of_slave = points.size();

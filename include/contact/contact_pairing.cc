@@ -57,10 +57,19 @@ namespace Contact
     if (interference->added() != 0)
       of_mortar.keeps_open_points = of_mortar.leaves_far_points = false;
     const auto of_discretization = part(0, n_of_discretization);
-    bool       changed = mortar ? mortar->pair(of_discretization, u, of_mortar)
-                         : corner_sides.is_empty()
-                           ? project(of_discretization, u, mode)
-                           : pair_with_sides(points, u, mode);
+    const auto pair_by_mortar    = [&]() {
+      if constexpr (dim == 2)
+        return mortar->pair(of_discretization,
+                            u,
+                            of_mortar,
+                            part(n_without_sides, n_of_slave));
+      else
+        return mortar->pair(of_discretization, u, of_mortar);
+    };
+    bool changed = mortar ? pair_by_mortar()
+                   : corner_sides.is_empty()
+                     ? project(of_discretization, u, mode)
+                     : pair_with_sides(points, u, mode);
     if (!corners.empty())
       weigh(corners, slave.facet_normals(u), of_discretization);
     if (n_of_discretization < n_without_sides)

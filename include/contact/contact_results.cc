@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 #include "contact/contact_patches.h"
@@ -116,17 +117,46 @@ namespace Contact
   {
     ContactPatches patches(contact_pair.slave);
     ContactResults results;
+    const auto     sample_of = [&](const ContactPoint<2> &point) {
+      const ContactState<2> now = interface.state(point, solution, u_start);
+      const Traction<2>     traction =
+        add_force(interface, point, now, moving_bound, results);
+      results.max_pressure = std::max(results.max_pressure, traction.p);
+      results.max_shear = std::max(results.max_shear, std::abs(traction.q[0]));
+      return PatchSample{patches.arc_length(point),
+                         true,
+                         point.status.kind == Status::stick,
+                         point.tangential_row_is_void &&
+                           !point.status.has_direction(),
+                         traction.p,
+                         std::abs(now.slip[0])};
+    };
+
+    // A node is in contact that is so on one of its sides.
+    std::map<types::global_dof_index, PatchSample> of_sides;
+    for (const ContactPoint<2> &point : interface.points_of(contact_pair))
+      if (point.side > 0 && point.facing && point.status.kind != Status::open)
+        of_sides.emplace(point.dofs[0][0], sample_of(point));
     for (const ContactPoint<2> &point : interface.points_of(contact_pair))
       {
-        const ContactState<2> now = interface.state(point, solution, u_start);
+        if (point.is_master_corner)
+          add_force(interface,
+                    point,
+                    interface.state(point, solution, u_start),
+                    moving_bound,
+                    results);
         if (point.is_master_corner || point.side > 0)
-          {
-            add_force(interface, point, now, moving_bound, results);
-            continue;
-          }
+          continue;
         const double s = patches.arc_length(point);
         if (!point.facing || point.status.kind == Status::open)
           {
+            if (const auto side = of_sides.find(point.dofs[0][0]);
+                side != of_sides.end())
+              {
+                side->second.s = s;
+                patches.add(point, side->second);
+                continue;
+              }
             // On an axis at degree 2 a force does no work on the rest, and
             // round-off opens a point: contact goes on to it.
             if (contact_pair.slave.degree == 1 ||
@@ -136,19 +166,7 @@ namespace Contact
             continue;
           }
 
-        const Traction<2> traction =
-          add_force(interface, point, now, moving_bound, results);
-        results.max_pressure = std::max(results.max_pressure, traction.p);
-        results.max_shear =
-          std::max(results.max_shear, std::abs(traction.q[0]));
-        patches.add(point,
-                    {s,
-                     true,
-                     point.status.kind == Status::stick,
-                     point.tangential_row_is_void &&
-                       !point.status.has_direction(),
-                     traction.p,
-                     std::abs(now.slip[0])});
+        patches.add(point, sample_of(point));
       }
     if (contact_pair.master)
       add_corners_of_master(contact_pair, solution, patches);
@@ -199,7 +217,7 @@ namespace Contact
                              const GhostedVector         &solution)
   {
     unsigned int found = contact_pair.multipliers.of_node[node];
-    if (contact_pair.has_point_per_multiplier())
+    if (contact_pair.has_point_per_multiplier() && !contact_pair.is_mortar())
       return found;
     for (const auto &[k, n] : contact_pair.multipliers.of_sides)
       if (n == node && solution[interface.normal_index(k)] >
@@ -216,10 +234,12 @@ namespace Contact
                      const unsigned int           node,
                      const GhostedVector         &solution)
   {
-    return contact_pair.has_point_per_multiplier()
+    const unsigned int k =
+      multiplier_at(interface, contact_pair, node, solution);
+    const bool is_of_side = k != contact_pair.multipliers.of_node[node];
+    return contact_pair.has_point_per_multiplier() && !is_of_side
              ? interface.pressure(contact_pair.pressure_at(node), solution)
-             : solution[interface.normal_index(
-                 multiplier_at(interface, contact_pair, node, solution))];
+             : solution[interface.normal_index(k)];
   }
 
 

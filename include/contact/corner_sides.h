@@ -20,8 +20,8 @@ namespace Contact
    * concave corner of the master, two faces of the master are in contact with
    * one node of the slave, in three dimensions up to three: with one point the
    * body would give way to the second face, and which of them is the second one
-   * would be a matter of the way there. (The mortar discretization looks along
-   * the whole edges on either side, and needs no more points.)
+   * would be a matter of the way there. (The mortar discretization has its own:
+   * MortarDiscretization::parted_nodes(), in the plane.)
    *
    * So a node at a corner has one more point for each side of the slave that
    * meets there, which looks along the normal of its side and sees the faces of

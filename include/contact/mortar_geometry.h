@@ -130,6 +130,11 @@ namespace Contact
                         const unsigned int master_facet,
                         const Number      &master_xi) const;
 
+    /// By how much the slave turns between two edges that follow each other
+    /// [rad], positive where it is convex.
+    Number turn_between(const unsigned int before,
+                        const unsigned int after) const;
+
     /// The coordinate at which the line through @p x along @p n meets a master
     /// edge, perhaps beyond its ends.
     Number projection_on_edge(const Tensor<1, 2, Number> &x,
@@ -154,6 +159,20 @@ namespace Contact
     void find_symmetry_lines();
     void find_slave_normals(const unsigned int edge);
     void find_master_normals(const unsigned int edge);
+    void find_faces_beyond();
+
+    /// Whether the face of a master edge ends in a concave corner, and the one
+    /// beyond it is more opposite to the slave edge at its node @p a than by
+    /// this @p angle.
+    bool has_closer_face(const unsigned int slave_facet,
+                         const unsigned int a,
+                         const unsigned int master_facet,
+                         const double       angle) const;
+
+    // By master edge: the edge beyond the concave corner that its face begins
+    // at, and beyond the one that it ends at, with the node there, or invalid.
+    std::vector<std::array<std::pair<unsigned int, unsigned int>, 2>>
+      faces_beyond;
 
     /// The edges whose normals depend on a node.
     static std::set<unsigned int>

@@ -48,11 +48,13 @@ namespace Contact
   template<typename Number>
   MortarIntegrals<Number>::MortarIntegrals(
     const MortarGeometry<Number> &geometry,
-    const Carriers               &carries)
+    const Carriers               &carries,
+    const PartedNodes            &parted)
     : now(geometry)
     , slave(geometry.slave)
     , master(geometry.master)
     , carries(carries)
+    , parted(parted)
   {
   }
 
@@ -199,8 +201,8 @@ namespace Contact
 
         for (unsigned int k = 0; k < nodes.size(); ++k)
           {
-            if (only != numbers::invalid_unsigned_int &&
-                edge.nodes[nodes[k]] != only)
+            const unsigned int node = edge.nodes[nodes[k]];
+            if (only != numbers::invalid_unsigned_int && node != only)
               continue;
             Number phi = 0, power = 1;
             for (unsigned int i = 0; i < nodes.size(); ++i)
@@ -210,7 +212,8 @@ namespace Contact
               }
             phi *= sample.weight;
 
-            OfNode &of_node = of_nodes[edge.nodes[nodes[k]]];
+            const unsigned int side    = parted.count(node) && nodes[k] == 0;
+            OfNode            &of_node = of_nodes[{node, side}];
             of_node.weight += phi;
             for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
               of_node.slave[edge.nodes[a]] += phi * shape.value[a];
@@ -245,7 +248,7 @@ namespace Contact
           projection.value[b] * now.master_normals[sample.master_facet][b];
         // Beyond a corner is another face, or none: that it is seen, its normal
         // tells.
-        if (b == 2 || !(edge.corner[b] ||
+        if (b == 2 || !(edge.parts_sides[b] ||
                         (b == 0 ? edge.begins_surface : edge.ends_surface)))
           turn_square +=
             absolute(projection.value[b]) * square(master.turns[edge.nodes[b]]);
@@ -331,10 +334,11 @@ namespace Contact
 
   template<typename Number>
   MortarPairing<Number>
-  MortarIntegrals<Number>::pairing(const unsigned int node) const
+  MortarIntegrals<Number>::pairing(const unsigned int node,
+                                   const unsigned int side) const
   {
     MortarPairing<Number> pairing;
-    const auto            found = of_nodes.find(node);
+    const auto            found = of_nodes.find({node, side});
     if (found == of_nodes.end() || value_of(found->second.weight) <= 0)
       return pairing;
 

@@ -7,6 +7,7 @@
 #define contact_mortar_integrals_h
 
 #include <map>
+#include <set>
 
 #include "contact/mortar_segments.h"
 
@@ -42,16 +43,22 @@ namespace Contact
     /// By edge and node, whether it carries a multiplier.
     using Carriers = std::vector<PerEdgeNode<bool>>;
 
+    /// Nodes whose two edges have a multiplier each.
+    using PartedNodes = std::set<unsigned int>;
+
     MortarIntegrals(const MortarGeometry<Number> &geometry,
-                    const Carriers               &carries);
+                    const Carriers               &carries,
+                    const PartedNodes            &parted);
 
     /// Integrate over a slave edge, for all of its nodes or for one.
     void add_edge(const unsigned int   slave_facet,
                   const MortarOverlap &overlap,
                   const unsigned int   only = numbers::invalid_unsigned_int);
 
-    /// The contact point of a node, by what was integrated.
-    MortarPairing<Number> pairing(const unsigned int node) const;
+    /// The contact point of a node, by what was integrated; of a parted one the
+    /// side 0 is the edge that ends there, 1 the one that begins there.
+    MortarPairing<Number> pairing(const unsigned int node,
+                                  const unsigned int side) const;
 
   private:
     /// Integrals over the dual function of one slave node.
@@ -111,8 +118,10 @@ namespace Contact
     const MortarGeometry<Number> &now;
     const Surface<2>             &slave, &master;
     const Carriers               &carries;
+    const PartedNodes            &parted;
 
-    std::map<unsigned int, OfNode> of_nodes;
+    // By node and side.
+    std::map<std::pair<unsigned int, unsigned int>, OfNode> of_nodes;
   };
 } // namespace Contact
 

@@ -221,6 +221,10 @@ namespace Contact
     /// Corners at the first and the last node.
     std::array<bool, 2> corner{{false, false}};
 
+    /// Corners, and kinks from half of Surface::feature_angle on that stand
+    /// alone: those of a curve that the mesh has drawn as a polygon do not.
+    std::array<bool, 2> parts_sides{{false, false}};
+
     /// A face ends where the surface ends, and at convex corners: beyond
     /// them nothing faces it.
     bool begins_face = false, ends_face = false;
@@ -376,6 +380,7 @@ namespace Contact
     void renumber_nodes();
     void link_edges();
     void find_corners();
+    void find_lone_kinks();
     void find_parted();
     void measure_turns();
 

@@ -154,6 +154,36 @@ namespace Contact
 
 
 
+  // The middle of an arc of two edges turns by as much as both of its ends do
+  // together, on longer arcs every kink turns by less. Beside an end of the
+  // surface nothing is known of how it goes on.
+  template<>
+  void Surface<2>::find_lone_kinks()
+  {
+    const auto turn_at = [this](const unsigned int e) {
+      return e == numbers::invalid_unsigned_int ||
+                 facets[e].previous == numbers::invalid_unsigned_int
+               ? numbers::PI
+               : std::abs(
+                   angle(reference_tangent(facets[facets[e].previous], 1),
+                         reference_tangent(facets[e], -1)));
+    };
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      {
+        SurfaceFacet<2> &edge = facets[e];
+        if (edge.previous == numbers::invalid_unsigned_int)
+          continue;
+        const double turn = turn_at(e);
+        const bool   is_alone =
+          turn > numbers::PI / 360 * feature_angle &&
+          turn_at(edge.previous) + turn_at(edge.next) < turn / 2;
+        facets[edge.previous].parts_sides[1] = edge.parts_sides[0] =
+          edge.corner[0] || is_alone;
+      }
+  }
+
+
+
   // On an arc the angle between the chords of its halves is half of what it
   // turns by, and each chord is a quarter of that off the tangent at its end.
   template<>
@@ -207,6 +237,7 @@ namespace Contact
     renumber_nodes();
     link_edges();
     find_corners();
+    find_lone_kinks();
     measure_turns();
   }
 
