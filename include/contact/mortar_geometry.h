@@ -125,6 +125,11 @@ namespace Contact
      * the ground tilts towards it as the block bulges, and does not look at it.
      * Of sides that are about as opposite it is that of class SlaveCorner, if
      * that is more: the tip of a wedge looks at what it stands on.
+     *
+     * Where the face of the master ends in a concave corner, beyond which the
+     * master is more opposite to this side, it belongs to the other side if
+     * that is the more opposite one by an angle b: the part is then no more
+     * than 1 - 2 b / turn, by the turn of the slave in its corner.
      */
     Number part_of_side(const unsigned int slave_facet,
                         const unsigned int master_facet,
