@@ -1,7 +1,7 @@
 #!/bin/sh
 # The cost of a modeling: CPU seconds on one core of starting up, and of each
 # modeling after that by phase, the best of three runs (or REPETITIONS), and its
-# memory.
+# memory. MODELINGS="a h": of these alone.
 #   benchmark.sh CONTACT [OPTION...]
 # Not a test: nothing is asserted. Results go to a scratch directory.
 # SPDX-License-Identifier: LGPL-2.1-or-later
@@ -36,7 +36,7 @@ echo "start-up: $startup s of CPU (load of the machine before: $load)"
 
 printf '%-9s %8s %7s %9s %7s  %s\n' modeling 'CPU [s]' solving output \
   'MB' 'Newton steps, friction turns'
-for modeling in a b c d e f g h; do
+for modeling in ${MODELINGS:-a b c d e f g h}; do
   for i in $(seq "${REPETITIONS:-3}"); do
     "$contact" "$parameters/ssnp154_$modeling.prm" --quiet \
       --set Output/Screen=none "$@" || true

@@ -52,7 +52,7 @@ SHORT = {
         'mpirun -np 2 build/contact parameters/nested_friction.prm ' + COARSE,
     "./run parameters/ssnp154_[a-h].prm --quiet":
         "./run parameters/ssnp154_[ah].prm --quiet",
-    "./run benchmark": "REPETITIONS=1 ./run benchmark",
+    "./run benchmark": "MODELINGS=a REPETITIONS=1 ./run benchmark",
     "./run effects": "./run effects tied --repetitions 1",
     "./run estimates": "./run estimates verification/hertz",
     "./run requests": "./run requests verification/nested_spheres_quadratic",
