@@ -157,6 +157,7 @@ namespace Contact
 
     // Newton's method.
     void solve_newton();
+    void check_stability();
     void note_open_stability();
 
     // The effects, estimated in the last state.
@@ -596,6 +597,8 @@ namespace Contact
                     << std::endl;
 
     solve_with_stabilization();
+    if (system->has_multipliers())
+      check_stability();
     if (model.interface)
       {
         model.interface->place_obstacles(state.solution, /*keeps_place=*/true);
@@ -966,20 +969,23 @@ namespace Contact
         newton.accept();
 
         // No stable state has an indefinite tangent: it has to be known at the
-        // solution itself, too, not only on the way. Coarser levels are starts:
-        // there it is not looked for.
+        // solution itself, too, not only on the way, and where the last step
+        // was long, one more brings it there. Coarser levels are starts: there
+        // it is not looked for.
         const bool has_converged = newton.has_converged();
         const bool is_accepted   = has_converged && pairing.accepts(state);
-        if (is_accepted &&
-            !system->tangent_is_indefinite(state, levels.may_be_last()))
+        const bool is_final =
+          levels.may_be_last() && !system->has_multipliers();
+        const bool is_looked_at =
+          is_accepted && (!is_final || newton.has_tangent_of_state());
+        if (is_looked_at && !system->tangent_is_indefinite(state, is_final))
           {
             note_open_stability();
             return;
           }
         if (is_accepted && is_checked)
-          throw NotConverged("a body has lost its stability: the tangent of "
-                             "the solution is not positive definite");
-        is_checked = is_accepted;
+          throw NotConverged(lost_stability);
+        is_checked = is_looked_at;
         if (step >= max_steps)
           throw NotConverged("Newton's method ends with the residual " +
                              brief(newton.convergence.residual()) + " after " +
@@ -1013,6 +1019,20 @@ namespace Contact
         record.linear_iterations += newton.make_step();
         ++record.newton_iterations;
       }
+  }
+
+
+
+  // @sect4{ContactProblem::check_stability}
+  //
+  // Of a system with multipliers, behind all loops: what it costs is a look at
+  // the tangent of the solution.
+  template<int dim>
+  void ContactProblem<dim>::check_stability()
+  {
+    if (system->tangent_is_indefinite(state, levels.may_be_last()))
+      throw NotConverged(lost_stability);
+    note_open_stability();
   }
 
 

@@ -253,7 +253,17 @@ namespace Contact
         const int first = i;
         while (i + 1 < begin + n && samples[i + 1].*inside)
           ++i;
-        sum += end_at(i, +1) - end_at(first, -1);
+        double from = end_at(first, -1), to = end_at(i, +1);
+        // Of a single node beyond the end of the master what presses is the
+        // part that the master covers of the edge between.
+        if (to < from && first == i)
+          {
+            if (to < samples[i].s)
+              from = samples[i - 1].s;
+            else
+              to = samples[i + 1].s;
+          }
+        sum += std::max(0., to - from);
       }
     return sum;
   }

@@ -173,6 +173,7 @@ namespace Contact
                                 place,
                                 factor,
                                 *model.interface,
+                                solution,
                                 derivative);
       else if (is_displacement(quantity))
         add_derivative_of_displacement(quantity, place, factor, derivative);

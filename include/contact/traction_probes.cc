@@ -223,17 +223,26 @@ namespace Contact
                                const Place<dim>            &place,
                                const double                 factor,
                                const ContactInterface<dim> &interface,
+                               const GhostedVector         &solution,
                                GhostedVector               &derivative)
   {
     const auto [contact_pair, nodes] = on_slave(place, &interface);
     for (const auto &[n, weight] : nodes)
-      if (quantity == Quantity::pressure)
-        for (const auto &[k, part] : contact_pair->pressure_at(n))
-          derivative[interface.normal_index(k)] += factor * weight * part;
-      else if (const unsigned int k = contact_pair->multipliers.of_node[n];
-               !contact_pair->law.is_frictionless() &&
-               k != numbers::invalid_unsigned_int)
-        derivative[interface.tangential_index(k)] += factor * weight;
+      {
+        const unsigned int k =
+          multiplier_at(interface, *contact_pair, n, solution);
+        if (quantity != Quantity::pressure)
+          {
+            if (!contact_pair->law.is_frictionless() &&
+                k != numbers::invalid_unsigned_int)
+              derivative[interface.tangential_index(k)] += factor * weight;
+          }
+        else if (k != contact_pair->multipliers.of_node[n])
+          derivative[interface.normal_index(k)] += factor * weight;
+        else
+          for (const auto &[m, part] : contact_pair->pressure_at(n))
+            derivative[interface.normal_index(m)] += factor * weight * part;
+      }
   }
 
   template void   check_contact_traction(const std::string &,
@@ -258,10 +267,12 @@ namespace Contact
                                           const Place<2> &,
                                           const double,
                                           const ContactInterface<2> &,
+                                          const GhostedVector &,
                                           GhostedVector &);
   template void   add_traction_derivative(const Parameters::Quantity,
                                           const Place<3> &,
                                           const double,
                                           const ContactInterface<3> &,
+                                          const GhostedVector &,
                                           GhostedVector &);
 } // namespace Contact

@@ -39,12 +39,14 @@ namespace Contact
                           const GhostedVector         &solution);
 
   /// Add the derivative of the traction with respect to all unknowns, without
-  /// the forces of corners of the master, times @p factor.
+  /// the forces of corners of the master, times @p factor. At a node of several
+  /// multipliers @p solution tells which it is.
   template<int dim>
   void add_traction_derivative(const Parameters::Quantity   quantity,
                                const Place<dim>            &place,
                                const double                 factor,
                                const ContactInterface<dim> &interface,
+                               const GhostedVector         &solution,
                                GhostedVector               &derivative);
 } // namespace Contact
 

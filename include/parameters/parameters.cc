@@ -204,7 +204,7 @@ namespace Contact
       const bool may_share_nodes =
         pairs.size() > 1 || !all_are([](const Contact &pair) {
           return !pair.frictional() ||
-                 pair.discretization != ContactDiscretization::nodal;
+                 pair.discretization == ContactDiscretization::gauss;
         });
       if ((!can_have_multipliers || may_share_nodes) && !shared_pair())
         add(newton, SystemKind::condensed);

@@ -17,6 +17,9 @@ namespace Contact
 {
   using namespace dealii;
 
+  inline const std::string lost_stability =
+    "a body has lost its stability: the tangent of the solution is not "
+    "positive definite";
   inline const std::string friction_leaves_stability_open =
     "the stability of the solution is not known: friction makes the tangent "
     "unsymmetric, and its symmetric part is not positive definite";

@@ -5,6 +5,8 @@
 
 #include "solvers/newton_state.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -55,6 +57,30 @@ namespace Contact
     pairing.begin_newton();
     system->begin_newton();
     remember_status();
+  }
+
+
+
+  template<int dim>
+  bool NewtonState<dim>::has_tangent_of_state() const
+  {
+    if (n_steps == 0 || !model.may_be_unstable())
+      return true;
+    const double        hundredth = 0.01;
+    const auto          n = state.solution.n_held() - model.n_multipliers();
+    std::vector<double> step_and_way{0, 0};
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double u = state.solution.begin()[i];
+        step_and_way[0] =
+          std::max(step_and_way[0], std::abs(u - last.begin()[i]));
+        step_and_way[1] =
+          std::max(step_and_way[1], std::abs(u - state.start.begin()[i]));
+      }
+    Utilities::MPI::max(step_and_way,
+                        model.discretization->communicator,
+                        step_and_way);
+    return step_and_way[0] <= hundredth * step_and_way[1];
   }
 
 

@@ -71,6 +71,11 @@ namespace Contact
     /// whether it is from now on.
     bool begins_single_changes();
 
+    /// Whether the tangent of the last step, in bodies where stresses turn, is
+    /// that of the state: it was no longer than a hundredth of the way of the
+    /// increment, or none was made. Collective.
+    bool has_tangent_of_state() const;
+
     /// Make the next step. Returns the number of linear iterations.
     unsigned int make_step();
 

@@ -7,6 +7,9 @@
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "solvers/active_set.h"
 
 namespace Contact
@@ -208,11 +211,19 @@ namespace Contact
 
 
 
-  // The matrix at hand is that of Newton's last step: it costs little to ask.
+  // The matrix at hand serves if it is of that state, but for a hundredth of
+  // the way of the increment: it costs little to ask.
   bool SaddlePointSystem::is_indefinite(const GhostedVector &solution,
                                         const GhostedVector &u_start,
                                         const double         load_factor)
   {
+    const double hundredth     = 0.01;
+    const auto   distance_from = [&](const GhostedVector &u) {
+      double largest = 0;
+      for (unsigned int i = 0; i < discretization.dof_handler.n_dofs(); ++i)
+        largest = std::max(largest, std::abs(solution[i] - u[i]));
+      return largest;
+    };
     std::vector<bool> is_multiplier(matrix.m());
     if (interface)
       for (auto i = discretization.dof_handler.n_dofs();
@@ -223,7 +234,9 @@ namespace Contact
       TimerOutput::Scope scope(timer, "stability");
       return solver.is_definite_under_constraints(is_multiplier);
     };
-    if (solver.is_factorized() && stresses_turn && is_definite())
+    if (solver.is_factorized() && stresses_turn &&
+        distance_from(factorized_at) <= hundredth * distance_from(u_start) &&
+        is_definite())
       return false;
 
     GhostedVector rhs(matrix.m());
@@ -310,6 +323,7 @@ namespace Contact
 
     TimerOutput::Scope scope(timer, "factorization");
     solver.factorize(matrix);
+    factorized_at      = solution;
     stresses_turn      = stress_stiffness == StressStiffness::with;
     factorized_version = elasticity.tangent_version();
     if (interface)

@@ -159,6 +159,7 @@ namespace Contact
     unsigned int         bodies_version = 0;
 
     // The state that the matrix was factorized in.
+    GhostedVector            factorized_at;
     std::vector<signed char> factorized_statuses;
     bool                     stresses_turn      = false; // in the matrix
     unsigned int             factorized_version = 0;
