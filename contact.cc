@@ -954,8 +954,9 @@ namespace Contact
     IncrementRecord   &record = report.increment();
     const unsigned int limit  = parameters.solution.newton_limit(
       /*converges_linearly=*/model.interface && !system->has_multipliers());
-    unsigned int max_steps  = limit;
-    bool         is_checked = false; // whether the solution is stable
+    unsigned int max_steps   = limit;
+    bool         is_accepted = false; // but for its stability
+    bool         is_checked  = false; // whether the solution is stable
     newton.begin();
     for (unsigned int step = 0;; ++step)
       {
@@ -973,7 +974,7 @@ namespace Contact
         // was long, one more brings it there. Coarser levels are starts: there
         // it is not looked for.
         const bool has_converged = newton.has_converged();
-        const bool is_accepted   = has_converged && pairing.accepts(state);
+        is_accepted = has_converged && (is_accepted || pairing.accepts(state));
         const bool is_final =
           levels.may_be_last() && !system->has_multipliers();
         const bool is_looked_at =

@@ -13,6 +13,7 @@
 #include "base/errors.h"
 #include "base/interruption.h"
 #include "contact/probes.h"
+#include "parameters/formula.h"
 
 namespace Contact
 {
@@ -62,6 +63,53 @@ namespace Contact
       for (auto &[name, value] : a)
         value -= b.at(name);
       return a;
+    }
+
+
+
+    /// Whether a history grows for a while, from zero, and falls for another.
+    bool turns_back(const std::string &history)
+    {
+      if (history.empty())
+        return false;
+      const unsigned int n_samples = 64;
+      const auto         value     = parse_history(history, "history");
+      double             rise = 0, fall = 0, last = 0;
+      for (unsigned int k = 0; k <= n_samples; ++k)
+        {
+          const double next = value(Point<1>(double(k) / n_samples));
+          (next > last ? rise : fall) += std::abs(next - last);
+          last = next;
+        }
+      const double round_off = 1e-10;
+      return std::min(rise, fall) > round_off * std::max(rise, fall);
+    }
+
+
+
+    /// The same of one of the loads, supports and obstacles of a scene.
+    bool turns_back(const Parameters::All &scene)
+    {
+      std::vector<std::string> histories;
+      const auto               add = [&](const auto &of_names) {
+        for (const auto &of_name : of_names)
+          histories.push_back(of_name.second);
+      };
+      add(scene.boundary.histories);
+      add(scene.solids.thermal_strain);
+      for (const Parameters::Contact &pair : scene.pairs())
+        {
+          add(pair.obstacle_motion);
+          add(pair.obstacle_force);
+          for (const auto &history :
+               {pair.obstacle_moment, pair.interference, pair.preload})
+            histories.push_back(history);
+        }
+      return std::any_of(histories.begin(),
+                         histories.end(),
+                         [](const std::string &history) {
+                           return turns_back(history);
+                         });
     }
 
 
@@ -308,6 +356,9 @@ namespace Contact
   {
     if (!remembers_slip(other))
       return;
+    if (turns_back(variant.parameters))
+      throw NotConverged("a load has turned back, and friction remembers the "
+                         "way");
     try
       {
         if (!scene_at_once)

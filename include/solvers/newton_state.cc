@@ -66,21 +66,19 @@ namespace Contact
   {
     if (n_steps == 0 || !model.may_be_unstable())
       return true;
-    const double        hundredth = 0.01;
+    const double        hundredth = 0.01, round_off = 1e-8;
     const auto          n = state.solution.n_held() - model.n_multipliers();
-    std::vector<double> step_and_way{0, 0};
+    std::vector<double> largest{0, 0, 0}; // of the step, the way, and of u
     for (unsigned int i = 0; i < n; ++i)
       {
         const double u = state.solution.begin()[i];
-        step_and_way[0] =
-          std::max(step_and_way[0], std::abs(u - last.begin()[i]));
-        step_and_way[1] =
-          std::max(step_and_way[1], std::abs(u - state.start.begin()[i]));
+        largest[0]     = std::max(largest[0], std::abs(u - last.begin()[i]));
+        largest[1] = std::max(largest[1], std::abs(u - state.start.begin()[i]));
+        largest[2] = std::max(largest[2], std::abs(u));
       }
-    Utilities::MPI::max(step_and_way,
-                        model.discretization->communicator,
-                        step_and_way);
-    return step_and_way[0] <= hundredth * step_and_way[1];
+    Utilities::MPI::max(largest, model.discretization->communicator, largest);
+    return largest[0] <=
+           std::max(hundredth * largest[1], round_off * largest[2]);
   }
 
 

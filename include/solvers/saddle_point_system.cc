@@ -217,7 +217,7 @@ namespace Contact
                                         const GhostedVector &u_start,
                                         const double         load_factor)
   {
-    const double hundredth     = 0.01;
+    const double hundredth = 0.01, round_off = 1e-8;
     const auto   distance_from = [&](const GhostedVector &u) {
       double largest = 0;
       for (unsigned int i = 0; i < discretization.dof_handler.n_dofs(); ++i)
@@ -235,7 +235,9 @@ namespace Contact
       return solver.is_definite_under_constraints(is_multiplier);
     };
     if (solver.is_factorized() && stresses_turn &&
-        distance_from(factorized_at) <= hundredth * distance_from(u_start) &&
+        distance_from(factorized_at) <=
+          std::max(hundredth * distance_from(u_start),
+                   round_off * distance_from(solution.zero())) &&
         is_definite())
       return false;
 
