@@ -954,9 +954,8 @@ namespace Contact
     IncrementRecord   &record = report.increment();
     const unsigned int limit  = parameters.solution.newton_limit(
       /*converges_linearly=*/model.interface && !system->has_multipliers());
-    unsigned int max_steps   = limit;
-    bool         is_accepted = false; // but for its stability
-    bool         is_checked  = false; // whether the solution is stable
+    unsigned int max_steps  = limit;
+    bool         is_checked = false; // whether the solution is stable
     newton.begin();
     for (unsigned int step = 0;; ++step)
       {
@@ -970,23 +969,25 @@ namespace Contact
         newton.accept();
 
         // No stable state has an indefinite tangent: it has to be known at the
-        // solution itself, too, not only on the way, and where the last step
-        // was long, one more brings it there. Coarser levels are starts: there
-        // it is not looked for.
+        // solution itself, too, not only on the way. Coarser levels are starts:
+        // there it is not looked for.
         const bool has_converged = newton.has_converged();
-        is_accepted = has_converged && (is_accepted || pairing.accepts(state));
-        const bool is_final =
-          levels.may_be_last() && !system->has_multipliers();
-        const bool is_looked_at =
-          is_accepted && (!is_final || newton.has_tangent_of_state());
-        if (is_looked_at && !system->tangent_is_indefinite(state, is_final))
+        const bool is_accepted   = has_converged && pairing.accepts(state);
+        const bool is_judged =
+          is_accepted && levels.may_be_last() && !system->has_multipliers();
+        if (is_judged && !newton.has_tangent_of_state())
+          {
+            system->renew_tangent(state);
+            is_checked = true;
+          }
+        if (is_accepted && !system->tangent_is_indefinite(state, is_judged))
           {
             note_open_stability();
             return;
           }
         if (is_accepted && is_checked)
           throw NotConverged(lost_stability);
-        is_checked = is_looked_at;
+        is_checked = is_accepted;
         if (step >= max_steps)
           throw NotConverged("Newton's method ends with the residual " +
                              brief(newton.convergence.residual()) + " after " +

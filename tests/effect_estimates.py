@@ -235,6 +235,17 @@ for coefficient, effect in (("0.3", "Contact/obstacle motion"),
               row.verdict_is_right(0.01) is True,
               f"{row.estimated:g} +- {uncertain:g}, {row.true:g}")
 
+# A load that has turned back leaves shear that its end does not know.
+base = estimated("turned_back", SCENE, scenes.MOVING, {
+    "Contact/Master": "", "Contact/Friction coefficient": "0.3",
+    "Contact/Obstacle motion": "x: 5e-4*sin(pi*t); y: -2e-4*t",
+    "Solution/Increments": "3",
+    "Probes/Probes": "corner: displacement x, Foot"})
+for effect in base["estimated_effects"]:
+    if effect["effect"] in ("Contact/obstacle motion", "large displacement"):
+        check(f"  {effect['effect']}, of a way to and fro: cannot be told",
+              "turned back" in (effect.get("unknown") or ""), effect)
+
 status = subprocess.run(
     [str(contact), write_scene("pushed", SCENE, scenes.PUSHED,
                                {"Contact/Master": ""}),

@@ -314,6 +314,26 @@ def short_master():
                       2 - 3 / n < width < 2.01, f"{width} {said[-300:]}")
 
 
+def on_one_node():
+    """A block beyond the end of its master, pressed with one node: the width is that
+    of the part of an edge that the master covers."""
+    mesh = Mesh()
+    mesh.block("A", 16, 6, box(-4, -3, 4, 0), {"bottom": "Base", "top": "Ground"})
+    mesh.block("B", 3, 2, box(0.6, 0, 6.6, 2), {"bottom": "Sole", "top": "Head"})
+    mesh.write("on_one_node")
+    status, said, summary = run("on_one_node", {
+        "Mesh/File": "on_one_node.msh",
+        "Solids/Young's modulus": "A: 1000, B: 1000",
+        "Solids/Poisson's ratio": "A: 0.3, B: 0.3",
+        "Boundary conditions/Displacement x": "Base: 0, Head: 0",
+        "Boundary conditions/Displacement y": "Base: 0",
+        "Boundary conditions/Displacement formula y": "Head: t*(-0.03-0.03*(x-3.6))",
+        "Contact/Slave": "Sole", "Contact/Master": "Ground"})
+    width = summary["contact"]["width"] if status == 0 else math.nan
+    check("pressed with one node beyond the end of the master: the width",
+          0 < width < 4 - 2.6, f"{width} {said[-300:]}")
+
+
 def side_of_polygon(sides, j, inner, outer):
     """Between two similar polygons, the part beside their side j."""
     def corner(k):
@@ -327,14 +347,15 @@ def side_of_polygon(sides, j, inner, outer):
     return place
 
 
-def nut(sides, edges, one_group):
+def nut(sides, edges, one_group, of_master=None, friction=0):
     """A polygon turned in a hole. Returns its contact results."""
+    of_master = of_master or edges * 3 // 2 - 1
     mesh = Mesh()
     for j in range(sides):
         name = "" if one_group else str(j)
         mesh.block("N", edges, 3, side_of_polygon(sides, j, 4, 10),
                    {"top": "S" + name, "bottom": "Inside"})
-        mesh.block("R", edges * 3 // 2 - 1, 3,
+        mesh.block("R", of_master, 3,
                    side_of_polygon(sides, j, 10.02, 16),
                    {"bottom": "M" + name, "top": "Outside"})
     mesh.merge()
@@ -348,6 +369,7 @@ def nut(sides, edges, one_group):
         "Solids/Kinematics": "small strain",
         **{f"{pair}/Slave": "S" + j for pair, j in pairs.items()},
         **{f"{pair}/Master": "M" + j for pair, j in pairs.items()},
+        **{f"{pair}/Friction coefficient": friction for pair in pairs},
         "Boundary conditions/Displacement x": "Outside: 0",
         "Boundary conditions/Displacement y": "Outside: 0",
         "Boundary conditions/Displacement formula x": "Inside: -0.03*t*y",
@@ -365,8 +387,11 @@ def nut(sides, edges, one_group):
 
 
 def turned_in_a_hole():
-    for sides, edges in ((6, 4), (12, 8)):
-        of_one, of_all = nut(sides, edges, True), nut(sides, edges, False)
+    # With friction points that stick on both sides of a corner are redundant:
+    # both end in the condensed system.
+    for sides, edges, *more in ((6, 4), (12, 8), (8, 4, 3, 0.3)):
+        of_one = nut(sides, edges, True, *more)
+        of_all = nut(sides, edges, False, *more)
         worst = max((abs(of_one[name] / of_all[name] - 1) for name in of_one
                      if name in of_all), default=1)
         check(f"  one group as a pair for each side: {worst:.1e}", worst < 0.02,
@@ -375,6 +400,6 @@ def turned_in_a_hole():
 
 for scene in (sole, sole_in_space, not_refined,
               in_a_plane_of_symmetry, on_its_corner, tilted, sunk,
-              by_a_corner, short_master, turned_in_a_hole):
+              by_a_corner, short_master, on_one_node, turned_in_a_hole):
     scene()
 sys.exit(len(failures) > 0)

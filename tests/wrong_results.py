@@ -1404,7 +1404,8 @@ def buckling():
             "Contact/Slave": "Head", "Contact/Master": "Sole", **more})[:2]
 
     for what, more in (
-            ("", {}), (", nodal", {"Contact/Discretization": "nodal"}),
+            ("", {}), (", condensed", {"Solution/System": "condensed"}),
+            (", nodal", {"Contact/Discretization": "nodal"}),
             (", Gauss rule", {"Contact/Discretization": "Gauss"}),
             (", fixed point", {"Solution/Geometry": "fixed point"})):
         status, said = under(0.95, more)

@@ -356,7 +356,7 @@ namespace Contact
   {
     if (!remembers_slip(other))
       return;
-    if (turns_back(variant.parameters))
+    if (turns_back(parameters) || turns_back(variant.parameters))
       throw NotConverged("a load has turned back, and friction remembers the "
                          "way");
     try

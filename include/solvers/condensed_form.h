@@ -64,6 +64,8 @@ namespace Contact
                            GhostedVector       &rhs,
                            IncrementState<dim> &state) override;
 
+    void renew_tangent(const IncrementState<dim> &state) override;
+
     bool tangent_is_indefinite(const IncrementState<dim> &,
                                const bool may_cost) override
     {

@@ -95,6 +95,10 @@ namespace Contact
                                    GhostedVector       &rhs,
                                    IncrementState<dim> &state) = 0;
 
+    /// Make the tangent of a state, of which tangent_is_indefinite() is to
+    /// tell, without a step. Throws NotConverged if it is not definite.
+    virtual void renew_tangent(const IncrementState<dim> &state) = 0;
+
     /// Whether the tangent of the last step, which has led to @p state, is
     /// known to be indefinite: no stable state has such a one. What costs some
     /// iterations or a factorization is done only if it @p may_cost.

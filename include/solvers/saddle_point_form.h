@@ -58,7 +58,11 @@ namespace Contact
                            GhostedVector     &rhs,
                            IncrementState<2> &state) override;
 
-    /// The tangent of the state itself is looked at.
+    void renew_tangent(const IncrementState<2> &) override
+    {
+    }
+
+    /// The tangent of the state itself is looked at, and made if need be.
     bool tangent_is_indefinite(const IncrementState<2> &state,
                                const bool               may_cost) override;
 
