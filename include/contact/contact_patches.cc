@@ -245,7 +245,8 @@ namespace Contact
         if (begin == 2 * n)
           return chain.end - chain.begin;
       }
-    double sum = 0;
+    const double round_off = 1e-10 * (chain.end - chain.begin);
+    double       sum       = 0;
     for (int i = begin; i < begin + n; ++i)
       {
         if (!(samples[i].*inside))
@@ -256,7 +257,8 @@ namespace Contact
         double from = end_at(first, -1), to = end_at(i, +1);
         // Of a single node beyond the end of the master what presses is the
         // part that the master covers of the edge between.
-        if (to < from && first == i)
+        if (inside == &PatchSample::touches && first == i &&
+            to < from - round_off)
           {
             if (to < samples[i].s)
               from = samples[i - 1].s;
