@@ -88,4 +88,5 @@ int main()
       for (const unsigned int n : {2u, 20u, 200u})
         push_chain(n, stiffness, held);
   turn_and_shear();
+  return 0;
 }
