@@ -257,15 +257,16 @@ namespace Contact
         double from = end_at(first, -1), to = end_at(i, +1);
         // Of a single node beyond the end of the master what presses is the
         // part that the master covers of the edge between.
-        if (inside == &PatchSample::touches && first == i &&
-            to < from - round_off)
+        if (inside == &PatchSample::touches && to < from - round_off)
           {
-            if (to < samples[i].s)
+            if (first < i)
+              to = from;
+            else if (to < samples[i].s)
               from = samples[i - 1].s;
             else
               to = samples[i + 1].s;
           }
-        sum += std::max(0., to - from);
+        sum += to - from;
       }
     return sum;
   }
