@@ -55,7 +55,7 @@ namespace
     for (const ContactPoint<2> &point : model.interface.points())
       {
         const bool on_axis =
-          model.discretization.is_on_axis(point.X[0]) && degree == 2;
+          model.discretization.is_on_axis(point.X(0)) && degree == 2;
         n_on_axis += on_axis;
         sum += on_axis && rule != "Gauss" ? 0. : point.weight;
         smallest = std::min(smallest, point.weight);

@@ -86,7 +86,7 @@ namespace
       {
         check("of the slave", corner.is_on_slave(a));
         sum += corner.C[a];
-        place -= corner.C[a] * corner.X[a][0];
+        place -= corner.C[a] * corner.X(a)[0];
       }
     check_small("the others add up to minus one", std::abs(sum + 1), 1e-12);
     check_small("and have their centre under the tip",

@@ -89,7 +89,7 @@ namespace
 
     Point<2> position(const ContactPoint<2> &point, const unsigned int a) const
     {
-      return point.X[a] + Point<2>(u[point.dofs[a][0]], u[point.dofs[a][1]]);
+      return point.X(a) + Point<2>(u[point.dofs(a)[0]], u[point.dofs(a)[1]]);
     }
 
     double gap(const ContactPoint<2> &point) const
@@ -129,10 +129,10 @@ namespace
     for (const ContactPoint<2> &point : points)
       if (point.facing)
         {
-          auto &values = facts[at(point.X[0])];
+          auto &values = facts[at(point.X(0))];
           for (unsigned int a = 0; a < point.n_nodes; ++a)
             if (std::abs(point.C[a]) > 1e-10)
-              values[at(point.X[a])] += point.weight * point.C[a];
+              values[at(point.X(a))] += point.weight * point.C[a];
           values[{-999, 0}] = point.weight;
           values[{-999, 1}] = (mirror ? -1 : 1) * point.normal[0];
           values[{-999, 2}] = point.normal[1];
@@ -233,7 +233,7 @@ namespace
     double       sideways = 0, gap_of_corner = 1;
     unsigned int n = 0;
     for (const ContactPoint<2> &point : pair.mortar())
-      if (point.facing && point.X[0].distance(Point<2>(0, 10)) < 1e-9)
+      if (point.facing && point.X(0).distance(Point<2>(0, 10)) < 1e-9)
         {
           ++n;
           sideways      = std::abs(point.normal[0]);
@@ -274,14 +274,14 @@ namespace
               length += point.weight;
               smallest = std::min(smallest, point.weight);
               for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
-                loads[point.dofs[a][0]] -= point.weight * point.C[a];
+                loads[point.dofs(a)[0]] -= point.weight * point.C[a];
             }
         double          error = 0;
         MultiplierSpace unused;
         for (const ContactPoint<2> &point :
              make_nodal_points(pair.master, {}, unused))
           error =
-            std::max(error, std::abs(loads[point.dofs[0][0]] - point.weight));
+            std::max(error, std::abs(loads[point.dofs(0)[0]] - point.weight));
         std::cout << " edges: " << n << std::endl;
         check_small("left and right",
                     difference(facts(points), facts(points, true)),
@@ -347,7 +347,7 @@ namespace
                 difference(facts(points), facts(points, true)),
                 1e-12);
     for (const ContactPoint<2> &point : points)
-      if (std::abs(point.X[0][0]) < 1e-9)
+      if (std::abs(point.X(0)[0]) < 1e-9)
         {
           check_small("sideways", std::abs(point.normal[0]), 1e-12);
           check_small("gap", std::abs(pair.gap(point) - 0.1), 1e-12);

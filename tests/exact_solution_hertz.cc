@@ -97,8 +97,8 @@ namespace
     const double along_x = std::min_element(points.begin(),
                                             points.end(),
                                             [&](const auto &a, const auto &b) {
-                                              return std::abs(a.X[0][0] - x) <
-                                                     std::abs(b.X[0][0] - x);
+                                              return std::abs(a.X(0)[0] - x) <
+                                                     std::abs(b.X(0)[0] - x);
                                             })
                              ->tangents[0][0];
     return (upper_is_slave ? 1 : -1) * (along_x > 0 ? 1 : -1) *

@@ -159,7 +159,7 @@ namespace
         double slip = 0;
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           slip += point.C[a] *
-                  (model.solution[point.dofs[a][0]] - before[point.dofs[a][0]]);
+                  (model.solution[point.dofs(a)[0]] - before[point.dofs(a)[0]]);
         const double p = model.lambda_n(point);
         hand += 0.5 * 0.1 * p * slip;
       }

@@ -37,7 +37,7 @@ namespace
      [](Checked &m) {
        const ContactPoint<2> &point = *m.find(Status::open);
        const double gap = m.interface.state(point, m.solution, m.start).gap;
-       m.solution[point.dofs[0][1]] -= 2 * gap / point.C[0];
+       m.solution[point.dofs(0)[1]] -= 2 * gap / point.C[0];
      }},
     {"a slave node that sticks moved along the master",
      [](Checked &m) { m.solution[m.find(Status::stick)->dofs[0][0]] += 1e-4; }},

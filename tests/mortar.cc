@@ -94,7 +94,7 @@ namespace
             [](const ContactPoint<2> &point) { return point.n_nodes; }) == 2);
     check_small("distance of the partners",
                 pairing.largest([](const ContactPoint<2> &point) {
-                  return point.X[0].distance(point.X[1]);
+                  return point.X(0).distance(point.X(1));
                 }),
                 1e-13);
     check_small("coefficients but one and minus one",
@@ -156,7 +156,9 @@ namespace
     for (unsigned int i = 0; i < before.points.size(); ++i)
       {
         const ContactPoint<2> &a = before.points[i], &b = after.points[i];
-        same_nodes = same_nodes && a.dofs == b.dofs;
+        same_nodes = same_nodes && a.n_nodes == b.n_nodes;
+        for (unsigned int c = 0; same_nodes && c < a.n_nodes; ++c)
+          same_nodes = a.dofs(c) == b.dofs(c);
         difference = std::max({difference,
                                std::abs(a.weight - b.weight),
                                (R * a.normal - b.normal).norm(),

@@ -63,7 +63,7 @@ namespace Tests
 
     Point<2> position(const ContactPoint<2> &point, const unsigned int a) const
     {
-      return point.X[a] + Point<2>(u[point.dofs[a][0]], u[point.dofs[a][1]]);
+      return point.X(a) + Point<2>(u[point.dofs(a)[0]], u[point.dofs(a)[1]]);
     }
 
     /// sum C x: the weighted gap vector.
@@ -137,7 +137,7 @@ namespace Tests
     std::map<types::global_dof_index, double> loads;
     for (const ContactPoint<2> &point : pairing.points)
       for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
-        loads[point.dofs[a][0]] -= point.weight * point.C[a];
+        loads[point.dofs(a)[0]] -= point.weight * point.C[a];
     return loads;
   }
 
@@ -153,7 +153,7 @@ namespace Tests
     for (const ContactPoint<2> &point :
          make_nodal_points(pairing.master, {}, unused))
       error =
-        std::max(error, std::abs(loads[point.dofs[0][0]] / point.weight - 1));
+        std::max(error, std::abs(loads[point.dofs(0)[0]] / point.weight - 1));
     return error;
   }
 } // namespace Tests

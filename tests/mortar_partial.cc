@@ -128,8 +128,8 @@ namespace
           in_part              = in_part && shared > 0.5 && shared < 2.5;
           for (const ContactPoint<2> &point : pairing.points)
             if (!point.facing)
-              beyond = beyond && (master[0] < 0 ? point.X[0][0] > 1 + s - 0.1
-                                                : point.X[0][0] < 1 + s + 0.1);
+              beyond = beyond && (master[0] < 0 ? point.X(0)[0] > 1 + s - 0.1
+                                                : point.X(0)[0] < 1 + s + 0.1);
           coefficients =
             std::max(coefficients, pairing.largest(sum_of_coefficients));
           offset =

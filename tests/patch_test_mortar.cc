@@ -316,7 +316,7 @@ namespace
           for (unsigned int a = 0; a < point.n_nodes; ++a)
             {
               sum += point.C[a];
-              moment += point.weight * p * point.C[a] * point.X[a][0];
+              moment += point.weight * p * point.C[a] * point.X(a)[0];
               if (a < point.n_slave_nodes)
                 force += point.weight * p * point.C[a] * point.normal[1];
             }

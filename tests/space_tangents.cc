@@ -216,7 +216,7 @@ namespace
             point.friction_bound * point.along_tangents(s / s.norm());
           for (unsigned int a = 0; a < point.n_nodes; ++a)
             for (unsigned int i = 0; i < 3; ++i)
-              forces[point.dofs[a][i]] += point.weight * point.C[a] * q[i];
+              forces[point.dofs(a)[i]] += point.weight * point.C[a] * q[i];
         }
     return forces;
   }
@@ -311,7 +311,7 @@ namespace
           now.lambda_n * point.normal + point.along_tangents(now.lambda_t);
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           for (unsigned int i = 0; i < 3; ++i)
-            forces[point.dofs[a][i]] += point.weight * point.C[a] * traction[i];
+            forces[point.dofs(a)[i]] += point.weight * point.C[a] * traction[i];
       }
     model.interface->set_points(before);
     return forces;

@@ -182,7 +182,7 @@ namespace
     Strips     strips(make_strips(degree, 6, rule));
     const auto p = [](const double x) { return 3 + x; };
     change_points(*strips.interface, [&](ContactPoint<2> &point) {
-      const double x         = point.X[0][0];
+      const double x         = point.X(0)[0];
       strips.pressure(point) = p(x);
       strips.shear(point)    = -0.1 * p(x);
       point.friction_bound   = 0.2 * p(x);
@@ -197,7 +197,7 @@ namespace
     bool   right = strips.interface->points().size() == degree * 12 + 1;
     for (const ContactPoint<2> &point : strips.interface->points())
       {
-        const double x = point.X[0][0];
+        const double x = point.X(0)[0];
         error          = std::max({error,
                                    std::abs(strips.pressure(point) - p(x)),
                                    std::abs(strips.shear(point) + 0.1 * p(x)),
@@ -226,10 +226,10 @@ namespace
       {
         Strips     strips(make_strips(degree, 24 / degree, rule));
         const auto inside = [=](const ContactPoint<2> &point) {
-          return std::abs(point.X[0][0] - center) < a;
+          return std::abs(point.X(0)[0] - center) < a;
         };
         change_points(*strips.interface, [&](ContactPoint<2> &point) {
-          const double x = point.X[0][0] - center;
+          const double x = point.X(0)[0] - center;
           strips.pressure(point) =
             inside(point) ? std::sqrt(a * a - x * x) : 0.;
           point.status =
@@ -244,7 +244,7 @@ namespace
           {
             const bool wrong =
               inside(point) != (point.status.kind == Status::slip);
-            (point.X[0][0] < center ? wrong_left : wrong_right) += wrong;
+            (point.X(0)[0] < center ? wrong_left : wrong_right) += wrong;
           }
         worst = std::max({worst, wrong_left, wrong_right});
         total += wrong_left + wrong_right;

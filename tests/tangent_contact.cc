@@ -234,7 +234,7 @@ namespace
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           for (unsigned int i = 0; i < 2; ++i)
             kappa[i] -=
-              point.C2[a] * (point.X[a][i] + model.solution[point.dofs[a][i]]);
+              point.C2[a] * (point.X(a)[i] + model.solution[point.dofs(a)[i]]);
         curved = curved || std::abs(point.normal * kappa) > 1e-2;
       }
     check("all points face the inside of an edge", within);

@@ -447,7 +447,7 @@ namespace Tests
                                                    true);
           for (unsigned int a = 0; a < point.n_nodes; ++a)
             for (unsigned int i = 0; i < 2; ++i)
-              forces[point.dofs[a][i]] +=
+              forces[point.dofs(a)[i]] +=
                 point.weight * point.C[a] *
                 (t.p * point.normal[i] + t.q[0] * point.tangents[0][i]);
         }

@@ -134,7 +134,7 @@ namespace Contact
     std::map<types::global_dof_index, Tensor<1, dim>> normal_of_dof;
     for (const ContactPoint<dim> &point : interface.points_of(contact_pair))
       if (!point.is_master_corner && point.side == 0 && point.facing)
-        normal_of_dof[point.dofs[point.own_node()][0]] = point.normal;
+        normal_of_dof[point.dofs(point.own_node())[0]] = point.normal;
     const auto normals = slave.facet_normals(solution);
     for (const SlaveCorner &corner : corners)
       if (const auto found =

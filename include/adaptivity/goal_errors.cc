@@ -151,7 +151,7 @@ namespace Contact
              ++k)
           {
             const auto n = fine.interface->normal_index(point.multipliers[k]);
-            shares[point.dofs[point.own_node()][0]] += residual[n] * weight[n];
+            shares[point.dofs(point.own_node())[0]] += residual[n] * weight[n];
           }
 
     std::vector<unsigned int>            n_cells(shares.size());
@@ -325,7 +325,7 @@ namespace Contact
         Tensor<1, 2>       missing;
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           for (unsigned int i = 0; i < 2; ++i)
-            missing[i] -= point.C[a] * dual[point.dofs[a][i]];
+            missing[i] -= point.C[a] * dual[point.dofs(a)[i]];
 
         const unsigned int    k   = point.multipliers[0];
         const double          J_n = functional[interface.normal_index(k)];
@@ -351,13 +351,13 @@ namespace Contact
           {
             const double distance = target / point.weight + direction * missing;
             for (unsigned int i = 0; i < 2; ++i)
-              if (constraints.is_constrained(point.dofs[own][i]))
+              if (constraints.is_constrained(point.dofs(own)[i]))
                 direction[i] = 0;
             if (direction.norm() > 0)
               correction += distance / direction.norm_square() * direction;
           }
         for (unsigned int i = 0; i < 2; ++i)
-          dual[point.dofs[own][i]] += correction[i] / point.C[own];
+          dual[point.dofs(own)[i]] += correction[i] / point.C[own];
       }
     fine.discretization->constrain_homogeneously(dual);
   }

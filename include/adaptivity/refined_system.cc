@@ -33,8 +33,8 @@ namespace Contact
     find_couplings();
     Unknowns at_contact;
     for (const ContactPoint<2> &point : model.interface->points())
-      for (const NodeDoFs<2> &node : point.dofs)
-        at_contact.insert(node.begin(), node.end());
+      for (const SurfaceNode<2> *node : point.nodes)
+        at_contact.insert(node->dofs.begin(), node->dofs.end());
     remove_fixed(at_contact);
     for (const auto dof : at_contact)
       relaxes[dof] = false;
@@ -77,8 +77,9 @@ namespace Contact
     for (const ContactPoint<2> &point : model.interface->points())
       {
         vertices_of_points.emplace_back();
-        for (const NodeDoFs<2> &node : point.dofs)
-          if (const auto found = vertex_at.find(node); found != vertex_at.end())
+        for (const SurfaceNode<2> *node : point.nodes)
+          if (const auto found = vertex_at.find(node->dofs);
+              found != vertex_at.end())
             vertices_of_points.back().push_back(found->second);
       }
   }
@@ -102,7 +103,7 @@ namespace Contact
       {
         if (point.n_nodes == 0)
           continue;
-        const NodeDoFs<2> &own = point.dofs[point.own_node()];
+        const NodeDoFs<2> &own = point.dofs(point.own_node());
         if (nodes.count(own[0]) == 0 && nodes.count(own[1]) == 0)
           continue;
         for (unsigned int k = 0; k < point.n_multipliers; ++k)

@@ -110,7 +110,7 @@ namespace Contact
       double     whole = 0;
       for (unsigned int a = begin; a < end; ++a)
         {
-          sum += point.C[a] * point.X[a];
+          sum += point.C[a] * point.X(a);
           whole += point.C[a];
         }
       return Point<dim>(sum / whole);

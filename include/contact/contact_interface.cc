@@ -132,7 +132,7 @@ namespace Contact
     std::map<NodeDoFs<dim>, std::vector<unsigned int>> at_node;
     for (unsigned int q = 0; q < all_points.size(); ++q)
       if (!contact_pair(all_points[q]).master && all_points[q].n_nodes == 1)
-        at_node[all_points[q].dofs[0]].push_back(q);
+        at_node[all_points[q].dofs(0)].push_back(q);
     for (const auto &[node, points] : at_node)
       for (const unsigned int q : points)
         for (const unsigned int other : points)
@@ -323,9 +323,9 @@ namespace Contact
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < dim; ++i)
         {
-          const double u = solution[point.dofs[a][i]];
-          r[i] += point.C[a] * (tied ? u : point.X[a][i] + u);
-          dr[i] += point.C[a] * (u - u_start[point.dofs[a][i]]);
+          const double u = solution[point.dofs(a)[i]];
+          r[i] += point.C[a] * (tied ? u : point.X(a)[i] + u);
+          dr[i] += point.C[a] * (u - u_start[point.dofs(a)[i]]);
         }
 
     ContactState<dim> state{};
@@ -408,7 +408,7 @@ namespace Contact
   {
     std::vector<types::global_dof_index> unknowns;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
-      for (const auto dof : point.dofs[a])
+      for (const auto dof : point.dofs(a))
         unknowns.push_back(dof);
     for (unsigned int k = 0; k < point.n_multipliers; ++k)
       unknowns.push_back(normal_index(point.multipliers[k]));

@@ -115,7 +115,7 @@ namespace Contact
     Tensor<1, 2> kappa = point.projection_curvature;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
-        kappa[i] -= point.C2[a] * (point.X[a][i] + solution[point.dofs[a][i]]);
+        kappa[i] -= point.C2[a] * (point.X(a)[i] + solution[point.dofs(a)[i]]);
     const double gap   = point.normal * r;
     const double curve = point.normal * kappa;
     const double slope = point.metric * point.metric - gap * curve;
@@ -188,9 +188,9 @@ namespace Contact
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
         {
-          const double u = solution[point.dofs[a][i]];
-          r[i] += point.C[a] * (point.X[a][i] + u);
-          d_r[i] += point.C[a] * (u - u_start[point.dofs[a][i]]);
+          const double u = solution[point.dofs(a)[i]];
+          r[i] += point.C[a] * (point.X(a)[i] + u);
+          d_r[i] += point.C[a] * (u - u_start[point.dofs(a)[i]]);
         }
 
     Motion motion = point.change.dofs.empty()
@@ -206,11 +206,11 @@ namespace Contact
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           for (unsigned int i = 0; i < 2; ++i)
             {
-              const double u = solution[point.dofs[a][i]];
+              const double u = solution[point.dofs(a)[i]];
               motion.gap[j] +=
-                motion.C(a, j) * point.normal[i] * (point.X[a][i] + u);
+                motion.C(a, j) * point.normal[i] * (point.X(a)[i] + u);
               motion.slip[j] += motion.C(a, j) * point.tangents[0][i] *
-                                (u - u_start[point.dofs[a][i]]);
+                                (u - u_start[point.dofs(a)[i]]);
             }
       }
     return motion;

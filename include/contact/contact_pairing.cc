@@ -126,7 +126,7 @@ namespace Contact
     for (unsigned int k = 0; k < of_corners.size(); ++k)
       {
         differentiate(*of_corners[k], u, mode);
-        changed = changed || of_corners[k]->dofs != before[k].dofs;
+        changed = changed || of_corners[k]->nodes != before[k].nodes;
       }
     return changed;
   }
@@ -153,8 +153,8 @@ namespace Contact
     bool                   changed = false;
     for (unsigned int q = n_of_slave; q < n_points; ++q)
       {
-        ContactPoint<2> &corner   = points[q];
-        const auto       old_dofs = corner.dofs;
+        ContactPoint<2> &corner    = points[q];
+        const auto       old_nodes = corner.nodes;
         pair_corner_point(corner,
                           *master,
                           normals,
@@ -165,7 +165,7 @@ namespace Contact
         if (corner.facing && is_seen(corner) &&
             lies_along_slave(corner, *master, normals))
           corner.facing = false;
-        changed = changed || corner.dofs != old_dofs;
+        changed = changed || corner.nodes != old_nodes;
       }
     return changed;
   }
@@ -214,7 +214,7 @@ namespace Contact
     bool changed = false;
     for (ContactPoint<dim> &point : points)
       {
-        const auto old_dofs = point.dofs;
+        const auto old_nodes = point.nodes;
         pair_with_master(point,
                          directions_of(point, slave, normals),
                          *master,
@@ -223,7 +223,7 @@ namespace Contact
                          u,
                          mode.keeps_edges);
         differentiate(point, u, mode);
-        changed = changed || point.dofs != old_dofs;
+        changed = changed || point.nodes != old_nodes;
 
         // If several points share multipliers, one that faces nothing pulls
         // them to zero, as weakly as a spring of the stiffness c: it must not
@@ -257,7 +257,7 @@ namespace Contact
       return;
     point.change = change_of_projection(point, *master, u);
     if (!discretization.dof_handler.locally_owned_dofs().is_element(
-          point.dofs[0][0]))
+          point.dofs(0)[0]))
       {
         point.change.C.reinit(0, 0);
         point.change.turn.clear();

@@ -14,11 +14,13 @@ namespace Contact
                                    const double            c2)
   {
     ++n_nodes;
-    dofs.push_back(node.dofs);
-    X.push_back(node.X);
+    nodes.push_back(&node);
     C.push_back(c);
-    C1.push_back(c1);
-    C2.push_back(c2);
+    if constexpr (dim == 2)
+      {
+        C1.push_back(c1);
+        C2.push_back(c2);
+      }
   }
 
 
@@ -27,10 +29,9 @@ namespace Contact
   void PointPairing<dim>::keep_nodes(const unsigned int n)
   {
     n_nodes = n;
-    dofs.resize(n);
-    X.resize(n);
+    nodes.resize(n);
     for (auto *values : {&C, &C1, &C2})
-      values->resize(n);
+      values->resize(std::min<std::size_t>(n, values->size()));
   }
 
 
@@ -39,10 +40,10 @@ namespace Contact
   void PointPairing<dim>::remove_node(const unsigned int n)
   {
     --n_nodes;
-    dofs.erase(dofs.begin() + n);
-    X.erase(X.begin() + n);
+    nodes.erase(nodes.begin() + n);
     for (auto *values : {&C, &C1, &C2})
-      values->erase(values->begin() + n);
+      if (n < values->size())
+        values->erase(values->begin() + n);
   }
 
 

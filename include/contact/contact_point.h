@@ -110,19 +110,29 @@ namespace Contact
     FacetPoint<dim> master_xi{};
 
     // The nodes of both sides, slave first.
-    unsigned int           n_slave_nodes = 0;
-    unsigned int           n_nodes       = 0;
-    PerNode<NodeDoFs<dim>> dofs;
-    PerNode<Point<dim>>    X;  // reference positions [mm]
-    PerNode<double>        C;  // coefficients
-    PerNode<double>        C1; // their derivatives with respect
-    PerNode<double>        C2; // to the master coordinate
+    unsigned int                      n_slave_nodes = 0;
+    unsigned int                      n_nodes       = 0;
+    PerNode<const SurfaceNode<dim> *> nodes;
+    PerNode<double>                   C;  // coefficients
+    PerNode<double>                   C1; // in the plane, their derivatives
+    PerNode<double>                   C2; // by the master coordinate
 
-    /// Append a node with its coefficient and the derivatives of that.
+    /// The unknowns of a node, and its reference position [mm].
+    const NodeDoFs<dim> &dofs(const unsigned int a) const
+    {
+      return nodes[a]->dofs;
+    }
+    const Point<dim> &X(const unsigned int a) const
+    {
+      return nodes[a]->X;
+    }
+
+    /// Append a node, which a surface has as long as there is this pairing,
+    /// with its coefficient and, in the plane, the derivatives of that.
     void add_node(const SurfaceNode<dim> &node,
                   const double            c,
-                  const double            c1,
-                  const double            c2);
+                  const double            c1 = 0,
+                  const double            c2 = 0);
 
     /// Forget the nodes from the number @p n on.
     void keep_nodes(const unsigned int n);

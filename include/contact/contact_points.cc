@@ -26,10 +26,7 @@ namespace Contact
       point.slave_xi    = xi;
       for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
         if (shape.value[a] != 0)
-          point.add_node(slave.nodes[slave.facets[e].nodes[a]],
-                         shape.value[a],
-                         0,
-                         0);
+          point.add_node(slave.nodes[slave.facets[e].nodes[a]], shape.value[a]);
       point.n_slave_nodes = point.n_nodes;
       return point;
     }
@@ -46,9 +43,9 @@ namespace Contact
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           {
             const Tensor<1, 2> n =
-              discretization.free_part(point.dofs[a], point.normal);
+              discretization.free_part(point.dofs(a), point.normal);
             const Tensor<1, 2> t =
-              discretization.free_part(point.dofs[a], point.tangents[0]);
+              discretization.free_part(point.dofs(a), point.tangents[0]);
             for (unsigned int i = 0; i < 2; ++i)
               {
                 nn += std::pow(point.C[a] * n[i], 2);
@@ -142,11 +139,11 @@ namespace Contact
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       {
         const Tensor<1, 2> held =
-          along - discretization.free_part(point.dofs[a], along);
+          along - discretization.free_part(point.dofs(a), along);
         for (unsigned int i = 0; i < 2; ++i)
           {
             const double share =
-              point.C[a] * held[i] * motion[point.dofs[a][i]];
+              point.C[a] * held[i] * motion[point.dofs(a)[i]];
             slip += share;
             size += std::abs(share);
           }
@@ -281,7 +278,7 @@ namespace Contact
     Point<dim> x;
     for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
       for (unsigned int i = 0; i < dim; ++i)
-        x[i] += point.C[a] * (point.X[a][i] + u[point.dofs[a][i]]);
+        x[i] += point.C[a] * (point.X(a)[i] + u[point.dofs(a)[i]]);
     return x;
   }
 
@@ -298,7 +295,7 @@ namespace Contact
     for (unsigned int a = 0; a < n_nodes; ++a)
       {
         const Tensor<1, dim> part =
-          discretization.free_part(point.dofs[a], normal);
+          discretization.free_part(point.dofs(a), normal);
         for (unsigned int i = 0; i < dim; ++i)
           {
             all += std::abs(point.C[a] * normal[i]);
@@ -322,8 +319,8 @@ namespace Contact
       {
         for (unsigned int i = 0; i < dim; ++i)
           gap += point.C[a] * point.normal[i] *
-                 (point.X[a][i] + u[point.dofs[a][i]]);
-        size = std::max(size, point.X[a].distance(point.X[0]));
+                 (point.X(a)[i] + u[point.dofs(a)[i]]);
+        size = std::max(size, point.X(a).distance(point.X(0)));
       }
     point.facing = point.facing && gap < -1e-8 * size;
   }

@@ -136,7 +136,7 @@ namespace Contact
     std::map<types::global_dof_index, PatchSample> of_sides;
     for (const ContactPoint<2> &point : interface.points_of(contact_pair))
       if (point.side > 0 && point.facing && point.status.kind != Status::open)
-        of_sides.emplace(point.dofs[0][0], sample_of(point));
+        of_sides.emplace(point.dofs(0)[0], sample_of(point));
     for (const ContactPoint<2> &point : interface.points_of(contact_pair))
       {
         if (point.is_master_corner)
@@ -150,7 +150,7 @@ namespace Contact
         const double s = patches.arc_length(point);
         if (!point.facing || point.status.kind == Status::open)
           {
-            if (const auto side = of_sides.find(point.dofs[0][0]);
+            if (const auto side = of_sides.find(point.dofs(0)[0]);
                 side != of_sides.end())
               {
                 side->second.s = s;
@@ -279,7 +279,7 @@ namespace Contact
     for (const ContactPoint<2> &point : interface.points_of(contact_pair))
       if (!point.is_master_corner && point.side == 0 && point.facing &&
           point.status.kind != Status::open)
-        in_contact[point.dofs[0][0]] = &point;
+        in_contact[point.dofs(0)[0]] = &point;
 
     for (const ContactPoint<2> &point : interface.points_of(contact_pair))
       if (point.is_master_corner && point.facing)
@@ -332,7 +332,7 @@ namespace Contact
           (traction.p * point.normal + point.along_tangents(traction.q));
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           for (unsigned int c = 0; c < dim; ++c)
-            forces[point.dofs[a][c]] += point.C[a] * force[c];
+            forces[point.dofs(a)[c]] += point.C[a] * force[c];
       }
     return forces;
   }

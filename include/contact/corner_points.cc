@@ -73,7 +73,7 @@ namespace Contact
     for (unsigned int a = 0; a < corner.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
         sum += corner.normal[i] * corner.C[a] *
-               (corner.X[a][i] + u[corner.dofs[a][i]]);
+               (corner.X(a)[i] + u[corner.dofs(a)[i]]);
     return sum;
   }
 

@@ -183,7 +183,7 @@ namespace Contact
         Tensor<1, dim> way(slave_position(point, u) - point.projection);
         for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
           for (unsigned int c = 0; c < dim; ++c)
-            way[c] += point.C[a] * (point.X[a][c] + u[point.dofs[a][c]]);
+            way[c] += point.C[a] * (point.X(a)[c] + u[point.dofs(a)[c]]);
         return way;
       }
 

@@ -135,7 +135,7 @@ namespace Contact
         }
     };
     for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
-      add_node(point.dofs[a], point.C[a], Tensor<2, 3>());
+      add_node(point.dofs(a), point.C[a], Tensor<2, 3>());
     std::map<NodeDoFs<3>, Tensor<1, 3>> gradients;
     for (unsigned int b = 0; b < n; ++b)
       {
@@ -152,7 +152,7 @@ namespace Contact
     change.slide.resize(point.n_nodes);
     for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
       {
-        change.slide[a] = -gradients[point.dofs[a]];
+        change.slide[a] = -gradients[point.dofs(a)];
         for (unsigned int j = 0; j < slides.size(); ++j)
           change.C(a, j) = change.slide[a] * slides[j];
       }

@@ -106,9 +106,9 @@ namespace Contact
                                      const GhostedVector              &u,
                                      const PairingMode &mode) const
   {
-    std::vector<PointPairing<3>::PerNode<NodeDoFs<3>>> old_dofs;
+    std::vector<PointPairing<3>::PerNode<const SurfaceNode<3> *>> old_nodes;
     for (const ContactPoint<3> &point : points)
-      old_dofs.push_back(point.dofs);
+      old_nodes.push_back(point.nodes);
     const auto numbers = keep_pairings(points, u, mode);
     if (!numbers.empty())
       pair_anew(points, numbers, u, mode.with_derivatives);
@@ -121,9 +121,9 @@ namespace Contact
       }
     return !std::equal(points.begin(),
                        points.end(),
-                       old_dofs.begin(),
+                       old_nodes.begin(),
                        [](const ContactPoint<3> &point, const auto &old) {
-                         return point.dofs == old;
+                         return point.nodes == old;
                        });
   }
 
@@ -153,7 +153,7 @@ namespace Contact
       Tensor<1, 3> r = -pairing.projection;
       for (unsigned int a = 0; a < pairing.n_nodes; ++a)
         for (unsigned int i = 0; i < 3; ++i)
-          r[i] += pairing.C[a] * (pairing.X[a][i] + u[pairing.dofs[a][i]]);
+          r[i] += pairing.C[a] * (pairing.X(a)[i] + u[pairing.dofs(a)[i]]);
       return !pairing.facing || pairing.normal * r > 0;
     };
 
@@ -274,7 +274,8 @@ namespace Contact
           differentiate(of_nodes[node], node, now, points[q]);
         of_points[q] = seconds[node] + seconds_since(start);
       }
-    point_shares->exchange(points, numbers, own, changes, of_points);
+    point_shares
+      ->exchange(points, slave, master, numbers, own, changes, of_points);
   }
 
 
@@ -293,7 +294,7 @@ namespace Contact
     if (!point.facing)
       {
         point.weight = face_integrals.shares_of(point.slave_facet)[0];
-        point.add_node(slave.nodes[node], 1, 0, 0);
+        point.add_node(slave.nodes[node], 1);
         point.n_slave_nodes = 1;
         set_tangents(point);
         return;
@@ -362,7 +363,7 @@ namespace Contact
     const double round_off = 1e-10;
     const auto value_of = [](const OfMaster &of_node) { return of_node.value; };
     const auto add      = [&](const SurfaceNode<3> &of, const double integral) {
-      point.add_node(of, integral / integrals.weight, 0, 0);
+      point.add_node(of, integral / integrals.weight);
     };
     const auto of_slave  = followed(slave, integrals.slave, itself);
     const auto of_master = followed(master, integrals.master, value_of);

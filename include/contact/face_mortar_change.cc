@@ -113,7 +113,7 @@ namespace Contact
     // follow.
     std::vector<Tensor<1, 3>> offset(change.dofs.size());
     for (unsigned int a = 0; a < point.n_nodes; ++a)
-      if (const auto column = columns.find(point.dofs[a]);
+      if (const auto column = columns.find(point.dofs(a));
           column != columns.end())
         for (unsigned int j = 0; j < 3; ++j)
           offset[column->second + j][j] += point.C[a];
@@ -126,7 +126,7 @@ namespace Contact
 
     std::map<NodeDoFs<3>, unsigned int> rows;
     for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
-      rows[point.dofs[a]] = a;
+      rows[point.dofs(a)] = a;
     for (const auto &[m, places] : integrals.change->integrals)
       for (const auto &[n, part] : master.followed_by(m))
         {

@@ -49,7 +49,11 @@ namespace Contact
         model.interface->set_support_motion(
           model.discretization->support_motion(start, to));
       if (model.interface)
-        points_at_start = model.interface->points();
+        {
+          // Large, and made anew with the pairing in the first Newton step.
+          model.interface->forget_changes();
+          points_at_start = model.interface->points();
+        }
     }
 
     /// Back to its start, also of what the points know and which edges they

@@ -87,7 +87,7 @@ namespace Contact
           point.n_multipliers  = 1;
           point.multipliers[0] = multipliers.of_node[node];
           point.psi[0]         = 1;
-          point.add_node(slave.nodes[node], 1, 0, 0);
+          point.add_node(slave.nodes[node], 1);
           point.n_slave_nodes = 1;
           points.push_back(point);
         }
@@ -181,7 +181,7 @@ namespace Contact
     for (const auto &all : {points, sides})
       for (ContactPoint<2> &point : all)
         {
-          const auto old_dofs    = point.dofs;
+          const auto old_nodes   = point.nodes;
           const auto old_changes = point.change.dofs;
           fill_in(now,
                   integrals.pairing(slave_node(point), point.side),
@@ -190,7 +190,7 @@ namespace Contact
           point.change = PairingChange<2>();
           if (moving && point.facing)
             differentiate(*moving, overlaps, parted, point);
-          changed = changed || point.dofs != old_dofs ||
+          changed = changed || point.nodes != old_nodes ||
                     point.change.dofs != old_changes;
         }
     return changed;
@@ -232,7 +232,7 @@ namespace Contact
         point.keep_nodes(0);
         point.weight = slave.reference_jacobian(slave.facets[point.slave_facet],
                                                 EdgeShape(slave.degree, 0));
-        point.add_node(slave.nodes[node], 1, 0, 0);
+        point.add_node(slave.nodes[node], 1);
         point.n_slave_nodes = 1;
         return;
       }
@@ -258,21 +258,21 @@ namespace Contact
     const auto along_tangent = [&](const unsigned int a) {
       double s = 0;
       for (unsigned int i = 0; i < 2; ++i)
-        s += point.tangents[0][i] * (point.X[a][i] + u[point.dofs[a][i]]);
+        s += point.tangents[0][i] * (point.X(a)[i] + u[point.dofs(a)[i]]);
       return s;
     };
     const auto move_alike = [&](const unsigned int a) {
       for (const Tensor<1, 2> &across :
-           discretization.normal_supports.normals(point.dofs[0]))
-        if (discretization.free_part(point.dofs[a], across).norm() < 1e-8 &&
-            !discretization.are_held_alike(point.dofs[0],
-                                           point.dofs[a],
+           discretization.normal_supports.normals(point.dofs(0)))
+        if (discretization.free_part(point.dofs(a), across).norm() < 1e-8 &&
+            !discretization.are_held_alike(point.dofs(0),
+                                           point.dofs(a),
                                            across))
           return false;
       for (unsigned int i = 0; i < 2; ++i)
-        if (discretization.is_fixed(point.dofs[0][i]) &&
-            discretization.is_fixed(point.dofs[a][i]) &&
-            !discretization.are_fixed_alike(point.dofs[0][i], point.dofs[a][i]))
+        if (discretization.is_fixed(point.dofs(0)[i]) &&
+            discretization.is_fixed(point.dofs(a)[i]) &&
+            !discretization.are_fixed_alike(point.dofs(0)[i], point.dofs(a)[i]))
           return false;
       return true;
     };
@@ -283,10 +283,8 @@ namespace Contact
         {
           ContactPoint<2> pair = point;
           pair.keep_nodes(1);
-          pair.dofs.push_back(point.dofs[a]);
-          pair.X.push_back(point.X[a]);
-          pair.C       = {1, -1};
-          pair.n_nodes = 2;
+          pair.add_node(*point.nodes[a], -1);
+          pair.C[0] = 1;
           if (tangential_row_is_void(pair, discretization))
             return true;
         }
@@ -299,13 +297,13 @@ namespace Contact
                                           ContactPoint<2> &point) const
   {
     const unsigned int node = slave_node(point);
-    point.add_node(slave.nodes[node], pairing.slave.at(node), 0, 0);
+    point.add_node(slave.nodes[node], pairing.slave.at(node));
     for (const auto &[a, c] : pairing.slave)
       if (a != node)
-        point.add_node(slave.nodes[a], c, 0, 0);
+        point.add_node(slave.nodes[a], c);
     point.n_slave_nodes = point.n_nodes;
     for (const auto &[m, c] : pairing.master)
-      point.add_node(master.nodes[m], c, 0, 0);
+      point.add_node(master.nodes[m], c);
   }
 
 
@@ -374,10 +372,10 @@ namespace Contact
                                       const auto       &all) {
       for (const auto &[i, c] : all)
         {
-          const unsigned int a = std::find(point.dofs.begin(),
-                                           point.dofs.end(),
-                                           surface.nodes[i].dofs) -
-                                 point.dofs.begin();
+          const unsigned int a = std::find(point.nodes.begin(),
+                                           point.nodes.end(),
+                                           &surface.nodes[i]) -
+                                 point.nodes.begin();
           for (unsigned int j = 0; j < n && a < point.n_nodes; ++j)
             change.C(a, j) = c.dx(j);
         }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 
 #include "base/exchange.h"
 
@@ -84,10 +85,34 @@ namespace Contact
 
 
 
+    /// Nodes of the slave and then of the master, by their numbers.
+    struct Nodes
+    {
+      const Surface<3> &slave, &master;
+
+      unsigned int number(const SurfaceNode<3> *node) const
+      {
+        const auto first = slave.nodes.data();
+        const auto last  = first + slave.nodes.size();
+        const bool of_slave =
+          std::less_equal<>()(first, node) && std::less<>()(node, last);
+        return of_slave ? node - first
+                        : slave.nodes.size() + (node - master.nodes.data());
+      }
+
+      const SurfaceNode<3> *node(const unsigned int number) const
+      {
+        return number < slave.nodes.size()
+                 ? &slave.nodes[number]
+                 : &master.nodes[number - slave.nodes.size()];
+      }
+    };
+
     /// The findings of MortarDiscretization<3>::pair(), but for the changes
     /// that one rank alone has.
     template<class Archive>
-    void exchange_point(Archive &archive, ContactPoint<3> &point)
+    void
+    exchange_point(Archive &archive, const Nodes &nodes, ContactPoint<3> &point)
     {
       const auto exchange_all = [&](auto &...of_point) {
         (exchange(archive, of_point), ...);
@@ -104,11 +129,14 @@ namespace Contact
                    point.springs,
                    point.change.dofs,
                    point.change.slide,
-                   point.dofs,
-                   point.X,
                    point.C);
-      point.C1.resize(point.n_nodes); // zero
-      point.C2.resize(point.n_nodes);
+      PointPairing<3>::PerNode<unsigned int> numbers;
+      for (const SurfaceNode<3> *node : point.nodes)
+        numbers.push_back(nodes.number(node));
+      exchange(archive, numbers);
+      point.nodes.resize(numbers.size());
+      for (unsigned int a = 0; a < numbers.size(); ++a)
+        point.nodes[a] = nodes.node(numbers[a]);
     }
   } // namespace
 
@@ -172,6 +200,8 @@ namespace Contact
 
 
   void PointShares::exchange(const ArrayView<ContactPoint<3>> &points,
+                             const Surface<3>                 &slave,
+                             const Surface<3>                 &master,
                              const Numbers                    &numbers,
                              const Numbers                    &own,
                              const std::vector<bool>          &with_derivatives,
@@ -179,10 +209,11 @@ namespace Contact
   {
     if (n_ranks == 1)
       return;
-    Writer writer;
+    const Nodes nodes{slave, master};
+    Writer      writer;
     for (const unsigned int q : own)
       {
-        exchange_point(writer, points[q]);
+        exchange_point(writer, nodes, points[q]);
         writer.plain(&of_own[q], 1);
       }
 
@@ -190,7 +221,7 @@ namespace Contact
     Reader                  reader{all.data()};
     for (const unsigned int q : numbers)
       {
-        exchange_point(reader, points[q]);
+        exchange_point(reader, nodes, points[q]);
         reader.plain(&seconds[with_derivatives[q]][q], 1);
       }
   }

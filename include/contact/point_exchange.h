@@ -36,8 +36,11 @@ namespace Contact
 
     /// Give the pairings and weights of the points of each share in such a list
     /// to all ranks, and the time each has taken: @p of_own, by number of a
-    /// point, has that of the own ones. Collective.
+    /// point, has that of the own ones. The nodes of the points are those of
+    /// the two surfaces. Collective.
     void exchange(const ArrayView<ContactPoint<3>> &points,
+                  const Surface<3>                 &slave,
+                  const Surface<3>                 &master,
                   const Numbers                    &numbers,
                   const Numbers                    &own,
                   const std::vector<bool>          &with_derivatives,

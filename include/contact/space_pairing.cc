@@ -90,14 +90,14 @@ namespace Contact
       const double              round_off = 1e-8, sine = 1e-3;
       std::vector<Tensor<1, 3>> components;
       for (const Tensor<1, 3> &direction :
-           directions_of_supports(point.dofs[0], discretization))
+           directions_of_supports(point.dofs(0), discretization))
         {
           double free = 0, all = 0;
           for (unsigned int a = 0; a < point.n_nodes; ++a)
             {
               all += std::abs(point.C[a]);
               free += std::abs(point.C[a]) *
-                      discretization.free_part(point.dofs[a], direction).norm();
+                      discretization.free_part(point.dofs(a), direction).norm();
             }
           if (free <= round_off * all &&
               point.tangential_part(direction).norm() > sine)
@@ -146,7 +146,7 @@ namespace Contact
           for (unsigned int c = 0; c < 3; ++c)
             {
               const double share =
-                point.C[a] * direction[c] * motion[point.dofs[a][c]];
+                point.C[a] * direction[c] * motion[point.dofs(a)[c]];
               slip += share;
               size += std::abs(share);
             }
@@ -171,20 +171,20 @@ namespace Contact
     const double sine = 0.9, smooth = Surface<3>::sine_of_smooth_slant();
     std::vector<Tensor<1, 3>> planes, slanted;
     for (const Tensor<1, 3> &across :
-         directions_of_supports(point.dofs[0], discretization))
+         directions_of_supports(point.dofs(0), discretization))
       {
         const auto x = [&](const unsigned int a) {
           double sum = 0;
           for (unsigned int c = 0; c < 3; ++c)
-            sum += across[c] * (point.X[a][c] + u[point.dofs[a][c]]);
+            sum += across[c] * (point.X(a)[c] + u[point.dofs(a)[c]]);
           return sum;
         };
         bool is_symmetric = false;
         for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
           is_symmetric =
             is_symmetric || (std::abs(x(a) - x(0)) < tolerance &&
-                             discretization.are_held_alike(point.dofs[0],
-                                                           point.dofs[a],
+                             discretization.are_held_alike(point.dofs(0),
+                                                           point.dofs(a),
                                                            across));
         const double slant = std::abs(point.normal * across);
         if (is_symmetric && slant < sine)
@@ -208,7 +208,7 @@ namespace Contact
     for (const Tensor<1, 3> &held : point.rim)
       for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
         if (std::abs(point.normal * held) < sine &&
-            !is_held(point.dofs[a], held, discretization))
+            !is_held(point.dofs(a), held, discretization))
           add_orthonormal(point.tangential_part(held), basis);
     for (unsigned int k = point.void_slips.size(); k < basis.size(); ++k)
       point.springs += outer_product(basis[k], basis[k]);
@@ -312,7 +312,7 @@ namespace Contact
                   parts,
                   point.projection);
     for (const auto &[node, part] : parts)
-      point.add_node(master.nodes[node], -part, 0, 0);
+      point.add_node(master.nodes[node], -part);
 
     Tensor<1, 3> normal = search.normal(projection.facet, projection.xi);
     for (const auto &[facet, xi] : projection.twins)

@@ -97,7 +97,7 @@ namespace Contact
     for (unsigned int k = 0; k < contact_pair.n_points; ++k)
       {
         ContactPoint<dim>   &point = points[contact_pair.first_point + k];
-        const unsigned int   node  = nodes.at(point.dofs[0]);
+        const unsigned int   node  = nodes.at(point.dofs(0));
         const Tensor<2, dim> R = rotation(drawn_normals[node], normals[node]);
         const auto           index = [&](const unsigned int t) {
           return interface->tangential_index(point.multipliers[0], t);

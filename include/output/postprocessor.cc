@@ -205,10 +205,9 @@ namespace Contact
     const auto           &output = parameters.output;
     const bool is_last = is_complete && k == parameters.solution.n_increments;
     if (is_last && model.interface)
-      {
-        compare_with_theory();
-        report.print_notes_on_result(model, state.solution);
-      }
+      compare_with_theory();
+    if (is_last)
+      report.print_notes_on_result(model, state.solution);
     const bool with_profile = is_last && output.profile;
     const bool with_nodes   = is_last && output.nodes;
     const bool with_bodies =

@@ -317,7 +317,7 @@ namespace Contact
                              normal_force(interface, point, solution);
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           if (!point.is_on_slave(a))
-            rows[node_of_dof.at(point.dofs[a][0])].nodal_force -=
+            rows[node_of_dof.at(point.dofs(a)[0])].nodal_force -=
               point.C[a] * force;
       }
 

@@ -16,6 +16,7 @@
 #include "output/accuracy.h"
 #include "output/effects.h"
 #include "output/estimated_effects.h"
+#include "output/result_notes.h"
 #include "output/result_tables.h"
 #include "output/scene_notes.h"
 

@@ -10,8 +10,6 @@
 
 #include "base/string_utilities.h"
 #include "parameters/formula.h"
-#include "solvers/rigid_body_modes.h"
-#include "verification/rigid_fit.h"
 
 namespace Contact
 {
@@ -150,16 +148,6 @@ namespace Contact
 
 
 
-    template<int dim>
-    bool is_held(const ContactPoint<dim>   &point,
-                 const unsigned int         n_nodes,
-                 const Discretization<dim> &discretization)
-    {
-      return !is_free_along(point, n_nodes, point.normal, discretization);
-    }
-
-
-
     // A wrong group, or an obstacle whose normal points the other way, would
     // show as a scene without contact.
     template<int dim>
@@ -183,9 +171,10 @@ namespace Contact
           if (std::all_of(points.begin(),
                           points.end(),
                           [&](const ContactPoint<dim> &point) {
-                            return is_held(point,
-                                           point.n_nodes,
-                                           interface.discretization);
+                            return !is_free_along(point,
+                                                  point.n_nodes,
+                                                  point.normal,
+                                                  interface.discretization);
                           }))
             notes.push_back("supports hold all of the slave '" +
                             entries[z].slave +
@@ -229,7 +218,7 @@ namespace Contact
             {
               double gap = 0;
               for (unsigned int a = 0; a < point.n_nodes; ++a)
-                gap += point.C[a] * (point.X[a] * point.normal);
+                gap += point.C[a] * (point.X(a) * point.normal);
               if (point.facing && std::abs(gap) > largest &&
                   std::abs(gap) > digits * contact_pair.edge_length(point))
                 {
@@ -279,221 +268,6 @@ namespace Contact
                  : "If it is round: Mesh/Spheres, Cylinders, Cones or Tori"));
         }
     }
-
-
-
-    // On an arc a chord of length L that rises by f is off by f as a polygon,
-    // and with elements of degree 2 by f^3/L^2: there R f = L^2/8, and the
-    // parabola through the ends and the middle is R (L/2R)^4/32 from the circle
-    // between them. The sides of the mesh file keep their parabolas where they
-    // are refined: of L and f a side of level l has 2^-l and 4^-l.
-    template<int dim>
-    double out_of_round(const Surface<dim>      &surface,
-                        const std::vector<bool> &in_contact,
-                        const bool               keeps_parabolas)
-    {
-      double largest = 0;
-      for (unsigned int e = 0; e < surface.facets.size(); ++e)
-        if (in_contact[e])
-          {
-            const SurfaceFacet<dim> &facet = surface.facets[e];
-            const unsigned int       n_corners =
-              GeometryInfo<dim - 1>::vertices_per_cell;
-            Tensor<1, dim> centre;
-            for (unsigned int a = 0; a < n_corners; ++a)
-              centre += surface.nodes[facet.nodes[a]].X / n_corners;
-            const double rise  = (facet.middle - centre).norm();
-            const double chord = surface.nodes[facet.nodes[0]].X.distance(
-              surface.nodes[facet.nodes[n_corners - 1]].X);
-            const double parabola = rise * std::pow(rise / chord, 2);
-            largest =
-              std::max(largest,
-                       keeps_parabolas
-                         ? std::max(surface.degree == 1 ? rise : 0.,
-                                    parabola * std::pow(16., facet.level))
-                       : surface.degree == 1 ? rise
-                                             : parabola);
-          }
-      return largest;
-    }
-
-
-
-    template<int dim>
-    void add_notes_on_roundness(const Parameters::All       &parameters,
-                                const ContactInterface<dim> &interface,
-                                const GhostedVector         &solution,
-                                std::vector<std::string>    &notes)
-    {
-      const auto fits = fit_rigid_motions(interface.discretization, solution);
-      const auto entries = parameters.pairs();
-      for (unsigned int z = 0; z < entries.size(); ++z)
-        {
-          const ContactPair<dim> &contact_pair = *interface.pairs[z];
-          std::vector<bool>       slave(contact_pair.slave.facets.size());
-          std::vector<bool>       master(
-            contact_pair.master ? contact_pair.master->facets.size() : 0);
-          for (const ContactPoint<dim> &point :
-               interface.points_of(contact_pair))
-            if (!point.is_master_corner && point.status.kind != Status::open)
-              {
-                slave[point.slave_facet] = true;
-                if (!master.empty())
-                  master[point.master_facet] = true;
-              }
-          double moved =
-            largest_deformation(contact_pair.slave, fits, solution);
-          if (!master.empty())
-            moved = std::max(moved,
-                             largest_deformation(*contact_pair.master,
-                                                 fits,
-                                                 solution));
-          const bool   keeps_parabolas = parameters.mesh.mid_side_nodes;
-          const double off =
-            out_of_round(contact_pair.slave, slave, keeps_parabolas) +
-            (master.empty()
-               ? 0
-               : out_of_round(*contact_pair.master, master, keeps_parabolas));
-          if (moved > 0 && off > 0.05 * moved)
-            notes.push_back(
-              "the elements of '" + entries[z].slave +
-              (master.empty() ? "" : "' and '" + entries[z].master) +
-              "' are up to about " + brief(off) +
-              " mm off their circles where they touch, " +
-              brief(100 * off / moved) +
-              " % of what the surfaces deform by: where the meshes "
-              "do not match, gaps and overlaps of this size are the meshes', and "
-              "pressures follow them. " +
-              (keeps_parabolas
-                 ? "Finer sides in the mesh file, or Mesh/Arcs without its "
-                   "mid-side nodes: where they are refined they keep their shape"
-                 : "Refine there, or take degree 2"));
-        }
-    }
-
-
-
-    // A node that a support holds along the normal of an obstacle takes no part
-    // in contact: it goes where the support says.
-    template<int dim>
-    void add_notes_on_held_nodes(const Parameters::All       &parameters,
-                                 const ContactInterface<dim> &interface,
-                                 const GhostedVector         &solution,
-                                 std::vector<std::string>    &notes)
-    {
-      const double digits  = 1e-6; // of a gap, by the length of a facet
-      const auto   entries = parameters.pairs();
-      for (unsigned int z = 0; z < entries.size(); ++z)
-        {
-          const ContactPair<dim>  &contact_pair = *interface.pairs[z];
-          double                   depth        = 0;
-          const ContactPoint<dim> *deepest      = nullptr;
-          if (!contact_pair.master)
-            for (const ContactPoint<dim> &point :
-                 interface.points_of(contact_pair))
-              if (const double gap =
-                    interface.state(point, solution, solution).gap;
-                  is_held(point,
-                          point.n_slave_nodes,
-                          interface.discretization) &&
-                  -gap > depth &&
-                  -gap > digits * contact_pair.edge_length(point))
-                {
-                  depth   = -gap;
-                  deepest = &point;
-                }
-          if (deepest != nullptr)
-            notes.push_back(
-              "supports hold nodes of the slave '" + entries[z].slave +
-              "' inside of its obstacle, up to " + brief(depth) +
-              " mm deep, there at X = (" + brief(contact_pair.place(*deepest)) +
-              ") mm: no pressure acts on what they hold along its normal");
-        }
-    }
-
-
-
-    /// How bodies in large displacement have turned, those of one piece: the
-    /// pieces of others turn each by itself.
-    template<int dim>
-    Rotations<dim> rotations(const ContactModel<dim> &model,
-                             const GhostedVector     &solution)
-    {
-      const MeshPieces<dim> &pieces = model.mesh->pieces;
-      const RigidFits<dim>   fits =
-        fit_rigid_motions(*model.discretization, solution);
-      Rotations<dim> rotations;
-      for (unsigned int p = 0; p < pieces.size(); ++p)
-        if (pieces.is_whole_body(p) &&
-            !model.elasticity->is_small_strain(pieces[p].body))
-          rotations[pieces[p].body] = fits.at(pieces[p].body).R;
-      return rotations;
-    }
-
-
-
-    // Springs of no force leave such a body anywhere. What presses no more than
-    // round-off holds nothing.
-    template<int dim>
-    void add_notes_on_free_motions(const ContactModel<dim>  &model,
-                                   const GhostedVector      &solution,
-                                   const double              round_off_force,
-                                   std::vector<std::string> &notes)
-    {
-      ContactInterface<dim>              &interface = *model.interface;
-      const std::vector<PointStatus<dim>> statuses  = interface.statuses();
-      std::vector<PointStatus<dim>>       pressed   = statuses;
-      for (unsigned int k = 0; k < pressed.size(); ++k)
-        {
-          const ContactPoint<dim> &point = interface.points()[k];
-          const double             force =
-            point.weight * interface.state(point, solution, solution).lambda_n;
-          if (!interface.contact_pair(point).tied &&
-              std::abs(force) <= round_off_force)
-            pressed[k] = PointStatus<dim>();
-        }
-      interface.set_statuses(pressed);
-      const auto free = rigid_body_modes<dim>(*model.discretization,
-                                              &interface,
-                                              Tangents::by_status,
-                                              rotations(model, solution));
-      interface.set_statuses(statuses);
-      for (const RigidBodyMode &motion : free)
-        notes.push_back("nothing holds " +
-                        model.mesh->piece_name(motion.piece) +
-                        " at the end against: " + motion.name +
-                        ". No force acts along it, and its displacement is one "
-                        "of many. Support it there, or with friction");
-    }
-
-
-
-    template<int dim>
-    void add_note_on_idleness(const RunSummary            &summary,
-                              const ContactInterface<dim> &interface,
-                              const GhostedVector         &solution,
-                              std::vector<std::string>    &notes)
-    {
-      bool touches   = false;
-      bool is_loaded = !solution.all_zero();
-      for (const auto &contact_pair : interface.pairs)
-        is_loaded = is_loaded || (contact_pair->obstacle &&
-                                  contact_pair->obstacle->travel());
-      for (const IncrementRecord &increment : summary.increments)
-        {
-          if (!increment.converged)
-            continue;
-          is_loaded = is_loaded || increment.works.at("strain_energy") != 0;
-          for (const auto &[name, values] : increment.contact)
-            touches = touches || values.at("max_pressure") != 0;
-        }
-      if (!is_loaded)
-        notes.push_back("nothing is loaded: nothing moves and no force acts");
-      else if (!touches && !interface.is_tied())
-        notes.push_back(
-          "nothing touches: no increment has a pressure of "
-          "contact. Check gaps, groups and the direction of loads");
-    }
   } // namespace
 
 
@@ -514,35 +288,8 @@ namespace Contact
     return notes;
   }
 
-
-
-  template<int dim>
-  std::vector<std::string> notes_on_result(const ContactModel<dim> &model,
-                                           const Parameters::All   &parameters,
-                                           const GhostedVector     &solution,
-                                           const RunSummary        &summary)
-  {
-    std::vector<std::string> notes;
-    add_note_on_idleness(summary, *model.interface, solution, notes);
-    add_notes_on_roundness(parameters, *model.interface, solution, notes);
-    add_notes_on_held_nodes(parameters, *model.interface, solution, notes);
-    const double round_off_force =
-      summary.increments.empty() ? 0.
-                                 : summary.increments.back().round_off_force;
-    add_notes_on_free_motions(model, solution, round_off_force, notes);
-    return notes;
-  }
-
   template std::vector<std::string> notes_on_scene(const ContactModel<2> &,
                                                    const Parameters::All &);
   template std::vector<std::string> notes_on_scene(const ContactModel<3> &,
                                                    const Parameters::All &);
-  template std::vector<std::string> notes_on_result(const ContactModel<2> &,
-                                                    const Parameters::All &,
-                                                    const GhostedVector &,
-                                                    const RunSummary &);
-  template std::vector<std::string> notes_on_result(const ContactModel<3> &,
-                                                    const Parameters::All &,
-                                                    const GhostedVector &,
-                                                    const RunSummary &);
 } // namespace Contact

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "contact/contact_model.h"
-#include "output/summary.h"
 
 namespace Contact
 {
@@ -22,15 +21,6 @@ namespace Contact
   template<int dim>
   std::vector<std::string> notes_on_scene(const ContactModel<dim> &model,
                                           const Parameters::All   &parameters);
-
-  /// Likely mistakes in a result: that nothing is loaded or nothing
-  /// touches, or that round boundaries are off their circle by as much as
-  /// matters.
-  template<int dim>
-  std::vector<std::string> notes_on_result(const ContactModel<dim> &model,
-                                           const Parameters::All   &parameters,
-                                           const GhostedVector     &solution,
-                                           const RunSummary        &summary);
 } // namespace Contact
 
 #endif

@@ -31,7 +31,7 @@ namespace Contact
       std::ostringstream text;
       text << (point.is_master_corner ? "the corner of the master"
                                       : "the node of the slave")
-           << " at (" << point.X[0] << ")";
+           << " at (" << point.X(0) << ")";
       return text.str();
     }
 
@@ -42,8 +42,8 @@ namespace Contact
     double round_off(const ContactPoint<dim> &point)
     {
       double largest = 0;
-      for (const Point<dim> &X : point.X)
-        largest = std::max(largest, X.norm());
+      for (const SurfaceNode<dim> *node : point.nodes)
+        largest = std::max(largest, node->X.norm());
       return 1e3 * std::numeric_limits<double>::epsilon() * largest;
     }
   } // namespace
@@ -63,7 +63,7 @@ namespace Contact
   {
     if (interface != nullptr)
       for (const ContactPoint<dim> &point : interface->points())
-        slave_dofs.insert(point.dofs[0].begin(), point.dofs[0].end());
+        slave_dofs.insert(point.dofs(0).begin(), point.dofs(0).end());
   }
 
 
@@ -236,8 +236,8 @@ namespace Contact
         double way = 0;
         for (unsigned int i = 0; i < dim; ++i)
           {
-            const auto dof = point.dofs[a][i];
-            way += across[i] * (point.X[a][i] + solution[dof]) +
+            const auto dof = point.dofs(a)[i];
+            way += across[i] * (point.X(a)[i] + solution[dof]) +
                    along[i] * (solution[dof] - u_start[dof]);
           }
         sum += way * point.change.slide[a];
@@ -261,7 +261,7 @@ namespace Contact
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < dim; ++i)
         {
-          const Dof    dof = point.dofs[a][i];
+          const Dof    dof = point.dofs(a)[i];
           const double c   = point.C[a] * direction[i];
           if (c == 0)
             continue;
@@ -339,8 +339,8 @@ namespace Contact
                           : 0.;
     };
 
-    Dof own = point.dofs[0][0];
-    for (const Dof dof : point.dofs[0])
+    Dof own = point.dofs(0)[0];
+    for (const Dof dof : point.dofs(0))
       if (share(dof) >= share(own))
         own = dof;
     if (share(own) >= smallest_of_own)
@@ -442,7 +442,7 @@ namespace Contact
     if (interface != nullptr)
       for (const ContactPoint<dim> &point : interface->points())
         if (point.status.kind != Status::open)
-          dofs.insert(dofs.end(), point.dofs[0].begin(), point.dofs[0].end());
+          dofs.insert(dofs.end(), point.dofs(0).begin(), point.dofs(0).end());
     std::sort(dofs.begin(), dofs.end());
     dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
     return dofs;

@@ -5,26 +5,18 @@
 
 #include "solvers/definite_solver.h"
 
-#include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/solver_gmres.h>
-#include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_solver.h>
 
 #include <Epetra_CrsMatrix.h>
-#include <Epetra_MultiVector.h>
-#include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 #include <array>
 #include <cholmod.h>
-#include <cmath>
-#include <iterator>
 #include <optional>
-#include <sstream>
 #include <umfpack.h>
 
 #include "base/errors.h"
+#include "solvers/algebraic_multigrid.h"
 #include "solvers/definiteness.h"
-#include "solvers/negative_curvature.h"
 
 namespace Contact
 {
@@ -335,208 +327,6 @@ namespace Contact
       SolverControl                                   control;
       std::unique_ptr<TrilinosWrappers::SolverDirect> solver;
     };
-
-
-
-    /**
-     * Conjugate gradients, or GMRES where the matrix is unsymmetric, with
-     * smoothed aggregation. A hierarchy is kept, also for a matrix with other
-     * values, until it has become clearly worse than it was when it was new and
-     * has cost more iterations than a new one would, or is about to: a
-     * constraint more or less costs the conjugate gradients about one
-     * iteration.
-     */
-    class Multigrid : public DefiniteSolver
-    {
-    public:
-      Multigrid(const Modes &modes, Counters &counters)
-        : DefiniteSolver(counters)
-        , n_modes(modes.size())
-      {
-        for (const auto &mode : modes)
-          null_space.insert(null_space.end(), mode.begin(), mode.end());
-      }
-
-      void set_matrix(const Matrix &matrix,
-                      const bool    symmetric,
-                      const bool    new_pattern,
-                      const Dofs   &eliminated) override
-      {
-        this->matrix     = &matrix;
-        this->symmetric  = symmetric;
-        this->eliminated = eliminated;
-        indefinite.reset();
-        if (new_pattern || n_changed() > price_in_space ||
-            (per_digit > 1.3 * per_digit_when_new &&
-             excess >= price_of_hierarchy()))
-          build();
-      }
-
-      void release() override
-      {
-        preconditioner.clear();
-        indefinite = false;
-      }
-
-      bool is_indefinite(const bool may_cost) override
-      {
-        if (!is_for_cg())
-          return false;
-        if (!indefinite && !may_cost)
-          return false;
-        if (!indefinite)
-          {
-            Vector r(matrix->locally_owned_range_indices(),
-                     matrix->get_mpi_communicator());
-            fill_at_random(r.begin(),
-                           r.end(),
-                           Utilities::MPI::this_mpi_process(
-                             matrix->get_mpi_communicator()));
-            Vector diagonal(r);
-            for (const auto i : r.locally_owned_elements())
-              diagonal(i) = std::abs(matrix->diag_element(i));
-            diagonal.compress(VectorOperation::insert);
-            indefinite =
-              has_negative_curvature(*matrix, preconditioner, diagonal, r);
-          }
-        return *indefinite;
-      }
-
-      bool knows_definiteness() const override
-      {
-        return is_for_cg();
-      }
-
-      unsigned int
-      solve(const Vector &b, const double tolerance, Vector &x) override
-      {
-        SolverControl control(max_iterations, tolerance);
-        try
-          {
-            iterate(control, b, x);
-          }
-        catch (const SolverControl::NoConvergence &)
-          {
-            if (!is_new)
-              {
-                build();
-                return solve(b, tolerance, x);
-              }
-            std::ostringstream residual;
-            residual << control.last_value();
-            throw NotConverged((is_for_cg() ? "conjugate gradients" : "GMRES") +
-                               std::string(" with AMG stall at the "
-                                           "residual ") +
-                               residual.str() + " N/mm (rings: N) after " +
-                               std::to_string(max_iterations) +
-                               " iterations; set Solution/Linear solver = "
-                               "CHOLMOD, or MUMPS with several ranks");
-          }
-
-        // Solves of different depth compare by their iterations per digit.
-        const double digits =
-          std::log10(control.initial_value() / control.last_value());
-        per_digit = digits > 0 ? control.last_step() / digits : 0.;
-        if (is_new)
-          {
-            per_digit_when_new = per_digit;
-            excess             = 0;
-          }
-        excess +=
-          std::max(0., control.last_step() - digits * per_digit_when_new);
-        is_new = false;
-        return control.last_step();
-      }
-
-    private:
-      bool is_for_cg() const
-      {
-        return symmetric && symmetric_when_new;
-      }
-
-      /// The displacements of a node.
-      int n_components() const
-      {
-        return n_modes == 3 ? 2 : 3; // of as many rigid motions
-      }
-
-      /// The unknowns eliminated or freed since the hierarchy was new.
-      std::size_t n_changed() const
-      {
-        Dofs changed;
-        std::set_symmetric_difference(eliminated.begin(),
-                                      eliminated.end(),
-                                      eliminated_when_new.begin(),
-                                      eliminated_when_new.end(),
-                                      std::back_inserter(changed));
-        return changed.size();
-      }
-
-      /// A hierarchy costs as much as so many iterations, roughly. In the plane
-      /// it is less, and one that has become worse is renewed at once.
-      static constexpr unsigned int price_in_space = 30;
-
-      double price_of_hierarchy() const
-      {
-        return n_components() == 2 ? 0. : price_in_space;
-      }
-
-      void iterate(SolverControl &control, const Vector &b, Vector &x) const
-      {
-        ++counters.linear_solves;
-        x = 0;
-        if (is_for_cg())
-          SolverCG<Vector>(control).solve(*matrix, x, b, preconditioner);
-        else // the residual of the system itself is what is measured
-          SolverGMRES<Vector>(
-            control,
-            SolverGMRES<Vector>::AdditionalData(/*max_n_tmp_vectors=*/102,
-                                                /*right_preconditioning=*/true))
-            .solve(*matrix, x, b, preconditioner);
-      }
-
-      void build()
-      {
-        ++counters.symbolic_factorizations;
-        ++counters.numeric_factorizations;
-        preconditioner.clear();
-        TrilinosWrappers::PreconditionAMG::AdditionalData data;
-        data.elliptic              = true;
-        data.smoother_sweeps       = 2;
-        data.aggregation_threshold = 0;
-        Teuchos::ParameterList              parameters;
-        std::unique_ptr<Epetra_MultiVector> no_modes;
-        data.set_parameters(parameters, no_modes, *matrix);
-
-        parameters.set("PDE equations", n_components());
-        parameters.set("null space: type", "pre-computed");
-        parameters.set("null space: add default vectors", false);
-        parameters.set("null space: dimension", n_modes);
-        parameters.set("null space: vectors", null_space.data());
-        parameters.set("low memory usage", true);
-        preconditioner.initialize(*matrix, parameters);
-        is_new              = true;
-        eliminated_when_new = eliminated;
-        symmetric_when_new  = symmetric;
-      }
-
-      static constexpr unsigned int max_iterations = 500;
-
-      const int                         n_modes;
-      std::vector<double>               null_space; // one mode after the other
-      const Matrix                     *matrix = nullptr;
-      TrilinosWrappers::PreconditionAMG preconditioner;
-      bool                              is_new = false;
-      bool   symmetric = true, symmetric_when_new = true;
-      double per_digit = 0, per_digit_when_new = 0;
-      Dofs   eliminated, eliminated_when_new;
-
-      /// Of the present matrix, once somebody has asked.
-      std::optional<bool> indefinite = false;
-
-      /// Iterations beyond those that the hierarchy took when it was new.
-      double excess = 0;
-    };
   } // namespace
 
 
@@ -557,7 +347,7 @@ namespace Contact
         case Parameters::SolverKind::mumps:
           return std::make_unique<Mumps>(counters);
         case Parameters::SolverKind::amg:
-          return std::make_unique<Multigrid>(modes, counters);
+          return std::make_unique<AlgebraicMultigrid>(modes, counters);
         case Parameters::SolverKind::automatic:
         case Parameters::SolverKind::gmg: // has no matrix
         case Parameters::SolverKind::umfpack:

@@ -60,8 +60,8 @@ namespace Contact
     };
     for (unsigned int a = 1; a < point.n_nodes; ++a)
       {
-        dofs.insert(dofs.end(), point.dofs[a].begin(), point.dofs[a].end());
-        add_around(point.dofs[a][0]);
+        dofs.insert(dofs.end(), point.dofs(a).begin(), point.dofs(a).end());
+        add_around(point.dofs(a)[0]);
       }
     for (const auto dof : point.change.dofs)
       {
@@ -84,12 +84,12 @@ namespace Contact
     for (const ContactPoint<dim> &point : interface->points())
       {
         provided.push_back(reachable(point));
-        for (const auto dof : point.dofs[0])
+        for (const auto dof : point.dofs(0))
           {
             Dofs &of_dof = partners[dof];
             of_dof.insert(of_dof.end(),
-                          point.dofs[0].begin(),
-                          point.dofs[0].end());
+                          point.dofs(0).begin(),
+                          point.dofs(0).end());
             of_dof.insert(of_dof.end(),
                           provided.back().begin(),
                           provided.back().end());
@@ -114,7 +114,7 @@ namespace Contact
                                     dof);
         };
         for (unsigned int a = 1; a < point.n_nodes; ++a)
-          if (!is_provided(point.dofs[a][0]))
+          if (!is_provided(point.dofs(a)[0]))
             return false;
         if (!std::all_of(point.change.dofs.begin(),
                          point.change.dofs.end(),
@@ -208,7 +208,7 @@ namespace Contact
     const IndexSet &owned = discretization.dof_handler.locally_owned_dofs();
     for (unsigned int q = 0; q < interface->points().size(); ++q)
       {
-        const auto &own = interface->points()[q].dofs[0];
+        const auto &own = interface->points()[q].dofs(0);
         if (!owned.is_element(own[0]))
           continue;
         std::set<types::global_dof_index> coupled(own.begin(), own.end());

@@ -17,6 +17,14 @@
 
 namespace Contact
 {
+  namespace
+  {
+    const std::string no_centre_nodes =
+      "elements without centre node (Element/Centre node)";
+  }
+
+
+
   template<int dim>
   MatrixFreeSystem<dim>::MatrixFreeSystem(
     const Discretization<dim>   &discretization,
@@ -40,8 +48,6 @@ namespace Contact
       return "triangles";
     if (discretization.axisymmetric)
       return "rings";
-    if (discretization.serendipity)
-      return "elements without centre node (Element/Centre node)";
     if (!elasticity.is_elastic())
       return "a material that is not linear elastic or St. Venant-Kirchhoff's";
     // A slave stiffer than by this: displacements have differed from those of
@@ -76,6 +82,8 @@ namespace Contact
       return "unknowns that are tied together";
     if (is_on_any_rank(!discretization.normal_supports.lines().empty()))
       return "supports along normals";
+    if (discretization.serendipity)
+      return no_centre_nodes;
     return "";
   }
 
@@ -93,8 +101,9 @@ namespace Contact
 
 
   template<int dim>
-  bool MatrixFreeSystem<dim>::is_best(const Discretization<dim> &discretization,
-                                      const Elasticity<dim>     &elasticity)
+  bool
+  MatrixFreeSystem<dim>::is_worth_it(const Discretization<dim> &discretization,
+                                     const Elasticity<dim>     &elasticity)
   {
     const auto       &mesh  = discretization.mesh.triangulation;
     const std::size_t n     = discretization.dof_handler.n_dofs();
@@ -108,8 +117,29 @@ namespace Contact
       mesh.n_global_levels() == 1 &&
       Utilities::MPI::n_mpi_processes(discretization.communicator) > 1;
     return (n >= least || is_solved_by_each_rank) &&
-           !is_too_deep(discretization.mesh) && n * coarse_part < least &&
+           !is_too_deep(discretization.mesh) && n * coarse_part < least;
+  }
+
+
+
+  template<int dim>
+  bool MatrixFreeSystem<dim>::is_best(const Discretization<dim> &discretization,
+                                      const Elasticity<dim>     &elasticity)
+  {
+    return is_worth_it(discretization, elasticity) &&
            refusal(discretization, elasticity).empty();
+  }
+
+
+
+  template<int dim>
+  bool MatrixFreeSystem<dim>::lacks_centre_nodes(
+    const Discretization<dim> &discretization,
+    const Elasticity<dim>     &elasticity)
+  {
+    return discretization.mesh.triangulation.n_global_levels() > 1 &&
+           is_worth_it(discretization, elasticity) &&
+           refusal(discretization, elasticity) == no_centre_nodes;
   }
 
 

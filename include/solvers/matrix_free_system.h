@@ -53,6 +53,11 @@ namespace Contact
     static bool is_best(const Discretization<dim> &discretization,
                         const Elasticity<dim>     &elasticity);
 
+    /// Whether it were, on a refined mesh, if the elements had their centre
+    /// nodes.
+    static bool lacks_centre_nodes(const Discretization<dim> &discretization,
+                                   const Elasticity<dim>     &elasticity);
+
     /// Those of linear bodies, by the operator.
     bool subtract_forces(const GhostedVector &u,
                          GhostedVector       &rhs) const override;
@@ -74,6 +79,10 @@ namespace Contact
     using Base::elimination;
     using Base::owned;
     using Base::timer;
+
+    /// By size alone.
+    static bool is_worth_it(const Discretization<dim> &discretization,
+                            const Elasticity<dim>     &elasticity);
 
     bool         serves_points() const override;
     void         make_room() override;

@@ -41,7 +41,7 @@ namespace Contact
   {
     for (const ContactPoint<dim> &point : points)
       if (point.status.kind != Status::open)
-        for (const auto dof : point.dofs[0])
+        for (const auto dof : point.dofs(0))
           if (!discretization.constraints.is_constrained(dof))
             equations[dof];
     for (const auto dof : eliminated)
@@ -66,7 +66,7 @@ namespace Contact
         for (unsigned int a = 0; a < points[k].n_nodes; ++a)
           for (unsigned int i = 0; i < dim; ++i)
             {
-              const Dof   dof = points[k].dofs[a][i];
+              const Dof   dof = points[k].dofs(a)[i];
               const Share share{k, i, points[k].weight * points[k].C[a]};
               const auto *entries =
                 discretization.constraints.get_constraint_entries(dof);
@@ -91,7 +91,7 @@ namespace Contact
         {
           ++n_equations[share.point];
           if (shares.size() > 1 ||
-              dof != points[share.point].dofs[0][share.coordinate])
+              dof != points[share.point].dofs(0)[share.coordinate])
             coupled[share.point] = true;
         }
     for (unsigned int k = 0; k < points.size(); ++k)
@@ -125,7 +125,7 @@ namespace Contact
       }
     if (dim == 2 || !point.status.has_direction())
       return {};
-    for (const auto dof : point.dofs[0])
+    for (const auto dof : point.dofs(0))
       if (discretization.constraints.is_constrained(dof))
         return {};
     return free_slips(point, discretization);
@@ -212,7 +212,7 @@ namespace Contact
         for (unsigned int k = 0; k < points.size(); ++k)
           if (points[k].status.kind == Status::stick &&
               points[k].held_slips.size() == 1)
-            at_edges[points[k].dofs[0]].push_back(k);
+            at_edges[points[k].dofs(0)].push_back(k);
         for (const auto &[node, of_node] : at_edges)
           {
             const ContactPoint<dim> &first = points[of_node[0]];
@@ -255,15 +255,15 @@ namespace Contact
     Tensor<1, dim>           traction, direction;
     unsigned int             n_equations = 0;
     for (unsigned int i = 0; i < dim; ++i)
-      if (!discretization.constraints.is_constrained(point.dofs[0][i]))
+      if (!discretization.constraints.is_constrained(point.dofs(0)[i]))
         {
           ++n_equations;
-          traction[i]  = -residual[point.dofs[0][i]] / own;
+          traction[i]  = -residual[point.dofs(0)[i]] / own;
           direction[i] = point.normal[i];
         }
     if (n_equations < dim)
       for (unsigned int i = 0; i < dim; ++i)
-        if (!discretization.constraints.is_constrained(point.dofs[0][i]))
+        if (!discretization.constraints.is_constrained(point.dofs(0)[i]))
           {
             const Factors f = factors({k, i, 1});
             traction[i] -= f.known;

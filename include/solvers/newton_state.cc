@@ -15,6 +15,7 @@
 #include "base/string_utilities.h"
 #include "contact/contact_kernel.h"
 #include "contact/contact_results.h"
+#include "solvers/nearby_state.h"
 
 namespace Contact
 {
@@ -64,21 +65,8 @@ namespace Contact
   template<int dim>
   bool NewtonState<dim>::has_tangent_of_state() const
   {
-    if (n_steps == 0 || !model.may_be_unstable())
-      return true;
-    const double        hundredth = 0.01, round_off = 1e-8;
-    const auto          n = state.solution.n_held() - model.n_multipliers();
-    std::vector<double> largest{0, 0, 0}; // of the step, the way, and of u
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        const double u = state.solution.begin()[i];
-        largest[0]     = std::max(largest[0], std::abs(u - last.begin()[i]));
-        largest[1] = std::max(largest[1], std::abs(u - state.start.begin()[i]));
-        largest[2] = std::max(largest[2], std::abs(u));
-      }
-    Utilities::MPI::max(largest, model.discretization->communicator, largest);
-    return largest[0] <=
-           std::max(hundredth * largest[1], round_off * largest[2]);
+    return n_steps == 0 || !model.may_be_unstable() ||
+           is_nearby(*model.discretization, state.solution, last, state.start);
   }
 
 

@@ -38,7 +38,7 @@ namespace Contact
         {
           of_slave += a < point.n_slave_nodes ? point.C[a] : 0.;
           for (unsigned int i = 0; i < dim; ++i)
-            r[i] += point.C[a] * (point.X[a][i] + solution[point.dofs[a][i]]);
+            r[i] += point.C[a] * (point.X(a)[i] + solution[point.dofs(a)[i]]);
         }
       for (unsigned int k = 0; k < point.motions.size(); ++k)
         r -= of_slave *

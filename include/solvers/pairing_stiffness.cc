@@ -145,8 +145,8 @@ namespace Contact
         const unsigned int     n    = point.n_nodes;
         for (unsigned int a = 0; a < n; ++a)
           term.rows.insert(term.rows.end(),
-                           point.dofs[a].begin(),
-                           point.dofs[a].end());
+                           point.dofs(a).begin(),
+                           point.dofs(a).end());
         term.columns = change.dofs;
         term.coefficients.assign(point.C.begin(), point.C.begin() + n);
         term.traction =

@@ -269,7 +269,7 @@ namespace Contact
           std::vector<Share<dim>> shares;
           for (unsigned int a = 0; a < point.n_nodes; ++a)
             shares.push_back(
-              {of_node.at(point.dofs[a][0]), point.X[a], point.C[a]});
+              {of_node.at(point.dofs(a)[0]), point.X(a), point.C[a]});
           motions.resist(shares, point.normal);
           if (sticks(point))
             for (const Tensor<1, dim> &tangent : point.tangents)

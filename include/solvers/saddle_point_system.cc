@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "solvers/active_set.h"
+#include "solvers/nearby_state.h"
 
 namespace Contact
 {
@@ -211,19 +212,11 @@ namespace Contact
 
 
 
-  // The matrix at hand serves if it is of that state, but for a hundredth of
-  // the way of the increment: it costs little to ask.
+  // The matrix at hand serves if it is of that state: it costs little to ask.
   bool SaddlePointSystem::is_indefinite(const GhostedVector &solution,
                                         const GhostedVector &u_start,
                                         const double         load_factor)
   {
-    const double hundredth = 0.01, round_off = 1e-8;
-    const auto   distance_from = [&](const GhostedVector &u) {
-      double largest = 0;
-      for (unsigned int i = 0; i < discretization.dof_handler.n_dofs(); ++i)
-        largest = std::max(largest, std::abs(solution[i] - u[i]));
-      return largest;
-    };
     std::vector<bool> is_multiplier(matrix.m());
     if (interface)
       for (auto i = discretization.dof_handler.n_dofs();
@@ -235,9 +228,7 @@ namespace Contact
       return solver.is_definite_under_constraints(is_multiplier);
     };
     if (solver.is_factorized() && stresses_turn &&
-        distance_from(factorized_at) <=
-          std::max(hundredth * distance_from(u_start),
-                   round_off * distance_from(solution.zero())) &&
+        is_nearby(discretization, solution, factorized_at, u_start) &&
         is_definite())
       return false;
 

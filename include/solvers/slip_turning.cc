@@ -44,7 +44,7 @@ namespace Contact
       for (unsigned int a = 0; a < point.n_nodes; ++a)
         for (unsigned int i = 0; i < 3; ++i)
           {
-            term.dofs.push_back(point.dofs[a][i]);
+            term.dofs.push_back(point.dofs(a)[i]);
             term.load[3 * a + i] = point.C[a] * load[i];
             for (unsigned int b = 0; b < point.n_nodes; ++b)
               for (unsigned int j = 0; j < 3; ++j)
@@ -145,7 +145,7 @@ namespace Contact
       {
         const ContactPoint<3> &point = interface.points()[all[t].point];
         if (any_rank_may_add ? share.is_element(t)
-                             : owned.is_element(point.dofs[0][0]))
+                             : owned.is_element(point.dofs(0)[0]))
           {
             complete(point, acting[t], all[t]);
             ++discretization.counters.slip_stiffnesses;

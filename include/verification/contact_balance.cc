@@ -66,7 +66,7 @@ namespace Contact
       {
         const ContactPoint<dim> &point = interface.points()[k];
         for (unsigned int a = 0; a < point.n_nodes; ++a)
-          forces[point.dofs[a][0]] += point.weight * point.C[a] *
+          forces[point.dofs(a)[0]] += point.weight * point.C[a] *
                                       (tractions[k].p * point.normal +
                                        point.along_tangents(tractions[k].q));
       }
@@ -108,8 +108,8 @@ namespace Contact
             sum_of_C += std::abs(point.C[a]);
             for (unsigned int i = 0; i < dim; ++i)
               r[i] +=
-                point.C[a] * (point.X[a][i] +
-                              (undeformed ? 0. : solution[point.dofs[a][i]]));
+                point.C[a] * (point.X(a)[i] +
+                              (undeformed ? 0. : solution[point.dofs(a)[i]]));
           }
         const double offset =
           point.projection_is_clipped || acts_over_gap(contact_pair)

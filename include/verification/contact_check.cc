@@ -92,11 +92,11 @@ namespace Contact
           for (unsigned int i = 0; i < dim; ++i)
             {
               const double share = point.weight * point.C[a];
-              pressures[point.dofs[a][i]] += share * t.p * point.normal[i];
+              pressures[point.dofs(a)[i]] += share * t.p * point.normal[i];
               for (unsigned int k = 0;
                    k < dim - 1 && interface.has_friction(point);
                    ++k)
-                shears[point.dofs[a][i]] +=
+                shears[point.dofs(a)[i]] +=
                   share * t.q[k] * point.tangents[k][i];
             }
         // Implicit Euler.
@@ -276,7 +276,7 @@ namespace Contact
           for (unsigned int b = 0; b < contact_pair.slave.n_nodes_per_facet();
                ++b)
             if (point.is_on_slave(a) &&
-                point.dofs[a] ==
+                point.dofs(a) ==
                   contact_pair.slave
                     .nodes[contact_pair.slave.facets[slave_facet].nodes[b]]
                     .dofs)
