@@ -32,7 +32,7 @@ namespace
     {"the sign of a pressure",
      [](Checked &m) { m.lambda_n(*m.find(Status::slip)) *= -1; }},
     {"a slave node in contact moved into the master",
-     [](Checked &m) { m.solution[m.find(Status::stick)->dofs[0][1]] -= 1e-4; }},
+     [](Checked &m) { m.solution[m.find(Status::stick)->dofs(0)[1]] -= 1e-4; }},
     {"an open slave node moved into the master",
      [](Checked &m) {
        const ContactPoint<2> &point = *m.find(Status::open);
@@ -40,7 +40,7 @@ namespace
        m.solution[point.dofs(0)[1]] -= 2 * gap / point.C[0];
      }},
     {"a slave node that sticks moved along the master",
-     [](Checked &m) { m.solution[m.find(Status::stick)->dofs[0][0]] += 1e-4; }},
+     [](Checked &m) { m.solution[m.find(Status::stick)->dofs(0)[0]] += 1e-4; }},
     {"a shear above the bound",
      [](Checked &m) {
        const ContactPoint<2> &point = *m.find(Status::stick);

@@ -234,6 +234,7 @@ namespace Contact
     }
 
 
+
     // Elements of degree 2 with a bound centre node have no multigrid without a
     // matrix, and where CHOLMOD does not serve any more miss it.
     template<int dim>
