@@ -10,6 +10,7 @@
 
 #include "adaptivity/patch_recovery.h"
 #include "adaptivity/refined_system.h"
+#include "contact/contact_results.h"
 #include "contact/probes.h"
 #include "solvers/saddle_point_system.h"
 
@@ -90,6 +91,7 @@ namespace Contact
     // less.
     const GhostedVector relaxed = system.relax(residual, /*n_sweeps=*/5);
 
+    find_corners(errors);
     unsigned int k = 0;
     for (const auto &[name, probe] : probes)
       {
@@ -129,6 +131,24 @@ namespace Contact
       }
     cell_indicators = missed.linfty_norm() > 0 ? missed : met;
     return errors;
+  }
+
+
+
+  void GoalErrors::find_corners(ProbeErrors &errors) const
+  {
+    if (!model.interface)
+      return;
+    for (const auto &[name, probe] : probes)
+      if (!is_integral(probe.quantity))
+        for (const std::string &point : probe.places)
+          if (const auto at =
+                model.discretization->place(point, "Probes/Probes").vertices;
+              at.size() == 1 &&
+              is_at_corner(
+                *model.interface,
+                model.discretization->vertex_dofs[at.begin()->first]))
+            errors.at_corners.insert(name);
   }
 
 

@@ -66,6 +66,7 @@ namespace Contact
     /// Minus the residual that is left, one loop after the other.
     using Residuals = std::vector<std::pair<std::string, GhostedVector>>;
 
+    void                       find_corners(ProbeErrors &errors) const;
     void                       add_indicators(const GhostedVector &residual,
                                               const GhostedVector &weight,
                                               const double         scale,

@@ -7,6 +7,7 @@
 #define contact_probe_errors_h
 
 #include <map>
+#include <set>
 #include <string>
 
 namespace Contact
@@ -20,6 +21,11 @@ namespace Contact
 
     /// What each loop has left, by probe and loop.
     std::map<std::string, std::map<std::string, double>> loops;
+
+    /// Probes at corners in contact, see is_at_corner(): there stresses are
+    /// singular, and an estimate sees the part of the error that one more level
+    /// takes away.
+    std::set<std::string> at_corners;
   };
 } // namespace Contact
 

@@ -366,6 +366,53 @@ namespace Contact
     return text.str();
   }
 
+
+
+  bool is_at_corner(const ContactInterface<2> &interface,
+                    const NodeDoFs<2>         &node)
+  {
+    const double round_off = 1e-8;
+    const auto   ends_at   = [&](const Surface<2>  &surface,
+                             const unsigned int e,
+                             const unsigned int n) {
+      const SurfaceFacet<2> &edge = surface.facets[e];
+      if (edge.nodes[0] != n && edge.nodes[1] != n)
+        return false;
+      const unsigned int a = edge.nodes[0] == n ? 0 : 1;
+      const bool         is_end =
+        (a == 0 ? edge.previous : edge.next) == numbers::invalid_unsigned_int;
+      const Tensor<1, 2> along =
+        surface.nodes[edge.nodes[1]].X - surface.nodes[edge.nodes[0]].X;
+      return edge.corner[a] ||
+             (is_end &&
+              interface.discretization.free_part(node, along / along.norm())
+                  .norm() > round_off);
+    };
+    for (const auto &contact_pair : interface.pairs)
+      for (const Surface<2> *surface :
+           {&contact_pair->slave,
+            contact_pair->master ? &*contact_pair->master : nullptr})
+        for (unsigned int n = 0; surface && n < surface->nodes.size(); ++n)
+          if (surface->nodes[n].dofs == node)
+            {
+              const auto points  = interface.points_of(*contact_pair);
+              const auto touches = [&](const ContactPoint<2> &point) {
+                return point.status.kind != Status::open &&
+                       std::count(point.nodes.begin(),
+                                  point.nodes.end(),
+                                  &surface->nodes[n]) > 0;
+              };
+              const auto &edges = surface->facets_of_node[n];
+              return std::any_of(edges.begin(),
+                                 edges.end(),
+                                 [&](const unsigned int e) {
+                                   return ends_at(*surface, e, n);
+                                 }) &&
+                     std::any_of(points.begin(), points.end(), touches);
+            }
+    return false;
+  }
+
   template unsigned int  multiplier_at(const ContactInterface<2> &,
                                        const ContactPair<2> &,
                                        const unsigned int,

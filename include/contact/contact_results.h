@@ -113,6 +113,11 @@ namespace Contact
                                const std::vector<PointStatus<dim>> &statuses,
                                const GhostedVector                 &solution,
                                const GhostedVector                 &u_start);
+
+  /// Whether a node is where a surface has a corner, or ends, and touches:
+  /// there stresses are singular. The end at a line of symmetry is none.
+  bool is_at_corner(const ContactInterface<2> &interface,
+                    const NodeDoFs<2>         &node);
 } // namespace Contact
 
 #endif

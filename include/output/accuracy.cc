@@ -131,18 +131,58 @@ namespace Contact
 
 
 
+    /// What a sequence that goes on in one direction has before it after three
+    /// values, as a geometric one; as far as the last step if it does not get
+    /// slower. The singularity of a corner makes steps as slow as that, and an
+    /// estimate, which looks one step ahead, is as small as a step.
+    double rest(const double first, const double second, const double third)
+    {
+      const double slowest = 0.9;
+      const double step = third - second, last_step = second - first;
+      if (!(step * last_step > 0))
+        return 0;
+      const double ratio = std::min(step / last_step, slowest);
+      return step * ratio / (1 - ratio);
+    }
+
+
+
+    /// The error of a probe on the mesh of the number @p k by its values on
+    /// that and the two before, and by the values on a fine mesh that these
+    /// estimate.
+    double drift(const std::vector<LevelRecord> &levels,
+                 const unsigned int              k,
+                 const std::string              &probe)
+    {
+      if (k < 2)
+        return 0;
+      const auto value = [&](const unsigned int l) {
+        return levels[l].probes.at(probe);
+      };
+      const auto on_fine = [&](const unsigned int l) {
+        return limit(levels[l], probe);
+      };
+      return std::max(std::abs(rest(value(k - 2), value(k - 1), value(k))),
+                      std::abs(
+                        on_fine(k) - value(k) +
+                        rest(on_fine(k - 2), on_fine(k - 1), on_fine(k))));
+    }
+
+
+
     /// Twice the estimated error of a probe, which is trusted to that factor
     /// and mostly much better; or how far its value on a fine mesh, as
     /// estimated on one level, is from that of the level before, which was less
-    /// accurate.
+    /// accurate; or where the values of the last three lead to.
     double uncertainty(const std::vector<LevelRecord> &levels,
                        const std::string              &probe)
     {
       if (levels.size() < 2)
         return std::numeric_limits<double>::infinity();
-      return std::max(2 * std::abs(levels.back().errors.mesh.at(probe)),
-                      std::abs(limit(levels.back(), probe) -
-                               limit(levels[levels.size() - 2], probe)));
+      return std::max({2 * std::abs(levels.back().errors.mesh.at(probe)),
+                       std::abs(limit(levels.back(), probe) -
+                                limit(levels[levels.size() - 2], probe)),
+                       drift(levels, levels.size() - 1, probe)});
     }
   } // namespace
 
@@ -215,9 +255,11 @@ namespace Contact
                         const unsigned int              number,
                         const std::string              &probe)
   {
-    return number > 0 && std::abs(limit(levels[number], probe) -
-                                  limit(levels[number - 1], probe)) <=
-                           2 * std::abs(levels[number].errors.mesh.at(probe));
+    return number > 0 && levels[number].errors.at_corners.count(probe) == 0 &&
+           std::max(std::abs(limit(levels[number], probe) -
+                             limit(levels[number - 1], probe)),
+                    drift(levels, number, probe)) <=
+             2 * std::abs(levels[number].errors.mesh.at(probe));
   }
 
 
@@ -249,8 +291,9 @@ namespace Contact
           }
         if (!is_confirmed)
           out
-            << "    ?: value and error lead elsewhere than on the mesh before, by "
-               "more than twice\n       this error, or there is none before\n";
+            << "    ?: value and error lead elsewhere than on the mesh before, or the "
+               "values of three\n       meshes do, by more than twice this error, "
+               "or there is no mesh before\n";
         out << "    error by source: "
             << budget(summary.levels.back(), probe.name) << '\n';
         const std::string next = next_digit(summary.levels, probe.name);

@@ -350,6 +350,11 @@ namespace Contact
     if (summary.converged)
       result_files->remove("restart[0-9._]*bin");
 
+    if (summary.converged)
+      for (const std::string &probe : summary.levels.back().errors.at_corners)
+        print_error(": note: '" + probe +
+                    "' is at a corner in contact, where stresses are singular: "
+                    "its error can be ten times as large as estimated");
     if (screen.is_active())
       {
         print_levels(screen.get_stream(), summary);
