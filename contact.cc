@@ -159,6 +159,7 @@ namespace Contact
     void solve_newton();
     void check_stability();
     void note_open_stability();
+    void note_jump();
 
     // The effects, estimated in the last state.
     void estimate_effects();
@@ -592,6 +593,7 @@ namespace Contact
         model.interface->begin_to_touch(state.solution);
       }
     stabilization.begin_increment();
+    newton.begin_increment(/*starts_elsewhere=*/has_coarser_start(step));
     if (is_continuable(step) && newton.continue_last_increment())
       report.screen << "  starts where the last increment leads to"
                     << std::endl;
@@ -611,6 +613,7 @@ namespace Contact
     if (model.interface &&
         stabilization.stabilize_free_pieces(model.interface.get()))
       throw NotConverged("a body has lost the contact that held it");
+    note_jump();
     postprocessor.record_increment();
     newton.convergence.accept();
     report.end_increment();
@@ -1049,6 +1052,30 @@ namespace Contact
     if (!what.empty() && !open_stability_is_noted)
       report.print_error(": note: " + what);
     open_stability_is_noted = open_stability_is_noted || !what.empty();
+  }
+
+
+
+  // @sect4{ContactProblem::note_jump}
+  //
+  // Loads beyond what a structure carries leave it no state nearby. There may
+  // be a stable one far away, which Newton's method can find: the way to it is
+  // not one of equilibrium. Where stiffness falls slowly the ratio is below
+  // two.
+  template<int dim>
+  void ContactProblem<dim>::note_jump()
+  {
+    const double largest_leap = 5;
+    if (!levels.may_be_last() || !model.may_be_unstable())
+      return;
+    if (const double leap = newton.leap(); leap > largest_leap)
+      report.print_error(
+        ": note: up to the load factor " + brief(state.load_factor) +
+        " the bodies move " + brief(leap) +
+        " times as far as the tangent of the increment's start says: they may "
+        "have snapped through, or found another support. The way there is not "
+        "one of equilibrium. More increments show where it begins; prescribe "
+        "the displacement instead of the force to follow it");
   }
 
 

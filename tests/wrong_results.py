@@ -38,7 +38,8 @@ Proves that
   pushes;
 - a circle that passes between two nodes unseen is a violation, of any radius and
   whatever its way until it touched, and so is a body that goes through a foil whose both sides are the master;
-- a history that turns back inside an increment is noted;
+- a history that turns back inside an increment is noted, and so is an increment in
+  which a shallow arch snaps through;
 - a press fit of polygons that leave more open than it overlaps is a violation, and
   one of elements of degree 2 that are off their circle by as much is noted;
 - the flat ends of round shafts are not said to be off their circles;
@@ -990,6 +991,31 @@ def turning():
               == noted, said[:300])
 
 
+def snap_through():
+    """Half of a shallow arch, whose limit load is 0.01361 N/mm by prescribed
+    displacements: below it no note, beyond it one, in one increment or more."""
+    half, rise = 20, 1
+    mesh = Mesh()
+    mesh.block("A", 40, 2, lambda s, t: (
+        half * s, rise * (1 - s**2) + 0.5 * (t - 0.5)),
+        {"left": "Mid", "right": "End", "corner": "P"})
+    mesh.write("arch")
+    for force, n, jumps in ((0.012, 1, False), (0.0135, 4, False),
+                            (0.0137, 1, True), (0.0137, 4, True)):
+        status, said, summary = run("arch", {
+            "Mesh/File": "arch.msh", "Element/Degree": 2,
+            "Solids/Young's modulus": "A: 1000", "Solids/Poisson's ratio": "A: 0",
+            "Boundary conditions/Displacement x": "End: 0, Mid: 0",
+            "Boundary conditions/Displacement y": "End: 0",
+            "Boundary conditions/Force y": f"P: {-force}",
+            "Solution/Increments": n, "Solution/Max cut-backs": 6,
+            "Probes/Probes": "u: displacement y, P"})
+        check(f"an arch under {force} N/mm in {n} increment(s): "
+              f"{'a' if jumps else 'no'} jump is noted",
+              status == 0 and ("snapped through" in said) == jumps and
+              (summary["probes"][0]["value"] < -1) == jumps, said[:400])
+
+
 def coarse_fit():
     """A quarter of a pin, 0.01 mm too thick for its ring: edges of 15 degrees are
     0.09 mm beside the circle, and no force acts, a violation; those of 1 degree
@@ -1469,7 +1495,7 @@ def closed():
 for scene in (carried, closed, buckling, overlap, cantilever, halves, teeth, own_master, round_off,
               lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered,
               in_a_corner, concave_corner, too_coarse, roles, tied, flank, groove,
-              slide, pinned, clamped, between_nodes, approached, through, foil, turning, coarse_fit, flat_ends, glued_apart, idle,
+              slide, pinned, clamped, between_nodes, approached, through, foil, turning, snap_through, coarse_fit, flat_ends, glued_apart, idle,
               held_nodes, left_free, stands_on_corner, left_floating, eccentric, round_and_apart, through_zero, nominal_loads, normal_supports,
               along_edges, off_the_end):
     print(scene.__name__)

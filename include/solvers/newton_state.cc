@@ -406,6 +406,8 @@ namespace Contact
                                                 /*continues=*/false};
     unsigned int n = system->make_step(step, rhs, state);
     n += search_statuses(step);
+    if (!expected_way)
+      expected_way = state.largest_change(model, last);
     model.elasticity->end_first_step();
     last_residual = step.residual;
     part          = part_until_touch();
@@ -418,6 +420,28 @@ namespace Contact
     remember_status();
     ++n_steps;
     return n;
+  }
+
+
+
+  template<int dim>
+  void NewtonState<dim>::begin_increment(const bool starts_elsewhere)
+  {
+    expected_way.reset();
+    if (starts_elsewhere || model.has_friction() ||
+        !model.discretization->support_motion(state.start, state.load_factor)
+           .all_zero())
+      expected_way = 0;
+  }
+
+
+
+  template<int dim>
+  double NewtonState<dim>::leap() const
+  {
+    if (expected_way.value_or(0) == 0)
+      return 0;
+    return state.largest_change(model, state.start) / *expected_way;
   }
 
 

@@ -79,6 +79,14 @@ namespace Contact
     /// Make the next step. Returns the number of linear iterations.
     unsigned int make_step();
 
+    /// The way of the bodies in a load increment by the one that its first step
+    /// leads to expect, from the tangent of its start. Known of increments
+    /// that move no supports, start where the last one ended, and have no
+    /// friction, which lets go only in the second step; 0 in others.
+    /// Collective.
+    void   begin_increment(const bool starts_elsewhere);
+    double leap() const;
+
     /// The points that change their status in this state, or want to, and a
     /// line on each of those that did.
     unsigned int n_changes() const
@@ -146,6 +154,7 @@ namespace Contact
     GhostedVector                 last;          // where the last step began
     std::vector<PointStatus<dim>> last_statuses; // under which it was made
     double                        last_residual = 0;
+    std::optional<double>         expected_way; // of the increment [mm]
   };
 } // namespace Contact
 
