@@ -151,7 +151,9 @@ namespace Contact
       constrained.append(answer.second);
 
     SurfaceRows resolved;
+    resolved.reserve(rows);
     places.clear();
+    places.reserve(rows.size());
     for (unsigned int row = 0; row < rows.size(); ++row)
       {
         Place place = rows.end(row) == rows.begin(row) + 1 ? Place::at_node

@@ -58,6 +58,16 @@ namespace Contact
 
 
 
+  void SurfaceRows::reserve(const SurfaceRows &rows)
+  {
+    dofs.reserve(rows.dofs.size());
+    ends.reserve(rows.ends.size());
+    others.reserve(rows.others.size());
+    factors.reserve(rows.factors.size());
+  }
+
+
+
   void SurfaceRows::sort()
   {
     const auto is_wrong = [](const Dof a, const Dof b) { return a >= b; };
@@ -73,6 +83,7 @@ namespace Contact
                                 : end(a) - begin(a) < end(b) - begin(b);
                      });
     SurfaceRows sorted;
+    sorted.reserve(*this);
     for (const unsigned int row : order)
       if (sorted.dofs.empty() || sorted.dofs.back() != dofs[row])
         sorted.add_row(*this, row);

@@ -55,6 +55,9 @@ namespace Contact
       return {others.begin() + begin(row), others.begin() + end(row)};
     }
 
+    /// Keep room for as many rows and entries as others have.
+    void reserve(const SurfaceRows &rows);
+
     /// Add an entry of the next row, and end this.
     void add_entry(const Dof other, const double factor)
     {
