@@ -1066,7 +1066,7 @@ namespace Contact
   void ContactProblem<dim>::note_jump()
   {
     const double largest_leap = 5;
-    if (!levels.may_be_last() || !model.may_be_unstable())
+    if (!model.may_be_unstable())
       return;
     if (const double leap = newton.leap(); leap > largest_leap)
       report.print_error(

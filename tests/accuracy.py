@@ -10,6 +10,8 @@ Proves that
   which it refines where the error comes from, and of triangles;
 - so it does at a corner in contact, where values converge slowly and estimates see
   the next step alone, and its error is marked there, as elsewhere it is not;
+- without a request the difference from a coarser mesh is marked where that is not
+  coarser everywhere;
 - it ends with status 1, and says how far it got, at a limit;
 - its results are those of its last mesh;
 - what cannot be asked for is refused.
@@ -91,6 +93,14 @@ status, said, summary = run("nested", "Probes/Accuracy=DY(B): 1 %", *free,
 sizes = [level["cells"] for level in summary["levels"]]
 check("triangles: refined uniformly", status == 0 and
       all(b == 4 * a for a, b in zip(sizes, sizes[1:])), f"{said} {sizes}")
+
+for strategy in ("uniform", "adaptive"):
+    status, said, summary = solve(parameters / "nested.prm", "Refinement/Levels=3",
+                                  f"Refinement/Strategy={strategy}", *free)
+    check(f"levels, {strategy}: errors are marked or not", status == 0 and all(
+        probe["estimated_error"] and
+        probe["error_is_confirmed"] == (strategy == "uniform")
+        for probe in summary["probes"]), said)
 
 status, said, summary = run("nested", "Probes/Accuracy=DY(B): 1e-5 mm", *free,
                               "Refinement/Limits=unknowns: 3000")

@@ -38,6 +38,8 @@ Proves that
   pushes;
 - a circle that passes between two nodes unseen is a violation, of any radius and
   whatever its way until it touched, and so is a body that goes through a foil whose both sides are the master;
+- a bar of St. Venant and Kirchhoff's material is as its law says, and no result where
+  the law has none and cells shrink to nothing;
 - a history that turns back inside an increment is noted, and so is an increment in
   which a shallow arch snaps through;
 - a press fit of polygons that leave more open than it overlaps is a violation, and
@@ -991,6 +993,38 @@ def turning():
               == noted, said[:300])
 
 
+def shrunk():
+    """In plane strain the stretch l under the force F is E/(1 - nu^2) l (l^2 - 1)/2
+    times the height, and the one across the square root of 1 - nu/(1 - nu)
+    (l^2 - 1): zero under 44.7 N."""
+    E, nu, height = 10, 0.3, 2
+    mesh = Mesh()
+    mesh.block("B", 10, 2, box(0, 0, 10, height), {"left": "L", "right": "R"})
+    mesh.write("shrunk")
+    for force, n in ((40, 1), (50, 1), (50, 2), (60, 4)):
+        status, said, summary = run("shrunk", {
+            "Mesh/File": "shrunk.msh", "Mesh/Points": "tip: 10, 2; o: 0, 0",
+            **solids(f"B: {E}", f"B: {nu}", kinematics="large displacement"),
+            "Boundary conditions/Displacement x": "L: 0",
+            "Boundary conditions/Displacement y": "o: 0",
+            "Boundary conditions/Resultant force x": f"R: {force}",
+            "Solution/Increments": n,
+            "Probes/Probes": "u: displacement x, tip; v: displacement y, tip"})
+        if force > 44.7:
+            check(f"a bar under {force} N in {n} increment(s) is no result",
+                  status == 3 and "turns inside out" in said, said[-300:])
+            continue
+        u, v = (p["value"] for p in summary["probes"])
+        stretch = 1 + u / 10
+        check("a bar as its law says", status == 0 and
+              abs(E / (1 - nu**2) * stretch * (stretch**2 - 1) / 2 * height
+                  / force - 1) < 1e-6 and
+              abs(1 + v / height -
+                  math.sqrt(1 - nu / (1 - nu) * (stretch**2 - 1))) < 1e-6,
+              f"{u} {v}")
+        check("  its law is left, and a note says so", "gets softer" in said, said)
+
+
 def snap_through():
     """Half of a shallow arch, whose limit load is 0.01361 N/mm by prescribed
     displacements: below it no note, beyond it one, in one increment or more."""
@@ -1495,7 +1529,7 @@ def closed():
 for scene in (carried, closed, buckling, overlap, cantilever, halves, teeth, own_master, round_off,
               lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered,
               in_a_corner, concave_corner, too_coarse, roles, tied, flank, groove,
-              slide, pinned, clamped, between_nodes, approached, through, foil, turning, snap_through, coarse_fit, flat_ends, glued_apart, idle,
+              slide, pinned, clamped, between_nodes, approached, through, foil, turning, shrunk, snap_through, coarse_fit, flat_ends, glued_apart, idle,
               held_nodes, left_free, stands_on_corner, left_floating, eccentric, round_and_apart, through_zero, nominal_loads, normal_supports,
               along_edges, off_the_end):
     print(scene.__name__)

@@ -191,6 +191,16 @@ namespace Contact
 
 
 
+  // Below the stretch 1/sqrt 3 the stress of the law of St. Venant and
+  // Kirchhoff falls under compression.
+  template<int dim>
+  bool gets_softer(const BodyResult<dim> &result)
+  {
+    return result.shortening.value > 1 - 1 / std::sqrt(3.);
+  }
+
+
+
   template<int dim>
   std::string describe(const std::string        &body,
                        const BodyResult<dim>    &result,
@@ -223,12 +233,10 @@ namespace Contact
         text += ", above yield in " + shares;
       }
 
-    // Beyond the first the law of St. Venant and Kirchhoff is one of many,
-    // below the stretch 1/sqrt 3 its stress falls under compression.
-    const double large_strain       = 0.05,
-                 largest_shortening = 1 - 1 / std::sqrt(3.);
-    std::string beyond;
-    if (result.shortening.value > largest_shortening)
+    // Beyond it the law of St. Venant and Kirchhoff is one of many.
+    const double large_strain = 0.05;
+    std::string  beyond;
+    if (gets_softer(result))
       beyond = "a stretch of " + brief(1 - result.shortening.value) +
                at(result.shortening) +
                ", below 1/sqrt 3: St. Venant and Kirchhoff's material gets "
@@ -271,6 +279,8 @@ namespace Contact
 
 
 
+  template bool gets_softer(const BodyResult<2> &);
+  template bool gets_softer(const BodyResult<3> &);
   template struct BodyResult<2>;
   template struct BodyResult<3>;
   template std::map<std::string, BodyResult<2>>

@@ -55,6 +55,11 @@ namespace Contact
                const GhostedVector                      &solution,
                const GhostedVector                      &contact_forces);
 
+  /// Whether a body is compressed beyond where its law is one: where the stress
+  /// of St. Venant and Kirchhoff's falls the more a body is compressed.
+  template<int dim>
+  bool gets_softer(const BodyResult<dim> &result);
+
   /// The result of a body in a line, or nothing if it is within its range.
   template<int dim>
   std::string describe(const std::string        &body,

@@ -249,8 +249,12 @@ namespace Contact
     summary.bodies = increment().bodies;
     for (const auto &[name, result] : bodies)
       {
-        std::vector<std::string> texts{
-          describe(name, result, parameters.solids)};
+        const std::string last = describe(name, result, parameters.solids);
+        if (gets_softer(result))
+          print_error(": note: " + last);
+        std::vector<std::string> texts;
+        if (!gets_softer(result))
+          texts.push_back(last);
         const IncrementRecord *farthest = &increment();
         for (const IncrementRecord &record : summary.increments)
           if (const auto found = record.bodies.find(name);

@@ -288,12 +288,20 @@ namespace Contact
                      return 2 * level.n_displacements <=
                             summary.levels.back().n_displacements;
                    });
-    if (coarser != summary.levels.rend())
-      for (ProbeResult &probe : summary.probes)
-        {
-          probe.error = std::abs(probe.value - coarser->probes.at(probe.name));
-          probe.estimator = "difference from a coarser level";
-        }
+    if (coarser == summary.levels.rend())
+      return;
+    const unsigned int n_refinements = coarser - summary.levels.rbegin();
+    const auto         has_become    = [&](const unsigned int children) {
+      return summary.levels.back().n_cells ==
+             coarser->n_cells * std::pow(children, n_refinements);
+    };
+    const bool is_uniform = has_become(4) || has_become(8);
+    for (ProbeResult &probe : summary.probes)
+      {
+        probe.error = std::abs(probe.value - coarser->probes.at(probe.name));
+        probe.estimator          = "difference from a coarser level";
+        probe.error_is_confirmed = is_uniform;
+      }
   }
 
 

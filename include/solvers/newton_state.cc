@@ -425,10 +425,18 @@ namespace Contact
 
 
   template<int dim>
+  bool NewtonState<dim>::friction_acts() const
+  {
+    return model.has_friction() && model.interface->count().active > 0;
+  }
+
+
+
+  template<int dim>
   void NewtonState<dim>::begin_increment(const bool starts_elsewhere)
   {
     expected_way.reset();
-    if (starts_elsewhere || model.has_friction() ||
+    if (starts_elsewhere || friction_acts() ||
         !model.discretization->support_motion(state.start, state.load_factor)
            .all_zero())
       expected_way = 0;
@@ -439,7 +447,7 @@ namespace Contact
   template<int dim>
   double NewtonState<dim>::leap() const
   {
-    if (expected_way.value_or(0) == 0)
+    if (expected_way.value_or(0) == 0 || friction_acts())
       return 0;
     return state.largest_change(model, state.start) / *expected_way;
   }

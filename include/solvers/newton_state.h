@@ -81,8 +81,8 @@ namespace Contact
 
     /// The way of the bodies in a load increment by the one that its first step
     /// leads to expect, from the tangent of its start. Known of increments
-    /// that move no supports, start where the last one ended, and have no
-    /// friction, which lets go only in the second step; 0 in others.
+    /// that move no supports, start where the last one ended, and where no
+    /// friction acts, which lets go only in the second step; 0 in others.
     /// Collective.
     void   begin_increment(const bool starts_elsewhere);
     double leap() const;
@@ -119,6 +119,7 @@ namespace Contact
     void   try_to_rest(const GhostedVector &of_bodies);
     bool   points_follow_the_law() const;
     void   check() const;
+    bool   friction_acts() const;
     void   remember_status();
     double part_until_touch() const;
 
