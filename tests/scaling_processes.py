@@ -46,7 +46,9 @@ from scipy.optimize import nnls
 PARAMETERS = pathlib.Path(__file__).resolve().parent.parent / "parameters"
 ONE_CORE = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1",
             "DEAL_II_NUM_THREADS": "1"}
-MONITORING = ["--mca", "pml_monitoring_enable", "2",
+# The program takes ob1 alone, unless it is told.
+MONITORING = ["--mca", "pml", "ob1,monitoring",
+              "--mca", "pml_monitoring_enable", "2",
               "--mca", "pml_monitoring_enable_output", "3",
               "--mca", "pml_monitoring_filename", "messages"]
 SIZES = 1e6, 1e7, 1e8, 1e9
@@ -100,6 +102,8 @@ class Run:
             summary = json.loads((directory / "output" / case /
                                   "summary.json").read_text())
             self.messages = Messages(directory)
+        if ranks > 1 and self.messages.count == 0:
+            sys.exit("Open MPI has counted no messages")
         finest = summary["levels"][-1]
         self.ranks = ranks
         self.unknowns = finest["displacements"]
