@@ -1066,8 +1066,6 @@ namespace Contact
   void ContactProblem<dim>::note_jump()
   {
     const double largest_leap = 5;
-    if (!model.may_be_unstable())
-      return;
     if (const double leap = newton.leap(); leap > largest_leap)
       report.print_error(
         ": note: up to the load factor " + brief(state.load_factor) +

@@ -395,20 +395,21 @@ namespace Contact
         for (unsigned int n = 0; surface && n < surface->nodes.size(); ++n)
           if (surface->nodes[n].dofs == node)
             {
-              const auto points  = interface.points_of(*contact_pair);
-              const auto touches = [&](const ContactPoint<2> &point) {
+              const auto &edges   = surface->facets_of_node[n];
+              const auto  points  = interface.points_of(*contact_pair);
+              const auto  touches = [&](const ContactPoint<2> &point) {
                 return point.status.kind != Status::open &&
                        std::count(point.nodes.begin(),
                                   point.nodes.end(),
                                   &surface->nodes[n]) > 0;
               };
-              const auto &edges = surface->facets_of_node[n];
-              return std::any_of(edges.begin(),
-                                 edges.end(),
-                                 [&](const unsigned int e) {
-                                   return ends_at(*surface, e, n);
-                                 }) &&
-                     std::any_of(points.begin(), points.end(), touches);
+              if (std::any_of(edges.begin(),
+                              edges.end(),
+                              [&](const unsigned int e) {
+                                return ends_at(*surface, e, n);
+                              }) &&
+                  std::any_of(points.begin(), points.end(), touches))
+                return true;
             }
     return false;
   }

@@ -436,7 +436,7 @@ namespace Contact
   void NewtonState<dim>::begin_increment(const bool starts_elsewhere)
   {
     expected_way.reset();
-    if (starts_elsewhere || friction_acts() ||
+    if (!model.may_be_unstable() || starts_elsewhere || friction_acts() ||
         !model.discretization->support_motion(state.start, state.load_factor)
            .all_zero())
       expected_way = 0;

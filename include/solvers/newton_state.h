@@ -81,9 +81,9 @@ namespace Contact
 
     /// The way of the bodies in a load increment by the one that its first step
     /// leads to expect, from the tangent of its start. Known of increments
-    /// that move no supports, start where the last one ended, and where no
-    /// friction acts, which lets go only in the second step; 0 in others.
-    /// Collective.
+    /// of bodies in large displacement that move no supports, start where the
+    /// last one ended, and where no friction acts, which lets go only in the
+    /// second step; 0 in others. Collective.
     void   begin_increment(const bool starts_elsewhere);
     double leap() const;
 
