@@ -75,7 +75,8 @@ namespace Contact
      * for, or there is a limit. In @p missed why the accuracy is not reached,
      * or nothing. An error that is small may be so by chance, where parts of it
      * cancel: the value with its error put right has to be the same on two
-     * levels, to that accuracy.
+     * levels, to that accuracy, and neither it nor the value may lead further
+     * by how they go on over three.
      */
     bool end_with(const std::vector<LevelRecord> &levels,
                   std::string                    &missed) const;
@@ -91,8 +92,8 @@ namespace Contact
 
 
   /// Whether the level @p number and the one before it estimate the same limit
-  /// of a probe, as far as the error of this level can tell; the first one does
-  /// not.
+  /// of a probe, and the last three lead there, as far as the error of this
+  /// level can tell; the first one does not, nor at a corner in contact.
   bool agrees_with_last(const std::vector<LevelRecord> &levels,
                         const unsigned int              number,
                         const std::string              &probe);
